@@ -5,7 +5,7 @@
 // What calibrations with and without a recorded force have in common.
 namespace mill::twin {
 constexpr double other_basin    = 9;  ///< deviance below which a second minimum may be the right one
-constexpr double far_from_prior = 3;  ///< prior sd beyond which a change is no correction of a stand
+constexpr double far_from_prior = 3;  ///< prior sd beyond which a change contradicts the case
 /// Pieces of records as transforms in the band that is fitted.
 MeasuredResponse measured_response(const CalibrationInput &input, const std::vector<ForcedSamples> &pieces);
 double seconds_of(const MeasuredResponse &data);  ///< s

@@ -3,7 +3,7 @@
 #include "twin/calibration/fit.h"
 #include <string>
 
-// Force and accelerations from two clocks, where nobody asked for their delay.  theory.md 44.8
+// Delay of force and accelerations from two clocks, where it is not an unknown of the fit.  theory.md 44.8
 namespace mill::twin {
 /// How much later the accelerations are than the force drives them in the stand that was fitted.
 struct ClockDelay {

@@ -38,7 +38,7 @@ FitProblem problem_of(const OutputOnly &record, const std::vector<Unknown> &all,
   return problem;
 }
 
-/// The scan without the knots of the force, which are fitted beside the stand.
+/// The scan without the knots of the force, which are fitted together with the stand.
 ScannedFit of_the_stand(const ScannedFit &scan, const std::vector<Unknown> &unknowns)
 {
   const auto p           = Eigen::Index(unknowns.size());
@@ -136,7 +136,7 @@ void add_band_refusals(std::vector<std::string> &refusals, const RecordFit &fit,
                     uneven, fit.levels.size(), records, steep->centre, steep->ratio, steep->limit));
 }
 
-/// Levels of the check records beside those of the case and of the calibrated case, over Hann segments.
+/// Levels of the check records, of the case and of the calibrated case, over Hann segments.
 Table response_table(const CalibrationInput &in, const OutputOnly &record, const FittedRecord &check,
                      const NoiseDensity &noise)
 {

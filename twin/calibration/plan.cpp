@@ -134,7 +134,7 @@ std::vector<Eigen::MatrixXd> information_of(const FittedStand &stand, const std:
 std::vector<Unknown> with_force(std::vector<Unknown> unknowns, const PlannedRecord &record)
 {
   if (!record.force_recorded)
-    unknowns.push_back({force_density_name, 3.0, 0});  // e^3: nobody knows it within a factor of 20
+    unknowns.push_back({force_density_name, 3.0, 0});  // e^3: it is not known within a factor of 20
   return unknowns;
 }
 }  // namespace

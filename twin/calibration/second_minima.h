@@ -3,7 +3,7 @@
 
 // What other minima mean for what is identified where records leave more than one.  theory.md 45.5
 namespace mill::twin {
-/// Where the lowest minimum is no correction of this stand (beyond 3 prior sd) and another one, deviance below 9,
+/// Where the lowest minimum contradicts the case (beyond 3 prior sd) and another one, deviance below 9,
 /// is, the records do not tell them apart: the latter becomes the fit and the former another minimum.
 /// @param p  unknowns of the stand, the first of the problem's
 void prefer_a_correction(const FitProblem &problem, Eigen::Index p, const FitSettings &settings, ScannedFit &scan);

@@ -11,7 +11,7 @@ bool case_agrees(const Calibration &result, const RecordFit &fit_at_case, const 
 std::vector<std::string> refusals_of(const CalibrationInput &input, const Calibration &result);
 
 /// Refusals that need no spectrum: nothing identified, check no better than before, far from the prior, delay,
-/// clipped channels, no convergence.  Where the case agrees, a check that fits no better is no reason.
+/// clipped channels, no convergence.  Where the case agrees, a check that fits no better refuses nothing.
 void add_other_refusals(std::vector<std::string> &refusals, const CalibrationInput &input,
                         const Calibration &result);
 

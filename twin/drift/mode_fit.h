@@ -34,7 +34,7 @@ struct ModeFit {
 
 /// The likelihood of theory.md 50.4 in the band of one mode: free are its frequency, its damping, its residues at
 /// the sensors (complex, so that gains and a delay between two clocks do not count), its motion at both ends of
-/// the block, and beside it straight lines over the band for what the other modes and the ends add.
+/// the block, together with straight lines over the band for the other modes and the ends.
 /// @param expected  where to look: up to 5 half widths away, further when the minimum lies at the edge
 /// @param others    modes that may lie in the same band; their frequencies are not changed
 /// Cost: 1 ms for 700 lines and 4 sensors.

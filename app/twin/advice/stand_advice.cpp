@@ -258,7 +258,7 @@ std::string level_answer(const twin::LevelAdvice &advice)
                      best.name, 100 * best.verified, best.repeated.back().name, 100 * best.change,
                      100 * best.first_order);
 }
-// The pass beside the level: its critical speed, or why there is none.
+// The pass of the level: its critical speed, or why it has none.
 void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
                     const std::optional<twin::CriticalState> &detailed, const AdvisedModel &model)
 {

@@ -5,7 +5,7 @@
 #include <string>
 
 namespace mill {
-/// Does the case drive rolls as beams or component modes, by itself or from files?
+/// Does the case drive rolls as beams or component modes, computed or from files?
 bool is_detailed(const Case &the_case);
 
 /// Its connections before the records: a four-high by its stages at the load, files as they are.

@@ -13,7 +13,7 @@ struct StatedErrors {
 };
 
 /// Of a four-high stand: the errors that its last run states for this very case, with the difference between the
-/// run's value and that of the chain.  Where there is no such run: the intervals of the estimated values and the
+/// run's value and that of the chain.  Without such a run: the intervals of the estimated values and the
 /// tolerances of [frame], as far as they move each spring and mass; 5 % more for computed springs, since contact
 /// laws differ by that.  Of other kinds: the errors of the given values.
 /// @param chain  of the case at `load`

@@ -305,7 +305,7 @@ void LiveRun::tick(const double now)
   each_second();
 }
 
-// A rate that is wrong stays an alarm until it is right; a jump is told and was.
+// A wrong rate stays an alarm until it is right; a jump is reported once.
 void LiveRun::tell_arrival(const std::optional<live::ArrivalWatch::News> &news)
 {
   using Kind = live::ArrivalWatch::News::Kind;

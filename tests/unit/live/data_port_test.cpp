@@ -95,7 +95,7 @@ TEST(DataPort, OneSourceAtATimeAndFourClients)
   EXPECT_EQ(a.until("{\"ack\":0}\n"), "{\"millstand\":1}\n{\"ack\":0}\n");
 }
 
-TEST(DataPort, WhatIsNoSourceIsShownTheDoor)
+TEST(DataPort, ClosesConnectionsThatAreNotASource)
 {
   live::SampleQueue queue;
   const live::DataPort port(settings(), queue);
@@ -158,7 +158,7 @@ TEST(DataPort, RefusesAddressesWithAReason)
                               ": the port is taken, perhaps by another millstand live; choose another one");
 }
 
-TEST(DataPort, ATokenIsAskedForAndTheRiskSaid)
+TEST(DataPort, AsksForATokenAndStatesTheRisk)
 {
   live::SampleQueue queue;
   auto its    = settings("0123456789abcdef0123456789abcdef");

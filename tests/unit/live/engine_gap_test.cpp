@@ -127,7 +127,7 @@ TEST(LiveGaps, ASecondRecordOfTheSameClockCountsWhatIsBetween)
 }
 
 // A source whose clock was set back sends what was there already: after a minute of it somebody is told, once.
-TEST(LiveGaps, AMinuteThatComesAgainIsTold)
+TEST(LiveGaps, ReportsAMinuteThatComesAgain)
 {
   LiveSamples run(published(), 100);
   run.engine().take(live::SourceHead{100, 1000.0, "a", {{"force", "N"}}, {1}});

@@ -147,7 +147,7 @@ TEST(LineSession, FiveBadLinesInARowClose)
   EXPECT_EQ(last.reply, R"({"rejected":"no JSON from byte 1 on","line":21,"closed":"five bad lines in a row"})");
 }
 
-TEST(LineSession, ANumberFarAheadIsNotBelieved)
+TEST(LineSession, RefusesANumberFarAhead)
 {
   live::LineSession session(rules());
   session.take(good_head);
@@ -193,7 +193,7 @@ TEST(LineSession, AskForTheToken)
   EXPECT_EQ(reason_of(session, with), "taken");
 }
 
-TEST(LineSession, TellsWhereToGoOn)
+TEST(LineSession, SendsTheNumberToContinueAt)
 {
   auto its = rules();
   its.next = [] { return std::optional<std::int64_t>(4711); };
@@ -216,7 +216,7 @@ TEST(LineCutter, KeepsHalfALineAndCutsALongOne)
 }
 
 // Short form of the fuzz run: MILLSTAND_PASSES times as many inputs.
-TEST(LineSession, NothingThatIsSentBreaksIt)
+TEST(LineSession, SurvivesAnyInput)
 {
   const char *const passes = std::getenv("MILLSTAND_PASSES");
   const int rounds         = 10000 * (passes ? std::max(1, std::atoi(passes)) : 1);

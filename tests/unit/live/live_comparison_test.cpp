@@ -124,7 +124,7 @@ Case given_case(const std::string &folder)
 }
 }  // namespace
 
-TEST(LiveComparison, AContactSoftensAndAProposalWaits)
+TEST(LiveComparison, ProposesASofterContact)
 {
   const SixMasses stand;
   Comparison comparison(setup_of(stand));
@@ -192,7 +192,7 @@ TEST(LiveComparison, AContactSoftensAndAProposalWaits)
 }
 
 // Killed between two blocks and started again, it goes on as one that ran through: sums, alarm, what is proposed.
-TEST(LiveComparison, ARestartLosesNoDrift)
+TEST(LiveComparison, KeepsItsDriftOverARestart)
 {
   const SixMasses stand;
   constexpr double slightly = 0.9999;  // of K3: some standard deviations of a block
@@ -231,7 +231,7 @@ TEST(LiveComparison, ARestartLosesNoDrift)
   EXPECT_EQ(third.proposals().size(), again.proposals().size());
 }
 
-TEST(LiveComparison, AdoptedByHandIsACase)
+TEST(LiveComparison, AdoptedProposalIsACase)
 {
   namespace fs             = std::filesystem;
   const std::string folder = testing::TempDir() + "adopted-proposal";
@@ -328,7 +328,7 @@ TEST(LiveComparison, AlarmsHaveOneNumberUntilTheyAreOver)
   EXPECT_EQ(book.news()[0].id, 102);
 }
 
-TEST(LiveComparison, WorkBesideGivesItsResultOnce)
+TEST(LiveComparison, BackgroundWorkGivesItsResultOnce)
 {
   LowPriorityTask<int> task;
   EXPECT_FALSE(task.wait());

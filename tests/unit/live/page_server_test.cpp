@@ -142,7 +142,7 @@ TEST(PageServer, CommandsArriveOnceAndAreAnswered)
 }
 
 // TW-31, item by item: 4xx, and nothing is done.
-TEST(PageServer, WhatIsNotAllowedIsRefusedAndNothingIsDone)
+TEST(PageServer, RefusesForbiddenRequestsWithoutEffect)
 {
   Served served;
   const int port         = served.server.port();
@@ -252,7 +252,7 @@ TEST(PageServer, ABrowserThatLeavesIsForgotten)
 }
 
 // TW-30: 16 browsers of which 4 never read; those that read miss nothing, the next is refused.
-TEST(PageServer, FourThatNeverReadDisturbNobody)
+TEST(PageServer, FourBrowsersThatNeverReadDoNotDisturbTheOthers)
 {
   Served served;
   const int port = served.server.port();
@@ -293,7 +293,7 @@ TEST(PageServer, FourThatNeverReadDisturbNobody)
   EXPECT_LT(seen, frames / 2);
 }
 
-TEST(PageServer, TheThirtyThirdConnectionIsTurnedAway)
+TEST(PageServer, RefusesTheThirtyThirdConnection)
 {
   Served served;
   const int port = served.server.port();

@@ -173,7 +173,7 @@ TEST(StoredState, GoesOnWithAdoptedSpringsAndSlidersOverThem)
   }()) << "stored again it is the same";
 }
 
-TEST(StoredState, OlderAndDamagedOnesAreTold)
+TEST(StoredState, ReportsOlderAndDamagedStates)
 {
   const auto said = [](const char *pointer, const Json &value) {
     Json state                         = whole_state();
@@ -206,7 +206,7 @@ TEST(StoredState, OlderAndDamagedOnesAreTold)
       "the stored state cannot be used: adopted has other springs than the case; the twin starts without it");
 }
 
-TEST(StoredState, WhatWasLearnedComesBack)
+TEST(StoredState, RestoresWhatWasLearned)
 {
   const Json learned = whole_state()["comparison"];
   live::Comparison comparison(stored_setup());
@@ -256,7 +256,7 @@ TEST(StoredState, ABaselineIsCarriedOverARestart)
 }
 
 // Long form: MILLSTAND_PASSES = 50 is 1e5 of them.
-TEST(StoredState, NoTextMakesItFall)
+TEST(StoredState, SurvivesAnyText)
 {
   const char *const passes = std::getenv("MILLSTAND_PASSES");
   const int n              = 2000 * (passes ? std::max(1, std::atoi(passes)) : 1);

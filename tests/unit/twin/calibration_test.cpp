@@ -108,7 +108,7 @@ TEST(Plan, InformationOfTheReference)
   }
 }
 
-TEST(Plan, TheSensorThatHelpsMostIsTheOneThatPartsTheValley)
+TEST(Plan, NamesTheSensorThatSeparatesTwoSprings)
 {
   PlannedRecord record;
   record.places            = {2, 3};
@@ -128,7 +128,7 @@ TEST(Plan, TheSensorThatHelpsMostIsTheOneThatPartsTheValley)
   EXPECT_EQ(unseen[0], "0.98 ln K6 - 0.20 ln K7: these records depend on the two springs in series alone");
 }
 
-TEST(Levels, TwoOfThemDetermineOneNumber)
+TEST(Levels, TwoLevelsDetermineOneNumber)
 {
   const auto known  = reference("levels", "twin");
   const auto slopes = white_force_levels(calibration::stand_r(), {2, 3}, 1000, 1000, {"K3", "K5"});
@@ -165,7 +165,7 @@ TEST(Calibration, AForceThatEndsBelowTheUpperModesHidesThree)
   expect_shrink_of(fit_of(r, calibration::record(r)), "low");
 }
 
-TEST(Calibration, AStandWithAnotherFrameIsNotExplained)
+TEST(Calibration, DoesNotExplainAStandWithAnotherFrame)
 {
   const auto r     = recipe("closed");
   const auto known = reference("calibrate.closed.result", "twin");
@@ -231,7 +231,7 @@ TEST(Calibration, AProfileIsTheMinimumOverAllOthers)
     EXPECT_NEAR(lowest_over_K2(all.interval(0, side)), 3.84, 0.15);
 }
 
-TEST(Calibration, TwoClocksAreAlignedWhenAsked)
+TEST(Calibration, AlignsTwoClocksWhenTheDelayIsAnUnknown)
 {
   Small late(
       {
@@ -273,7 +273,7 @@ Calibration with_late_clock(const Eigen::Index samples)
 }
 }  // namespace
 
-TEST(Calibration, ADelayNobodyAskedForIsTold)
+TEST(Calibration, ReportsADelayThatIsNotAnUnknown)
 {
   const Calibration right = with_late_clock(0);
   ASSERT_TRUE(right.delay);
@@ -291,7 +291,7 @@ TEST(Calibration, ADelayNobodyAskedForIsTold)
   EXPECT_EQ(std::count(far.refusals.begin(), far.refusals.end(), far.delay->words(20000)), 1);
 }
 
-TEST(Calibration, ADelayIsToldInSamplesWithItsRemedy)
+TEST(Calibration, PrintsADelayInSamplesWithItsRemedy)
 {
   const ClockDelay delay{-1.5e-4, 2.5e-6, 1 / (20 * 900.)};
   EXPECT_TRUE(delay.too_large());
@@ -303,7 +303,7 @@ TEST(Calibration, ADelayIsToldInSamplesWithItsRemedy)
   EXPECT_FALSE((ClockDelay{2e-5, 1e-5, 1 / (20 * 900.)}).significant()) << "within three deviations";
 }
 
-TEST(Calibration, ACaseThatIsRightHasNothingToChange)
+TEST(Calibration, AgreesWithACaseThatIsRight)
 {
   Small small({
       {"zeta", 0.7}

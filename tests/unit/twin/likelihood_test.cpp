@@ -122,7 +122,7 @@ TEST(Likelihood, InformationIsThatOfTheResponseSlopes)
 
 // A piece cut out of the middle rings on from before it; without the transients its bins would be wrong by far
 // more than the noise.
-TEST(Likelihood, APieceThatRingsOnFromBeforeItIsExplained)
+TEST(Likelihood, ExplainsAPieceThatStillRingsFromBefore)
 {
   calibration::Recipe r = recipe("two");
   r.n                   = 60000;
@@ -176,7 +176,7 @@ TEST(Likelihood, EstimatesOfARecordWhoseTruthIsKnown)
   EXPECT_NEAR(misfit_on(calibration::stand_r(), unknowns, fit.estimate, check, data, fit.noise), 1, 0.03);
 }
 
-TEST(Likelihood, WhatTheChainDoesNotHaveIsNotFitted)
+TEST(Likelihood, RefusesUnknownsThatTheChainDoesNotHave)
 {
   const MeasuredResponse none;
   try {

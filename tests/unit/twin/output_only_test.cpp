@@ -111,7 +111,7 @@ TEST(OutputOnly, CostAndInformationAreThoseOfGaussianAccelerations)
 }
 
 // What the plan foretells is what estimates of many records scatter by.  MILLSTAND_STANDS=60 runs more of them.
-TEST(OutputOnly, EstimatesScatterByWhatThePlanForetells)
+TEST(OutputOnly, EstimatesScatterByThePlannedDeviation)
 {
   const char *asked                   = std::getenv("MILLSTAND_STANDS");
   const int records                   = asked ? std::atoi(asked) : 12;
@@ -165,7 +165,7 @@ TEST(OutputOnly, EstimatesScatterByWhatThePlanForetells)
 
 // At the truth nothing is wrong; with another damping the level at the resonances is, with another spring the
 // ratios.
-TEST(OutputOnly, WrongDampingShowsInTheLevelAndAWrongSpringInTheRatios)
+TEST(OutputOnly, WrongDampingFailsInTheLevelsAndAWrongSpringInTheRatios)
 {
   calibration::Recipe r       = recipe("two");
   const auto unknowns         = calibration::unknowns_r();
@@ -234,7 +234,7 @@ ScannedFit scanned_wells(const FitProblem &problem)
 }  // namespace
 
 // The prior of 3.4 deviations costs 5.6, that of 0.48 deviations 0.1: wells 7.5 apart differ by a deviance of 4.
-TEST(OutputOnly, OfTwoMinimaThatExplainARecordAlikeTheCorrectionIsTheFit)
+TEST(OutputOnly, PrefersTheMinimumNearThePriorsWhenTwoExplainTheRecordAlike)
 {
   const ScannedFit scan = scanned_wells(two_wells(7.5));
   EXPECT_NEAR(scan.best.estimate[0], 0.05 / 1.04, 1e-3);
@@ -247,14 +247,14 @@ TEST(OutputOnly, OfTwoMinimaThatExplainARecordAlikeTheCorrectionIsTheFit)
   EXPECT_EQ(judged[0].why_not, "not identified by these data: a second minimum at -28.6 %, deviance -3.5");
 }
 
-TEST(OutputOnly, AMinimumBeyondThePriorsThatIsLowerByFarStaysTheFit)
+TEST(OutputOnly, KeepsAMinimumBeyondThePriorsWhenItIsMuchLower)
 {
   const ScannedFit scan = scanned_wells(two_wells(12));
   EXPECT_NEAR(scan.best.estimate[0], -0.35 / 1.04, 1e-3);  // and is refused by its 3.4 deviations
 }
 
 // The ends of the interval of a scanned spring say more of another one than the curvature at its best place.
-TEST(OutputOnly, AnIntervalCoversTheEndsOfTheOthers)
+TEST(OutputOnly, IntervalCoversTheEndsOfOtherProfiles)
 {
   ScannedFit scan;
   scan.best.unknowns = {
@@ -279,7 +279,7 @@ TEST(OutputOnly, AnIntervalCoversTheEndsOfTheOthers)
 }
 
 // A weak resonance that noise feigns is sharp at its top and hardly higher than its surroundings.
-TEST(OutputOnly, AProfileThatHardlyRisesTellsNothing)
+TEST(OutputOnly, AFlatProfileIsNotIdentified)
 {
   ScannedFit scan;
   scan.best.unknowns = {

@@ -118,7 +118,7 @@ TEST(ReducedStand, SlopesAreThoseOfDifferences)
   }
 }
 
-TEST(ReducedStand, APlanKnowsItsConnectionsAndTheDampingOfEachMode)
+TEST(ReducedStand, PlansConnectionsAndTheDampingOfEachMode)
 {
   const FittedStand stand = fitted_bars();
   EXPECT_EQ(number_of_places(stand), 4);

@@ -133,7 +133,7 @@ Outcome drawn_stands(const bool force_recorded)
 }
 }  // namespace
 
-TEST(CalibrationCampaign, IntervalsHoldTheTruthAsOftenAsTheySay)
+TEST(CalibrationCampaign, IntervalsContainTheTruthAtTheirStatedRate)
 {
   const bool long_form = std::getenv("MILLSTAND_STANDS");
   const Outcome sum    = drawn_stands(true);
@@ -143,7 +143,7 @@ TEST(CalibrationCampaign, IntervalsHoldTheTruthAsOftenAsTheySay)
   EXPECT_GE(sum.held, 0.85 * sum.identified) << sum.held << " of " << sum.identified;
 }
 
-TEST(CalibrationCampaign, SoTheyDoWithoutForceAndNoRightStandIsRefused)
+TEST(CalibrationCampaign, IntervalsContainTheTruthWithoutForceAndRightStandsAreAccepted)
 {
   const bool long_form = std::getenv("MILLSTAND_STANDS");
   const Outcome sum    = drawn_stands(false);

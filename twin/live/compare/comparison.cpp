@@ -327,7 +327,7 @@ void Comparison::set_twin(const LumpedModel &chain, const DynamicsSettings &dyna
                     now.frequency == setup_.modes.frequency && now.damping == setup_.modes.damping;
   setup_.chain    = chain;
   setup_.dynamics = dynamics;
-  if (same)  // told again, for instance since another place is shown
+  if (same)  // set again, for instance since another place is shown
     return;
   setup_.modes = now;
   modes.set_twin(now);

@@ -56,7 +56,7 @@ OnsetMonitor::OnsetMonitor(const double rate, std::vector<std::string> places, s
                            const std::optional<double> limit_)
     : channels(std::move(places)), watched(below_nyquist(std::move(bands), rate)), limit(limit_),
       envelopes(rate, Eigen::Index(channels.size()), frequencies_of(watched)), near(watched.size(), 0),
-      beyond(watched.size(), 0), events(listed(frequencies_of(watched)))
+      near_frequency(watched.size(), unknown), beyond(watched.size(), 0), events(listed(frequencies_of(watched)))
 {
   twin::AlarmSettings rule;
   rule.limit = limit;
@@ -292,6 +292,9 @@ void OnsetMonitor::renew_growth(const std::size_t band, const double utc, AlarmB
   near[band]              = highest > twin::near_instability_from ? near[band] + 1 : 0;
   if (near[band] >= times_near) {
     const twin::GrowthRate &growth = at(band, at_place).growth;
+    if (warned_by_neighbour(band, growth.frequency, book))
+      return;
+    near_frequency[band] = growth.frequency;
     book.raise(cause, utc, "chatter", "warning",
                fmt::format("{} at {:.1f} Hz, {}: growth rate {:.2f} 1/s, 95 % below {:.2f} 1/s, over {:.0f} s; "
                            "above {:.1f} 1/s the stand is near instability",
@@ -299,6 +302,17 @@ void OnsetMonitor::renew_growth(const std::size_t band, const double utc, AlarmB
                            growth.duration, twin::near_instability_from));
   } else if (highest < twin::near_instability_from - calm_again)
     book.end(cause);
+}
+
+// A mode between two bands is seen by both: one warning is enough.
+bool OnsetMonitor::warned_by_neighbour(const std::size_t band, const double frequency, const AlarmBook &book) const
+{
+  constexpr double one_mode = 5;  // Hz
+  for (std::size_t other = 0; other < watched.size(); ++other)
+    if (other != band && std::abs(near_frequency[other] - frequency) < one_mode &&
+        book.open(near_cause(watched[other].frequency)))
+      return true;
+  return false;
 }
 
 std::vector<ChatterBand> OnsetMonitor::bands() const

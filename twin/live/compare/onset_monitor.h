@@ -76,6 +76,7 @@ private:
   void raise_onsets(std::vector<Onset> onsets, double utc, AlarmBook &book);
   void watch_limit(std::size_t band, double utc, AlarmBook &book);
   bool calm(std::size_t band) const;
+  bool warned_by_neighbour(std::size_t band, double frequency, const AlarmBook &book) const;
   bool renew_rates(std::size_t band);
   void renew_growth(std::size_t band, double utc, AlarmBook &book);
   Watched &at(std::size_t band, std::size_t channel);
@@ -87,6 +88,7 @@ private:
   twin::RunningEnvelopes envelopes;
   std::vector<Watched> all;  // by band, then channel
   std::vector<int> near;     // growth rates in a row with their upper end near zero, by band
+  std::vector<double> near_frequency;  // Hz, of the warning of each band
   std::vector<int> beyond;   // values in a row above the limit, by band
   ChatterEvents events;
   bool taken_over     = false;  // alarms of before a restart

@@ -35,7 +35,7 @@ bool is_spring(const std::string &name)
 }
 
 // The case with another damping ratio, since the chain is written with the dynamics of the case.  A chatter case
-// has dampers between single masses, of which a record tells the modes alone: its chain stands by itself.
+// has dampers between single masses, of which a record identifies the modes alone: its chain is a case of its own.
 Case with_damping(Case origin, const double damping)
 {
   if (std::holds_alternative<ChatterCase>(origin.spec))

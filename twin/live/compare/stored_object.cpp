@@ -46,7 +46,7 @@ double StoredObject::number(const char *key, const double low, const double high
 
 double StoredObject::number_or_unknown(const char *key, const double low, const double high) const
 {
-  // what is no number has become null in a file, and is itself in what was never written
+  // NaN has become null in a file, and is NaN in a state that was never written
   const auto &value  = member(key);
   const bool unknown = value.is_null() || (value.is_number_float() && !std::isfinite(value.get<double>()));
   return unknown ? std::numeric_limits<double>::quiet_NaN() : number(key, low, high);

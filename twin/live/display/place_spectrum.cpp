@@ -73,7 +73,7 @@ void PlaceSpectrum::begin(const LiveSource &source)
   choose(wanted_);
   filled_     = 0;
   changed_at_ = 0;
-  begin_anew();
+  start_again();
 }
 
 void PlaceSpectrum::choose(const std::string &place)
@@ -82,7 +82,7 @@ void PlaceSpectrum::choose(const std::string &place)
   for (std::size_t p = 0; p < places_.size(); ++p)
     if (places_[p].name == place && p != chosen_) {
       chosen_ = p;
-      begin_anew();
+      start_again();
     }
 }
 
@@ -91,7 +91,7 @@ const std::string &PlaceSpectrum::place() const
   return places_.empty() ? wanted_ : places_[chosen_].name;
 }
 
-void PlaceSpectrum::begin_anew()
+void PlaceSpectrum::start_again()
 {
   pieces_.clear();
   since_ = 0;
@@ -100,14 +100,14 @@ void PlaceSpectrum::begin_anew()
 void PlaceSpectrum::twin_changed()
 {
   changed_at_ = end_;
-  begin_anew();
+  start_again();
 }
 
 void PlaceSpectrum::put(const LiveBlock &block)
 {
   if (block.after_gap) {
     filled_ = 0;
-    begin_anew();
+    start_again();
   }
   const Eigen::Index n = block.force.size();
   for (Eigen::Index i = 0; i < n; ++i) {

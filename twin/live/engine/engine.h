@@ -25,7 +25,7 @@ struct LiveSource {
 
 /// Who listens to the engine.  All are called from its thread.
 struct EngineHooks {
-  std::vector<std::function<void(const LiveSource &)>> sources;  ///< a source began, or began anew
+  std::vector<std::function<void(const LiveSource &)>> sources;  ///< a source started, or started again
   std::vector<std::function<void(const LiveBlock &)>> observers;
   std::vector<std::function<void(const TwinModel &, const Tuning &)>> models;  ///< after a change on the run
   std::function<void(std::int64_t first, const Eigen::MatrixXd &rows)> rows;   ///< as they came: for the recording

@@ -53,7 +53,7 @@ function silence(mill) {
     settling: ["settling", "two seconds after a gap nothing is judged"] }[state] || null;
 }
 
-// The amplitude of a narrow band swings by itself: of eight calm bands one stands above twice its calm level every few
+// The amplitude of a narrow band varies by chance: of eight calm bands one is above twice its calm level every few
 // seconds.  Its mean square over five events does so once in hours.
 const swing = 0.2;
 

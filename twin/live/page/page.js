@@ -403,7 +403,7 @@ for (const button of document.querySelectorAll('[role="tab"]'))
   button.addEventListener("click", () => tab(button.dataset.tab));
 byId("place").addEventListener("change", () => send({ command: "place", place: byId("place").value }));
 spectrum.onRange = () => mark("spectrum");
-// A line of alarm above, another window: whatever changes the room of a canvas.
+// A new line of alarm or another window size changes the size of a canvas.
 const room = new ResizeObserver(() => mark(...Object.keys(draws)));
 document.querySelectorAll("canvas").forEach(canvas => room.observe(canvas));
 window.addEventListener("hashchange", () => location.reload());

@@ -15,7 +15,7 @@ using Seconds = std::chrono::milliseconds;
 using Failure = boost::system::error_code;
 
 constexpr int most_connections = 32;
-constexpr int most_refusals    = 16;  // beyond those, connections that are only told that there are too many
+constexpr int most_refusals    = 16;  // connections beyond the limit that get the answer "too many"
 constexpr Seconds heartbeat{10000};
 
 // A program that this one starts gets no copy of a socket, which would hold the port after our end.
