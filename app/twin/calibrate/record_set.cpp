@@ -188,7 +188,7 @@ RecordSet read_record_set(const std::string &folder)
   for (const auto &file : fs::directory_iterator(folder))
     if (file.is_regular_file() && twin::is_record_file(file.path().string()))
       set.entries.push_back({file.path().string(), "", std::numeric_limits<double>::quiet_NaN(), "smooth", {}});
-  std::sort(set.entries.begin(), set.entries.end(), [](const E &a, const E &b) { return a.file < b.file; });
+  std::sort(set.entries.begin(), set.entries.end(), [](const RecordEntry &a, const RecordEntry &b) { return a.file < b.file; });
   if (set.entries.empty())
     throw InputError("--measured " + folder + ": no record in it; .csv, .npy, .uff and .mat are read");
   return set;

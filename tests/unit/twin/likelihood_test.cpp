@@ -187,6 +187,6 @@ TEST(Likelihood, RefusesUnknownsThatTheChainDoesNotHave)
                Eigen::VectorXd::Zero(1), none, {}, Wanted::cost);
     FAIL();
   } catch (const InputError &e) {
-    EXPECT_STREQ(e.what(), "error: \"K4\" is nothing of this stand that can be fitted");
+    EXPECT_STREQ(e.what(), "error: \"K4\": this stand has no spring, mass or damping ratio of this name");
   }
 }

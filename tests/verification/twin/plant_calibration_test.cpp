@@ -220,9 +220,9 @@ TEST(PlantCalibration, AcceptsSmallErrorsOfAllParameters)
   const std::vector<Unknown> unknowns{
       {"zeta", std::log(2.)}
   };
-  int sign = 1;
+  // all frequencies are 0.04 % higher: 4 % of the level at the top of a resonance of 1 %
   for (const char *name : {"K1", "K2", "K3", "K5", "K6", "K7", "M1", "M2", "M3", "M4", "M5", "M6"})
-    recipe.truth[name] = 0.0004 * (sign = -sign);
+    recipe.truth[name] = name[0] == 'K' ? 0.0004 : -0.0004;
   CalibrationInput input = calibration_of(recipe, unknowns);
   const auto bands_fail  = [](const Calibration &done) {
     return wrong_bands(done.fit.bands).count + wrong_bands(done.check.bands).count > 0;
