@@ -261,7 +261,7 @@ TEST(CsvFaults, AClockWithADateThatGoesBackIsWaitedFor)
   const CameMessages came = lines.end();
   ASSERT_EQ(came.notes.size(), 1u);
   EXPECT_EQ(came.notes[0],
-            "loss: mill.csv:402: the clock goes back by 600.4 s: what stands there a second time is not used");
+            "loss: mill.csv:402: the clock goes back by 600.4 s: samples of the same time are not used");
   const auto account = account_of(lines.messages);
   EXPECT_EQ(account.processed, 500);
   EXPECT_EQ(account.offered, 500);

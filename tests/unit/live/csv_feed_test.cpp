@@ -124,9 +124,8 @@ TEST(CsvFeed, NumbersSamplesByTheirTimes)
   EXPECT_EQ(came.numbers, (std::vector<std::int64_t>{0, 1, 2, 5, 6, 4, 7}));
   EXPECT_EQ(came.force[3], 905e3);
   EXPECT_TRUE(std::isnan(came.force[4]));
-  EXPECT_EQ(came.notes.back(),
-            "loss: force.csv: the time goes back by 0.003 s; what stands there a second time is not "
-            "used");
+  EXPECT_EQ(came.notes.back(), "loss: force.csv: the time goes back by 0.003 s; samples of the same time are not "
+                               "used");
 }
 
 TEST(CsvFeed, FiveBadLinesInARowCloseIt)

@@ -45,7 +45,7 @@ ChatterEvents::Event &ChatterEvents::begin(const Rise &rise)
   event.frequency = rise.frequency;
   event.began     = rise.utc;
   event.bands     = {rise.band};
-  event.text      = fmt::format("chatter at {:.1f} Hz{}", rise.frequency, rise.text);
+  event.text      = fmt::format("chatter at {:.0f} Hz{}", rise.frequency, rise.text);
   open.push_back(std::move(event));
   return open.back();
 }
