@@ -5,14 +5,22 @@
 namespace mill::twin {
 /// Modes confirmed by both halves, with their owners: from the recorded force where one is there, else and beside
 /// it from the response alone.
-void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand,
+/// @param line_free  channels of the record from which lines were taken off
+void add_mode_findings(Analysis &analysis, const CleanRecord &record, const std::vector<CleanChannel> &line_free,
+                       const CaseModel *stand, const AnalysisSettings &settings);
+/// Lines: combs of lost samples, families, side bands, then single lines with their source.
+void add_line_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand, double speed,
                        const AnalysisSettings &settings);
-/// Lines and resonances that are no confirmed mode: fixed or locked to the speed, and whose they are.
-void add_peak_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand, double speed);
+/// Resonances that no confirmed mode explains, with their owner.
+void add_resonance_findings(Analysis &analysis, const CaseModel *stand, double speed);
 /// What is locked to the speed: waves per turn of each roll.
 void add_locked_findings(Analysis &analysis, const CaseModel *stand);
 /// Modes near instability, and alarms.
-void add_onset_findings(Analysis &analysis, const CleanRecord &record, const AnalysisSettings &settings);
+void add_onset_findings(Analysis &analysis, const CleanRecord &record, const std::vector<CleanChannel> &line_free,
+                        const AnalysisSettings &settings);
+/// The channel without lines where it had some, else that of the record.
+const CleanChannel *line_free_channel(const CleanRecord &record, const std::vector<CleanChannel> &line_free,
+                                      const std::string &name);
 /// Bearings of the case.
 void add_bearing_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand,
                           const AnalysisSettings &settings);
@@ -27,6 +35,14 @@ bool is_force(const ChannelAnalysis &channel);
 std::vector<double> force_edges(const Analysis &analysis);
 /// Within 2 % of one, or half the width of a pole.
 bool is_edge(const std::vector<double> &edges, double frequency, double damping = 0);
+
+/// A line where the bins are too wide to separate it from a confirmed mode, unless it is steady where the mode
+/// fades.
+bool is_unresolved_mode(const Analysis &analysis, const Peak &peak);
+/// What a frequency at this speed leaves on strip and rolls.
+std::string spacing_sentence(double frequency, double speed, const CaseModel *stand);
+/// Shares of the variance of every channel, its largest peak, and the list of all candidates.  theory.md (41.29)
+void add_accounts(Analysis &analysis);
 
 /// The channel of a name; it is one of the record.
 const ChannelAnalysis &channel_of_name(const Analysis &analysis, const std::string &name);

@@ -30,6 +30,26 @@ double amplitude_of(const ChannelAnalysis &channel, const double frequency, cons
   return std::sqrt(2 * area);
 }
 
+// Whether the spectrum of a channel, its lines taken out, shows anything at a pole: a ghost of lines has nothing
+// there.
+bool is_in_a_spectrum(const Analysis &analysis, const double frequency, const double damping)
+{
+  constexpr double least_over_floor = 1.6;  // -, 2 dB
+  for (const std::string &name : analysis.mode_channels) {
+    const ChannelAnalysis &seen = channel_of_name(analysis, name);
+    const double df = seen.spectrum.resolution(), half = std::max(damping * frequency, 2 * df);
+    double sum = 0, floor = 0;
+    for (auto k = std::max<Eigen::Index>(1, Eigen::Index((frequency - half) / df));
+         k < seen.spectrum.density.size() && double(k) * df <= frequency + half; ++k) {
+      sum += seen.detected.without_lines[k];
+      floor += seen.detected.floor[k];
+    }
+    if (sum > least_over_floor * floor)
+      return true;
+  }
+  return false;
+}
+
 // Accelerations, or velocities where there are none; the highest frequency that all of them hold.
 std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const CleanRecord &record,
                                                      double &highest)
@@ -117,8 +137,15 @@ void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChanne
 Finding finding_of(const Analysis &analysis, const double frequency, const double sd, const double damping,
                    const Eigen::VectorXcd &shape)
 {
-  Finding finding{"mode", loudest(analysis, shape), frequency, frequency - 1.96 * sd, frequency + 1.96 * sd, 0,
-                  "",     "no case was named",      {}};
+  Finding finding{"mode",
+                  loudest(analysis, shape),
+                  frequency,
+                  frequency - 1.96 * sd,
+                  frequency + 1.96 * sd,
+                  0,
+                  "",
+                  "source not identified: no case was named",
+                  {}};
   const ChannelAnalysis &channel = channel_of_name(analysis, finding.channel);
   finding.unit                   = channel.unit;
   finding.amplitude              = amplitude_of(channel, frequency, damping);
@@ -177,6 +204,7 @@ void add_of_response_alone(Analysis &analysis, const CaseModel *stand)
     const auto &forced = analysis.forced.modes;
     const bool edge    = is_edge(analysis.force_edges, mode.frequency, mode.damping);
     if ((!mode.confirmed && !edge) || mode.damping < least_damping ||
+        (!edge && !is_in_a_spectrum(analysis, mode.frequency, mode.damping)) ||
         std::any_of(forced.begin(), forced.end(),
                     [&](const ForcedMode &other) { return other.confirmed && is_same(other, mode); }))
       continue;
@@ -216,8 +244,17 @@ double speed_span(const Analysis &analysis)
   return std::isnan(analysis.lowest_speed) ? 0 : analysis.highest_speed / analysis.lowest_speed - 1;
 }
 
-void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand,
-                       const AnalysisSettings &settings)
+const CleanChannel *line_free_channel(const CleanRecord &record, const std::vector<CleanChannel> &line_free,
+                                      const std::string &name)
+{
+  for (const CleanChannel &channel : line_free)
+    if (channel.name == name)
+      return &channel;
+  return record.find(name);
+}
+
+void add_mode_findings(Analysis &analysis, const CleanRecord &record, const std::vector<CleanChannel> &line_free,
+                       const CaseModel *stand, const AnalysisSettings &settings)
 {
   double highest      = 1000;
   const auto channels = channels_for_modes(analysis, record, highest);
@@ -230,7 +267,10 @@ void add_mode_findings(Analysis &analysis, const CleanRecord &record, const Case
     return;
   }
   analysis.force_edges = force_edges(analysis);
-  analysis.modes       = find_modes(channels, record.rate, highest, settings.threads);
+  std::vector<const CleanChannel *> without;
+  for (const CleanChannel *channel : channels)
+    without.push_back(line_free_channel(record, line_free, channel->name));
+  analysis.modes = find_modes(without, record.rate, highest, settings.threads);
   find_forced_modes(analysis, record, channels, highest, settings);
   if (analysis.forced.response.n > 0)
     find_delay(analysis, record, *channels.front(), settings);
