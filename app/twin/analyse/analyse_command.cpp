@@ -2,6 +2,7 @@
 #include "app/process/address_space.h"
 #include "app/process/console.h"
 #include "app/twin/analyse/analysed_stand.h"
+#include "app/twin/analyse/analysis_lines.h"
 #include "app/twin/stand/record_options.h"
 #include "core/base/files.h"
 #include "core/base/visible_text.h"
@@ -55,32 +56,17 @@ void write_folder(const std::string &folder, const twin::CleanRecord &record, co
 {
   std::error_code ignored;
   for (const char *old : {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv",
-                          "poles.csv", "singular.csv", "h1.csv", "modes_h1.csv", "report.html"})
+                          "poles.csv", "singular.csv", "h1.csv", "modes_h1.csv", "candidates.csv", "report.html"})
     fs::remove(folder + "/" + old, ignored);
   const auto tables = twin::analysis_tables(analysis);
   for (const auto &[name, table] : tables)
     write_atomically(folder + "/" + name + ".csv", csv_text(table));
+  write_atomically(folder + "/candidates.csv", twin::candidates_csv(analysis));
   const std::string json = twin::analysis_json(record, analysis, stand, settings);
   write_atomically(folder + "/report.html", report::analysis_page(folder, json, tables));
   write_atomically(folder + "/analysis.json", json);
 }
 
-void say_findings(const twin::Analysis &analysis, const std::string &folder)
-{
-  using console::print;
-  for (const twin::ChannelAnalysis &seen : analysis.channels)
-    print(fmt::format("{:<24} rms {:<10.4g} peak {:<10.4g} {:<6} {}\n", visible(seen.name, true), seen.rms,
-                      seen.peak, visible(seen.unit, true),
-                      std::isfinite(seen.velocity_rms) ? fmt::format("{:.3g} mm/s rms", 1e3 * seen.velocity_rms)
-                                                       : ""));
-  for (const twin::Finding &finding : analysis.findings)
-    print(fmt::format("{:<20} {:>10}  {:<22} {}\n", finding.kind,
-                      std::isfinite(finding.frequency) ? fmt::format("{:.2f} Hz", finding.frequency) : "",
-                      visible(finding.channel, true), visible(finding.owner, true)));
-  for (const std::string &note : analysis.notes)
-    print("note: " + visible(note, true) + "\n");
-  print("report: " + folder + "/report.html\n");
-}
 }  // namespace
 
 int analyse_command(const CommandLine &command)
@@ -121,7 +107,8 @@ int analyse_command(const CommandLine &command)
     write_folder(folder, record, analysis, stand ? &*stand : nullptr, settings);
     bar.finish();
     if (!command.quiet)
-      say_findings(analysis, folder);
+      for (const std::string &line : analysis_lines(analysis, folder))
+        console::print(line + "\n");
   }
   return 0;
 }
