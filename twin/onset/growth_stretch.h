@@ -3,7 +3,7 @@
 #include <optional>
 
 namespace mill::twin {
-/// A part of a record in which the amplitude of a band grows exponentially.  theory.md (41.16a), (41.16b)
+/// A part of a record in which the amplitude of a band grows exponentially.  theory.md (41.32), (41.33)
 struct GrowthStretch {
   double from, to;   ///< s
   double sigma;      ///< 1/s, slope of the logarithm of the amplitude, > 0
