@@ -11,6 +11,7 @@
 #include "app/verbs/checked_case.h"
 #include "core/base/files.h"
 #include "report/twin/advice/advice_page.h"
+#include "report/twin/analysis/analysis_comparison.h"
 #include "report/twin/analysis/analysis_page.h"
 #include "report/twin/calibration/calibration_page.h"
 #include "report/twin/calibration/plan_page.h"
@@ -31,6 +32,21 @@ int write_page(const std::string &directory)
   return 0;
 }
 
+// Analyses of one mill, compared; the page is in the first folder unless -o names a file.
+int write_analysis_comparison(const CommandLine &command)
+{
+  std::vector<std::string> directories{command.target};
+  directories.insert(directories.end(), command.names.begin(), command.names.end());
+  for (const std::string &directory : directories)
+    if (!std::filesystem::exists(directory + "/analysis.json"))
+      throw InputError("the folder " + directory +
+                       " holds no analysis.json; analyses are compared with analyses only");
+  const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
+  write_atomically(file, report::analysis_comparison(directories));
+  console::print("comparison: " + file + "\n");
+  return 0;
+}
+
 int subject_command(const CommandLine &command)
 {
   if (command.verb == "analyse")
@@ -40,7 +56,7 @@ int subject_command(const CommandLine &command)
   if (command.verb == "advise")
     return advise_command(command, checked_case(command).the_case);
   if (command.verb == "report")
-    return write_page(command.target);
+    return command.names.empty() ? write_page(command.target) : write_analysis_comparison(command);
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (command.verb == "live")
