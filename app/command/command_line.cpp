@@ -124,7 +124,7 @@ void add_advise(CLI::App &app, CommandLine &c)
 void add_analyse(CLI::App &app, CommandLine &c)
 {
   auto *analyse = app.add_subcommand(
-      "analyse", "records of a mill: spectra, modes, what follows the speed, whose each peak is");
+      "analyse", "records of a mill: spectra, modes, what follows the speed, source of each peak");
   analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
   analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
   add_record_options(analyse, c);
@@ -133,7 +133,8 @@ void add_analyse(CLI::App &app, CommandLine &c)
   add_repeatable(analyse, "--severity", c.severity,
                  "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
   analyse->add_flag("--align", c.align, "take the delay between the clocks of force and vibrations out of H1");
-  analyse->add_option("--baseline", c.baseline, "folder of an earlier analysis, for changes and bearings");
+  add_repeatable(analyse, "--baseline", c.baseline,
+                 "folder of an earlier analysis, for changes and bearings, repeatable");
   add_folder_of_records(analyse, c, "folder of the results (default out/<record>-analysis)",
                         "no progress, no table");
 }
@@ -314,7 +315,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   auto *report =
       app.add_subcommand("report", "write DIR/report.html again from the stored results, or compare runs");
   report->add_option("DIR", c.target, "folder of a run")->required();
-  report->add_option("MORE", c.names, "further runs: what differs is written to DIR/comparison.html");
+  report->add_option("MORE", c.names, "further runs or analyses: what differs is written to DIR/comparison.html");
   report->add_option("-o", c.output, "file of the comparison");
 
   app.add_subcommand("schema", "print the JSON Schema of the case file");

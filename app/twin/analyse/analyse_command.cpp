@@ -40,9 +40,11 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
       {"third_octave", monitoring.third_octave[0], monitoring.third_octave[1]},
       {"fifth_octave", monitoring.fifth_octave[0], monitoring.fifth_octave[1]}
   };
-  if (const std::string &folder = command.baseline.empty() ? monitoring.baseline : command.baseline;
-      !folder.empty())
-    settings.baseline = twin::read_baseline(folder);
+  std::vector<std::string> baselines = command.baseline;
+  if (baselines.empty() && !monitoring.baseline.empty())
+    baselines.push_back(monitoring.baseline);
+  if (!baselines.empty())
+    settings.baseline = twin::read_baselines(baselines);
   settings.align = command.align;
   const int wanted =
       command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
