@@ -274,7 +274,9 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
 
   auto *marks = app.add_subcommand("marks", "marks at equal distances: which roll, which bearing, which mode");
   marks->add_option("CASE", c.target, "case file")->required();
-  marks->add_option("--spacing", c.marks.spacing, "distance of the marks along the strip, \"2 mm\"")->required();
+  marks->add_option("--spacing", c.marks.spacing, "distance of the marks along the strip, \"2 mm\"");
+  marks->add_option("--frequency", c.marks.frequency,
+                    "of a vibration that would leave the marks, \"315 Hz\", instead of --spacing");
   marks->add_option("--speed", c.marks.speed, "speed of the strip behind the stand, \"500 m/min\"")->required();
   marks->add_option("--forward-slip", c.marks.forward_slip, "of the strip over the rolls (default 0 %)");
   marks->add_option("--accuracy", c.marks.accuracy,

@@ -23,7 +23,8 @@ struct CaseModel {
   std::string source;                ///< "six masses as given", "six masses by closed forms at 976.2 kN"
   std::vector<std::string> places;   ///< (m) "upper_work_roll"
   std::vector<std::string> springs;  ///< (s) "K3"
-  Eigen::VectorXd spring_error;      ///< (s) -, relative standard deviation of each
+  Eigen::VectorXd spring_error;      ///< (s) -, relative standard deviation of each; NaN: not stated
+  Eigen::VectorXd frequency_error;   ///< (k) -, relative, as a run states it; empty, NaN: from the springs
   Eigen::VectorXd frequency;         ///< (k) Hz
   Eigen::MatrixXd shape;             ///< (m, k) displacement of each place
   Eigen::MatrixXd strain_share;      ///< (k, s) -
@@ -99,7 +100,8 @@ struct Account {
 /// What one family of faults of one bearing reaches in one channel.
 struct BearingScore {
   std::string channel, bearing, roll, family;
-  double frequency, slip, score, speed;  ///< Hz by the geometry, -, - (third best harmonic), m/s
+  double frequency, slip, score, speed;    ///< Hz by the geometry, -, - (third best harmonic), m/s
+  double low = 0, high = 0, kurtosis = 0;  ///< Hz, Hz, -, band whose envelope was taken
 };
 
 /// One channel.

@@ -347,14 +347,16 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   json["bearings"] = ordered_json::array();
   for (const BearingScore &one : analysis.bearings)
     json["bearings"].push_back({
-        {"channel",   one.channel  },
-        {"bearing",   one.bearing  },
-        {"roll",      one.roll     },
-        {"family",    one.family   },
-        {"frequency", one.frequency},
-        {"slip",      one.slip     },
-        {"score",     one.score    },
-        {"speed",     one.speed    }
+        {"channel",   one.channel        },
+        {"bearing",   one.bearing        },
+        {"roll",      one.roll           },
+        {"family",    one.family         },
+        {"frequency", one.frequency      },
+        {"slip",      one.slip           },
+        {"score",     one.score          },
+        {"speed",     one.speed          },
+        {"band",      {one.low, one.high}},
+        {"kurtosis",  one.kurtosis       }
     });
   json["response_to_force"] =
       analysis.forced.response.n == 0

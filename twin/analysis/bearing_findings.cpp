@@ -79,7 +79,8 @@ void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &
   const double shaft = stretch.speed / (M_PI * bearing.roll_diameter);
   for (const FaultLines &lines : fault_lines(spectrum, bearing, shaft)) {
     analysis.bearings.push_back({channel.name, bearing.name, bearing.roll, lines.family, lines.frequency,
-                                 lines.slip, lines.score, stretch.speed});
+                                 lines.slip, lines.score, stretch.speed, spectrum.low, spectrum.high,
+                                 spectrum.kurtosis});
     if (!lines.indicated())
       continue;
     const double f = lines.frequency * (1 + lines.slip);

@@ -6,7 +6,8 @@
 namespace mill::twin {
 namespace {
 constexpr double farthest_owner = 3, apart = 1, least_assurance = 0.7;  // standard deviations, -
-constexpr double least_moved = 0.03;                                    // of the largest place of a mode
+constexpr double nearest_without_accuracy = 0.05;  // -, of a frequency whose accuracy the case does not state
+constexpr double least_moved              = 0.03;  // of the largest place of a mode
 
 // Shape of a mode of the case at the channels that are places of it; empty with fewer than three.
 double assurance(const Seen &seen, const CaseModel &stand, const Eigen::Index mode)
@@ -23,6 +24,20 @@ double assurance(const Seen &seen, const CaseModel &stand, const Eigen::Index mo
   const auto n = Eigen::Index(measured.size());
   return modal_assurance(Eigen::Map<const Eigen::VectorXcd>(measured.data(), n),
                          Eigen::Map<const Eigen::VectorXcd>(computed.data(), n));
+}
+
+// -, of a frequency of the case: as its run states it, else by its springs, (42.7); NaN where neither is stated.
+double frequency_error_of(const CaseModel &stand, const Eigen::Index mode)
+{
+  constexpr double takes_part = 0.01;  // share of the strain energy
+  if (mode < stand.frequency_error.size() && std::isfinite(stand.frequency_error[mode]))
+    return stand.frequency_error[mode];
+  double squares = 0;
+  for (Eigen::Index j = 0; j < stand.spring_error.size(); ++j)
+    if (const double share = stand.strain_share(mode, j);
+        share > takes_part || std::isfinite(stand.spring_error[j]))
+      squares += share * share * stand.spring_error[j] * stand.spring_error[j];
+  return 0.5 * std::sqrt(squares);
 }
 
 // Whether a mode moves the places of the channels: of one that hardly does, the sensor shows nothing.
@@ -59,11 +74,11 @@ Owner owner_among_modes(const Seen &seen, const CaseModel &stand)
   };
   std::vector<Candidate> candidates;
   for (Eigen::Index i = 0; i < stand.frequency.size(); ++i) {
-    const double of_case =
-        0.5 * stand.strain_share.row(i).transpose().cwiseProduct(stand.spring_error).norm();  // (42.7)
-    const double distance =
-        std::abs(std::log(seen.frequency / stand.frequency[i])) / std::hypot(seen.deviation, of_case);
-    const double mac = assurance(seen, stand, i);
+    const double of_case  = frequency_error_of(stand, i),
+                 away     = std::abs(std::log(seen.frequency / stand.frequency[i]));
+    const double distance = std::isfinite(of_case) ? away / std::hypot(seen.deviation, of_case)
+                                                   : farthest_owner * away / nearest_without_accuracy;
+    const double mac      = assurance(seen, stand, i);
     if (distance < farthest_owner && (std::isnan(mac) || mac > least_assurance) && moves_the_place(seen, stand, i))
       candidates.push_back({i, distance});
   }
@@ -71,14 +86,18 @@ Owner owner_among_modes(const Seen &seen, const CaseModel &stand)
             [](const auto &a, const auto &b) { return a.distance < b.distance; });
   if (candidates.empty())
     return {"source not identified: no mode of the case within three standard deviations", -1, 0};
-  std::string text =
-      described(stand, candidates[0].mode) + fmt::format(", {:.1f} sd away", candidates[0].distance);
+  const auto distance_text = [&](const Candidate &one) {
+    return std::isfinite(frequency_error_of(stand, one.mode))
+               ? fmt::format(", {:.1f} sd away", one.distance)
+               : fmt::format(", {:+.1f} % away; the case does not state its accuracy",
+                             100 * (seen.frequency / stand.frequency[one.mode] - 1));
+  };
+  std::string text = described(stand, candidates[0].mode) + distance_text(candidates[0]);
   if (candidates.size() == 1 || candidates[1].distance - candidates[0].distance > apart)
     return {text, int(candidates[0].mode), candidates[0].distance};
   text = "ambiguous: " + text;
   for (std::size_t i = 1; i < candidates.size(); ++i)
-    text +=
-        "; or " + described(stand, candidates[i].mode) + fmt::format(", {:.1f} sd away", candidates[i].distance);
+    text += "; or " + described(stand, candidates[i].mode) + distance_text(candidates[i]);
   return {text, -1, candidates[0].distance};
 }
 
