@@ -69,6 +69,40 @@ void hold_against(Finding &finding, const BearingScore &now, const std::optional
     finding.kind = "bearing fault";
 }
 
+// A frequency of the fault has one explanation: what else was found there names the bearing, its own source
+// second.
+void give_to_bearing(Analysis &analysis, const std::string &channel, const std::string &fault,
+                     const double frequency, const double shaft, const double resolution)
+{
+  constexpr int most_harmonic = 6, most_side = 2;
+  const auto place_of = [&](const double f) -> std::string {
+    for (int h = 1; h <= most_harmonic; ++h)
+      for (int j = -most_side; j <= most_side; ++j)
+        if (std::abs(f - h * frequency - j * shaft) <= std::max(2 * resolution, 0.002 * f))
+          return fmt::format("{} x {}", h, fault) + (j == 0 ? "" : fmt::format(" {:+d} x {:.2f} Hz", j, shaft));
+    return "";
+  };
+  const auto is_warning = [](const Finding &finding) {
+    return finding.kind == "near instability" || finding.kind == "alarm";
+  };
+  auto &all = analysis.findings;
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const Finding &finding) {
+                             return is_warning(finding) && finding.channel == channel &&
+                                    !place_of(finding.frequency).empty();
+                           }),
+            all.end());
+  for (Finding &finding : all) {
+    if (finding.channel != channel || (finding.kind != "resonance" && finding.kind != "line"))
+      continue;
+    const std::string place = place_of(finding.frequency);
+    if (place.empty())
+      continue;
+    finding.evidence.push_back("second: " + finding.owner);
+    finding.owner = place;
+  }
+}
+
 void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &channel,
              const TurningBearing &bearing, const Stretch &stretch, const std::optional<Baseline> &baseline,
              Fourier &fourier)
@@ -101,6 +135,8 @@ void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &
     finding.evidence.push_back(
         fmt::format("squared envelope of {:.0f} .. {:.0f} Hz, kurtosis {:.2f}, {:.0f} s at {:.4g} m/s",
                     spectrum.low, spectrum.high, spectrum.kurtosis, double(n) / record.rate, stretch.speed));
+    give_to_bearing(analysis, channel.name, fmt::format("{} of bearing {}", lines.family, bearing.name), f, shaft,
+                    channel_of_name(analysis, channel.name).spectrum.resolution());
     hold_against(finding, analysis.bearings.back(), baseline);
     analysis.findings.push_back(std::move(finding));
   }
