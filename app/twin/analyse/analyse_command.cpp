@@ -7,6 +7,7 @@
 #include "core/base/files.h"
 #include "core/base/visible_text.h"
 #include "core/case/monitoring.h"
+#include "core/case/plant.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
 #include "report/twin/analysis/analysis_page.h"
@@ -23,9 +24,11 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring &monitoring)
+twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring &monitoring, const Plant &plant)
 {
   twin::AnalysisSettings settings;
+  if (std::isfinite(plant.mains))
+    settings.mains = plant.mains;
   if (!command.speed.empty())
     settings.speed = option_quantity("--speed", command.speed, "4 m/s");
   settings.limit = own_limit(command, monitoring);
@@ -75,12 +78,14 @@ int analyse_command(const CommandLine &command)
 {
   std::optional<twin::CaseModel> stand;
   Monitoring monitoring;
+  Plant plant;
   if (!command.case_file.empty()) {
     stand      = analysed_stand(read_case(command.case_file, command.sets));
     monitoring = monitoring_of(command.case_file, command.sets);
+    plant      = plant_of(command.case_file, command.sets);
   }
   const twin::ReadOptions reading       = read_options(command, monitoring);
-  const twin::AnalysisSettings settings = settings_of(command, monitoring);
+  const twin::AnalysisSettings settings = settings_of(command, monitoring, plant);
   for (const std::string &path : command.names) {
     const std::string stem   = fs::path(path).stem().string();
     const bool alone         = command.names.size() == 1;
