@@ -29,7 +29,7 @@ Eigen::VectorXd whole_speed(const CleanRecord &record, Analysis &analysis)
     analysis.notes.push_back(fmt::format("speed: {} missing samples were taken as the value before", filled));
   const double still = speed.maxCoeff() / 20;
   if (!(still > 0)) {
-    analysis.notes.push_back("the speed is never above zero: nothing is said about what follows it");
+    analysis.notes.push_back("the speed is never above zero: what follows it is not evaluated");
     return {};
   }
   analysis.highest_speed = speed.maxCoeff();
@@ -46,10 +46,10 @@ void note_faults(Analysis &analysis, const CleanRecord &record)
     if (channel.clipped > 0)
       analysis.notes.push_back(
           fmt::format("{}: {} samples ({:.2g} %) are at a clip level; its peak is a lower bound and its "
-                      "spectrum holds harmonics that the mill did not make",
+                      "spectrum has harmonics that the mill did not make",
                       channel.name, channel.clipped, 100 * channel.clipped_share));
     if (channel.n_used() == 0)
-      analysis.notes.push_back(fmt::format("{}: nothing is left of it after cleaning", channel.name));
+      analysis.notes.push_back(fmt::format("{}: no sample is left after cleaning", channel.name));
   }
 }
 // Vibrations from which lines were taken off; those without lines are not copied.

@@ -14,7 +14,7 @@ struct Baseline {
 };
 
 /// Reads analysis.json of a folder.
-/// @throws InputError  no such file, or none of this program
+/// @throws InputError  there is no such file, or this program did not write it
 Baseline read_baseline(const std::string &folder);
 
 /// Several: root mean square of the velocities of each channel, and the highest score of each family, so that what

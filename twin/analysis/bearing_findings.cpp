@@ -48,18 +48,18 @@ bool sits_at(const std::string &channel, const std::string &roll)
   return channel.find(roll) != std::string::npos;
 }
 
-// An indication counts as a fault only when it grows against an earlier record of the same bearing.
-void hold_against(Finding &finding, const BearingScore &now, const std::optional<Baseline> &baseline)
+// An indication is a fault only when it grows compared with an earlier record of the same bearing.
+void compare_with_baseline(Finding &finding, const BearingScore &now, const std::optional<Baseline> &baseline)
 {
   if (!baseline) {
-    finding.evidence.push_back("an indication is a fault only when it grows against the same bearing's earlier "
+    finding.evidence.push_back("an indication is a fault only when it grows compared with earlier "
                                "records; no baseline is named");
     return;
   }
   const auto before = baseline->score.find({now.channel, now.bearing, now.family});
   if (before == baseline->score.end()) {
     finding.evidence.push_back("the baseline " + baseline->folder +
-                               " has no score of this bearing: whether it grows cannot be told");
+                               " has no score of this bearing: whether it grows is not known");
     return;
   }
   const bool grows = now.score > growth * before->second;
@@ -137,7 +137,7 @@ void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &
                     spectrum.low, spectrum.high, spectrum.kurtosis, double(n) / record.rate, stretch.speed));
     give_to_bearing(analysis, channel.name, fmt::format("{} of bearing {}", lines.family, bearing.name), f, shaft,
                     channel_of_name(analysis, channel.name).spectrum.resolution());
-    hold_against(finding, analysis.bearings.back(), baseline);
+    compare_with_baseline(finding, analysis.bearings.back(), baseline);
     analysis.findings.push_back(std::move(finding));
   }
 }

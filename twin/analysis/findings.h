@@ -3,8 +3,8 @@
 
 // Findings of each kind; they add to the analysis and say in its notes what could not be looked at.
 namespace mill::twin {
-/// Modes confirmed by both halves, with their owners: from the recorded force where one is there, else and beside
-/// it from the response alone.
+/// Modes confirmed by both halves, with their owners: from the recorded force where there is one, and from the
+/// response alone.
 /// @param line_free  channels of the record from which lines were taken off
 void add_mode_findings(Analysis &analysis, const CleanRecord &record, const std::vector<CleanChannel> &line_free,
                        const CaseModel *stand, const AnalysisSettings &settings);
@@ -26,10 +26,10 @@ void add_bearing_findings(Analysis &analysis, const CleanRecord &record, const C
                           const AnalysisSettings &settings);
 /// Zones, where the user gave them, and the change against the baseline.
 void add_severity_findings(Analysis &analysis, const AnalysisSettings &settings);
-/// Says of every frequency in a band of the settings that it lies there.
+/// States for every frequency in a band of the settings that it lies in this band.
 void name_bands(Analysis &analysis, const AnalysisSettings &settings);
 
-/// Is it a force that drives the stand?  A load cell shows a response.
+/// Whether it is a force that drives the stand; a load cell shows a response.
 bool is_force(const ChannelAnalysis &channel);
 /// Hz, where the density of a recorded force falls or rises by 10 dB within 5 % and stays there.
 std::vector<double> force_edges(const Analysis &analysis);

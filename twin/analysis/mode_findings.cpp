@@ -69,7 +69,7 @@ std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const C
   const auto others_begin = std::remove_if(channels.begin(), channels.end(), of_other);
   if (others_begin != channels.end())
     analysis.notes.push_back(
-        "accelerations and velocities stand side by side: shapes of modes take those of the first "
+        "the record holds accelerations and velocities: shapes of modes use those of the first "
         "unit alone");
   channels.erase(others_begin, channels.end());
   for (const CleanChannel *channel : channels) {
@@ -79,7 +79,7 @@ std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const C
   return channels;
 }
 
-// The recorded force: by its name, else the only one that is no load cell.
+// The recorded force: by its name, else the only one that is not a load cell.
 const CleanChannel *recorded_force(const Analysis &analysis, const CleanRecord &record)
 {
   const CleanChannel *only = nullptr;
@@ -106,13 +106,14 @@ void find_forced_modes(Analysis &analysis, const CleanRecord &record,
   if (analysis.forced.response.n == 0)
     analysis.notes.push_back("the force was recorded, but no piece of it is long enough for a response to it");
   else if (analysis.forced.best_coherence < 0.3)
-    analysis.notes.push_back(fmt::format("{} was recorded, but nothing follows it (coherence {:.2f} in the best "
-                                         "third octave): modes are those of the "
-                                         "response alone; see whether both come from one clock (--align)",
-                                         force->name, analysis.forced.best_coherence));
+    analysis.notes.push_back(
+        fmt::format("{} was recorded, but no channel follows it (coherence {:.2f} in the best "
+                    "third octave): modes are those of the "
+                    "response alone; see whether both come from one clock (--align)",
+                    force->name, analysis.forced.best_coherence));
 }
 
-// Two clocks, told and taken out where that was asked.
+// The delay of two clocks: stated, and taken out where that was asked.
 void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChannel &of_modes,
                 const AnalysisSettings &settings)
 {
@@ -122,8 +123,8 @@ void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChanne
   if (!delay.told || !matters) {
     if (settings.align)
       analysis.notes.push_back(delay.told ? "--align: no delay between force and vibrations is seen"
-                                          : "--align: the record does not tell the delay between force and "
-                                            "vibrations; two modes at least have to follow the force");
+                                          : "--align: the record does not determine the delay between force and "
+                                            "vibrations; at least two modes must follow the force");
     return;
   }
   if (settings.align)
@@ -173,10 +174,11 @@ void add_forced(Analysis &analysis, const CaseModel *stand)
                                            100 * (mode.damping + 1.96 * mode.sd_damping)));
     for (const IdentifiedMode &alone : analysis.modes.modes)
       if (is_same(mode, alone))
-        finding.evidence.push_back(
-            fmt::format("the response alone says {:.2f} Hz (law {:.2g}) and {:.2f} % (law {:.2g} %){}",
-                        alone.frequency, alone.law_frequency, 100 * alone.damping, 100 * alone.law_damping,
-                        alone.confirmed ? "" : ", not confirmed by both halves"));
+        finding.evidence.push_back(fmt::format("the response alone gives {:.2f} Hz (standard error at least "
+                                               "{:.2g}) and {:.2f} % (at least {:.2g} %){}",
+                                               alone.frequency, alone.law_frequency, 100 * alone.damping,
+                                               100 * alone.law_damping,
+                                               alone.confirmed ? "" : ", not confirmed by both halves"));
     if (stand)
       finding.owner =
           owner_among_modes(
@@ -186,7 +188,7 @@ void add_forced(Analysis &analysis, const CaseModel *stand)
   }
 }
 
-void say_what_the_force_says(Finding &finding, const Analysis &analysis)
+void add_coherence(Finding &finding, const Analysis &analysis)
 {
   const ForceResponse &response = analysis.forced.response;
   if (response.n == 0)
@@ -212,15 +214,15 @@ void add_of_response_alone(Analysis &analysis, const CaseModel *stand)
     Finding finding = finding_of(analysis, mode.frequency, sd, mode.damping, mode.shape);
     finding.evidence.push_back(fmt::format("{} of the record show it, {} of 15 model orders",
                                            mode.confirmed ? "both halves" : "not both halves", mode.orders));
-    finding.evidence.push_back(fmt::format(
-        "damping {:.2f} % of critical, standard deviation {:.2f} % by the law, about twice that in fact",
-        100 * mode.damping, 100 * mode.law_damping));
+    finding.evidence.push_back(
+        fmt::format("damping {:.2f} % of critical, standard error at least {:.2f} %, about twice that in practice",
+                    100 * mode.damping, 100 * mode.law_damping));
     if (edge) {
       finding.kind  = "edge";
       finding.owner = "edge of the force band";
       finding.evidence.push_back("the density of the force changes by 10 dB within 5 % there");
     } else {
-      say_what_the_force_says(finding, analysis);
+      add_coherence(finding, analysis);
       if (stand)
         finding.owner =
             owner_among_modes({mode.frequency, sd / mode.frequency, mode.shape, analysis.mode_channels}, *stand)

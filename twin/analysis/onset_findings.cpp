@@ -84,7 +84,7 @@ void add_growth(Analysis &analysis, Finding &of_mode, const ComplexEnvelope &env
                   growth.sigma, growth.lower(), growth.upper(), growth.duration));
 }
 
-// A level that jumps, as from one impact to the next, is no growth: five baselines are left behind in the time of
+// A level that jumps, as from one impact to the next, is not growth: five baselines are left behind in the time of
 // the filter.  An alarm belongs to a stretch that grows.
 bool is_of_growth(const Alarm &alarm, const std::optional<GrowthStretch> &stretch)
 {

@@ -7,9 +7,9 @@
 
 namespace mill::twin {
 namespace {
-constexpr double jitter_that_counts = 0.02, most_jitter = 0.5;  // samples
-constexpr double most_doubled             = 0.01;               // share of the samples
-constexpr Eigen::Index most_sampled_steps = 1 << 20;            // the median is taken of
+constexpr double least_jitter = 0.02, most_jitter = 0.5;  // samples
+constexpr double most_doubled             = 0.01;         // share of the samples
+constexpr Eigen::Index most_sampled_steps = 1 << 20;      // the median is taken of
 
 [[noreturn]] void too_coarse(const RawRecord &record, const std::string &why)
 {
@@ -91,7 +91,7 @@ TimeGrid time_grid(const RawRecord &record)
   const double jitter = grid.jitter * grid.rate;
   if (jitter > most_jitter)
     too_coarse(record, fmt::format("samples are {:.2g} steps away from an even grid", jitter));
-  grid.uneven = jitter >= jitter_that_counts;
+  grid.uneven = jitter >= least_jitter;
   if (!gap && !grid.uneven)
     grid.position = {};
   return grid;

@@ -43,7 +43,7 @@ double power_at(const FrameValues &frames, const double away)
   return std::norm(sum);
 }
 
-// Hz beside the frequency of the frames, within `reach`, at which they add up best.
+// Hz from the frequency of the frames, within `reach`, at which they add up best.
 double best_turn(const FrameValues &frames, const double reach)
 {
   const double T = std::max(frames.time.back() - frames.time.front(), 1 / reach);

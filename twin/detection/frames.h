@@ -9,7 +9,7 @@ namespace mill::twin {
 struct FrameTest {
   Eigen::Index n   = 0;  ///< segments
   double frequency = 0;  ///< Hz, of the steady turn that fits all segments best
-  double coherence = 0;  ///< -, share of the power that turns steadily; 1 of a line, noise beside it taken off
+  double coherence = 0;  ///< -, share of the power that turns steadily; 1 of a line; noise is taken off
   double swing     = 0;  ///< -, variance of the powers over their mean squared; 0 of a line, 1 of a mode
   double deviation = 0;  ///< Hz, standard deviation of the frequency of a line in this noise
   double allowance = 0;  ///< -, what noise adds to the swing by chance

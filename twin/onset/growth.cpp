@@ -39,7 +39,7 @@ Complex step_factor(const std::vector<Complex> &R, const int first, const int la
   return weight > 0 ? sum / weight : 0;
 }
 
-// Growth of what an envelope holds, whatever it is.
+// Growth rate of an envelope, of a mode or of a tone.
 GrowthRate growth_of_all(const ComplexEnvelope &envelope)
 {
   GrowthRate growth;
@@ -53,7 +53,7 @@ GrowthRate growth_of_all(const ComplexEnvelope &envelope)
     return growth;
   growth.kept  = std::abs(R[std::size_t(first)]) / std::abs(R[0]);
   double sigma = -1 / longest;
-  for (int i = 0; i < 8; ++i) {  // the reach of the lags follows the rate they tell
+  for (int i = 0; i < 8; ++i) {  // the reach of the lags follows the rate that they give
     const int last =
         std::clamp(int(lag_reach / std::max(std::abs(sigma), shortest_sigma) * envelope.rate), first + 1, most);
     const Complex lambda = step_factor(R, first, last);

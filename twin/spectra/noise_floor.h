@@ -20,6 +20,6 @@ double density_next_to(const Eigen::VectorXd &density, Eigen::Index k, double do
 /// @param dof          > 0
 double chi_square_ratio(double probability, double dof);
 
-/// -, density over floor that noise alone exceeds in none of `bins` bins with the probability 1 - false_alarm.
+/// -, density over floor that noise alone exceeds in one or more of `bins` bins with the probability false_alarm.
 double detection_threshold(double dof, Eigen::Index bins);
 }  // namespace mill::twin

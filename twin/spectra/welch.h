@@ -38,7 +38,7 @@ struct SpectralLine {
   double frequency;      ///< Hz
   double amplitude;      ///< unit, 0-peak
   double amplitude_bin;  ///< unit, 0-peak, what the highest bin alone says
-  double width;          ///< Hz, between the half-power points beside the peak
+  double width;          ///< Hz, between the half-power points of the peak
 };
 /// @param k  a local maximum, 0 < k < L/2
 SpectralLine line_at(const WelchSpectrum &spectrum, Eigen::Index k);

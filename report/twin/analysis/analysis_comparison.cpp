@@ -58,7 +58,8 @@ std::string unit_of_channel(const ComparedAnalysis &one, const std::string &chan
   return "";
 }
 
-// Root mean square of the velocity between two frequencies; NaN where the channel is no vibration or ends below.
+// Root mean square of the velocity between two frequencies; NaN where the channel is not a vibration or ends
+// below.
 double band_velocity(const ComparedAnalysis &one, const std::string &channel, const ComparedBand &band)
 {
   const Eigen::VectorXd *density = density_of(one, channel);

@@ -243,7 +243,7 @@ void spectra(Page &page, const json &document, const std::map<std::string, Table
   if (const auto found = tables.find("spectrum"); found != tables.end())
     for (std::size_t c = 1; c < found->second.columns.size(); ++c) {
       if (!(found->second.columns[c].maxCoeff() > 0))
-        continue;  // a speed that stands still
+        continue;  // a constant speed
       page.figure(
           {spectrum_drawing(found->second, c, document["findings"], false)},
           "One-sided density of " + escaped(found->second.names[c]) +
@@ -295,15 +295,15 @@ void modes(Page &page, const std::map<std::string, Table> &tables)
   if (found || poles)
     page.section("modes", "Modes from the response alone");
   if (found)
-    page.table(mode_rows(*found),
-               "Poles that half of the model orders show. Real scatter is about twice the law, three times for a "
-               "close pair. Only those that both halves of the record show are findings.");
+    page.table(mode_rows(*found), "Poles that half of the model orders show. The scatter is about twice the least "
+                                  "standard error, three times for a "
+                                  "close pair. Only those that both halves of the record show are findings.");
   if (poles)
     if (const std::string drawing = stability_drawing(*poles, table_of(tables, "singular")); !drawing.empty())
       page.figure({drawing},
                   "Poles over the order of the model, behind them the first singular value of the cross "
                   "spectra (logarithmic, scaled to the height). A mode is a column of stable dots; a "
-                  "column alone is no proof of a mode, confirmed are those that both halves show.");
+                  "column alone does not prove a mode; confirmed are those that both halves show.");
 }
 }  // namespace
 
@@ -335,7 +335,7 @@ std::string analysis_page(const std::string &directory, const std::string &text,
   }
   page.section("cleaning", "What was wrong with the record");
   if (document["cleaning"].empty())
-    page.paragraph("No gap, no missing value, no clipping, nothing that stands still. Offset and drift were taken "
+    page.paragraph("No gap, no missing value, no clipping, no constant value. Offset and drift were taken "
                    "off; they are among the values.");
   else
     page.table(cleaning_table(document["cleaning"]),

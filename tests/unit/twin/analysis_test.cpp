@@ -169,7 +169,7 @@ TEST(Analysis, ABearingIsHeldAgainstItsBaseline)
   EXPECT_NE(alone.evidence.back().find("no baseline is named"), std::string::npos);
   settings.baseline         = Baseline{};
   settings.baseline->folder = "before";
-  EXPECT_NE(bearing().evidence.back().find("whether it grows cannot be told"), std::string::npos);
+  EXPECT_NE(bearing().evidence.back().find("whether it grows is not known"), std::string::npos);
   settings.baseline->score[{"upper_work_roll", "trb", "BPFO"}] = 2.5;
   EXPECT_EQ(bearing().kind, "bearing fault");
   settings.baseline->score[{"upper_work_roll", "trb", "BPFO"}] = 100;
