@@ -9,6 +9,7 @@ constexpr double lowest            = 5;     // Hz, below it a record of minutes 
 constexpr double fewest_periods    = 4;     // bins from the mean to the lowest peak
 constexpr double highest_part      = 0.49;  // of the rate
 constexpr Eigen::Index most_frames = 400;
+constexpr double least_of_offset   = 1e-9;  // -, rms over the offset that was taken off
 
 double lowest_peak(const WelchSpectrum &s)
 {
@@ -50,6 +51,8 @@ ChannelAnalysis analyse_channel(const CleanChannel &channel, const double rate, 
   result.rms      = n > 0 ? std::sqrt(square / n) : std::numeric_limits<double>::quiet_NaN();
   result.crest    = result.rms > 0 ? result.peak / result.rms : std::numeric_limits<double>::quiet_NaN();
   result.variance = n > 0 ? std::max(0.0, square / n - (sum / n) * (sum / n)) : 0;
+  if (!(result.rms > least_of_offset * std::abs(channel.offset)))
+    return result;  // a constant or an exact ramp: what is left of it is rounding
   Fourier fourier;
   result.spectrum = welch(channel.value, channel.pieces, rate, 0, fourier);
   if (result.spectrum.n == 0)

@@ -57,7 +57,7 @@ std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const C
   std::vector<const CleanChannel *> channels;
   for (const CleanChannel &channel : record.channels)
     if ((channel.quantity == Quantity::acceleration || channel.quantity == Quantity::velocity) &&
-        channel.n_used() > 0)
+        channel.n_used() > 0 && channel_of_name(analysis, channel.name).spectrum.n > 0)
       channels.push_back(&channel);
   if (channels.empty()) {
     analysis.notes.push_back("no channel is an acceleration or a velocity: modes were not looked for");

@@ -97,7 +97,11 @@ bool overlaps(const Peak &one, const Peak &other)
 std::vector<Peak> resonances(const WelchSpectrum &s, const Eigen::VectorXd &density, const Eigen::VectorXd &floor,
                              const double low, const double high)
 {
-  std::vector<Peak> found;
+  struct Scored {
+    Peak peak;
+    double score;
+  };
+  std::vector<Scored> all;
   const auto first = std::max<Eigen::Index>(3, Eigen::Index(std::ceil(low / s.resolution()))),
              last  = std::min(Eigen::Index(high / s.resolution()), s.density.size() - 3);
   for (Eigen::Index half = 0; double(2 * half + 1) * s.resolution() < widest * high;
@@ -109,19 +113,18 @@ std::vector<Peak> resonances(const WelchSpectrum &s, const Eigen::VectorXd &dens
                  down          = chi_square_ratio(1 - 1.0 / double(bins + 1), dof);
     const double rise          = std::max(least_prominence, up / std::max(down, 1e-3));
     const auto least_k         = std::max(first, Eigen::Index(double(2 * half + 1) / widest));
-    std::vector<Eigen::Index> tops;
     for (Eigen::Index k = least_k; k <= last; ++k)
-      if (mean[k] > mean[k - 1] && mean[k] >= mean[k + 1] && mean[k] > std::max(up, least_prominence) * floor[k])
-        tops.push_back(k);
-    std::sort(tops.begin(), tops.end(), [&](const auto a, const auto b) { return mean[a] > mean[b]; });
-    for (const Eigen::Index k : tops) {
-      if (mean[k] < rise * std::max(valley(mean, k, -1), valley(mean, k, 1)))
-        continue;
-      const Peak peak = resonance_at(s, density, mean, std::max(floor[k], 1e-300), k, half);
-      if (std::none_of(found.begin(), found.end(), [&](const Peak &other) { return overlaps(peak, other); }))
-        found.push_back(peak);
-    }
+      if (mean[k] > mean[k - 1] && mean[k] >= mean[k + 1] && mean[k] > std::max(up, least_prominence) * floor[k] &&
+          mean[k] >= rise * std::max(valley(mean, k, -1), valley(mean, k, 1)))
+        all.push_back({resonance_at(s, density, mean, std::max(floor[k], 1e-300), k, half),
+                       std::log(mean[k] / std::max(floor[k], 1e-300)) * std::sqrt(dof)});
   }
+  // the average that fits the width best is the most certain one
+  std::sort(all.begin(), all.end(), [](const Scored &a, const Scored &b) { return a.score > b.score; });
+  std::vector<Peak> found;
+  for (const Scored &one : all)
+    if (std::none_of(found.begin(), found.end(), [&](const Peak &other) { return overlaps(one.peak, other); }))
+      found.push_back(one.peak);
   std::sort(found.begin(), found.end(), [](const Peak &a, const Peak &b) { return a.density > b.density; });
   return found;
 }

@@ -68,13 +68,15 @@ void take_out(Eigen::VectorXd &density, const Peak &line, const double next_to)
     density[i] = std::min(density[i], next_to);
 }
 
-// What a line leaves next to it when its frequency moves a little.
+// What a line leaves next to it when its frequency moves a little: no more than the power that does not turn
+// steadily.
 bool is_skirt(const std::vector<SpectralCandidate> &candidates, const Peak &peak)
 {
-  constexpr double reach = 16, stronger = 100;  // bins, -
+  constexpr double reach = 16, least_share = 1e-3;  // bins, -
   return peak.width < reach * peak.resolution &&
          std::any_of(candidates.begin(), candidates.end(), [&](const SpectralCandidate &other) {
-           return other.fate == "line" && other.peak.density > stronger * peak.density &&
+           const double unsteady = 1 - std::min(1.0, other.peak.coherence) + least_share;
+           return other.fate == "line" && peak.density < unsteady * other.peak.density &&
                   std::abs(other.peak.frequency - peak.frequency) < reach * peak.resolution;
          });
 }
@@ -141,7 +143,7 @@ SpectralPeaks spectral_peaks(const Eigen::VectorXd &value, const std::vector<Spa
     const bool skirt = is_skirt(result.candidates, peak);
     result.candidates.push_back(
         {peak, skirt ? "skirt of a line" : "resonance",
-         skirt ? std::string("next to a line 20 dB stronger, whose frequency is not quite steady")
+         skirt ? std::string("next to a stronger line whose frequency is not quite steady")
                : fmt::format("{:.0f} dB over the floor, {:.3g} Hz wide", peak.prominence, peak.width)});
   }
   for (const Peak &peak : narrow_modes) {
@@ -155,7 +157,7 @@ SpectralPeaks spectral_peaks(const Eigen::VectorXd &value, const std::vector<Spa
          skirt   ? "skirt of a line"
          : known ? "part of a resonance"
                  : "resonance",
-         skirt   ? "next to a line 20 dB stronger, whose frequency is not quite steady"
+         skirt   ? "next to a stronger line whose frequency is not quite steady"
          : known ? "its level comes and goes, and it lies within a wider peak"
                  : "narrow, but its level comes and goes from segment to segment as that of a mode"});
   }
