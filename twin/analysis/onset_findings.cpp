@@ -7,9 +7,10 @@
 
 namespace mill::twin {
 namespace {
-constexpr double least_kept  = 0.3;  // correlation left at the second lag
-constexpr double enough_time = 60;   // s, below it an interval about zero says nothing
-constexpr int most_alarms    = 20;
+constexpr double least_kept       = 0.3;  // correlation left at the second lag
+constexpr double band_of_envelope = 40;   // Hz, that the low-pass lets through to one side
+constexpr double enough_time      = 60;   // s, below it an interval about zero says nothing
+constexpr int most_alarms         = 20;
 
 // The mode that a recorded force drives, if the finding is one; its decay then needs no noise to be read from.
 const ForcedMode *forced_of(const Analysis &analysis, const Finding &finding)
@@ -129,7 +130,8 @@ void add_onset_findings(Analysis &analysis, const CleanRecord &record, const std
   for (std::size_t i = 0; i < n; ++i) {
     const std::string kind      = analysis.findings[i].kind;
     const CleanChannel *channel = line_free_channel(record, line_free, analysis.findings[i].channel);
-    if ((kind != "mode" && kind != "resonance") || !channel || 2.56 * analysis.findings[i].frequency > record.rate)
+    if ((kind != "mode" && kind != "resonance") || !channel ||
+        analysis.findings[i].frequency + band_of_envelope > record.rate / 2)
       continue;
     const ComplexEnvelope envelope =
         complex_envelope(channel->value, channel->pieces, record.rate, analysis.findings[i].frequency);
