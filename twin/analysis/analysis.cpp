@@ -112,8 +112,8 @@ Analysis analyse(const CleanRecord &record, const CaseModel *stand, const Analys
   add_mode_findings(analysis, record, line_free, stand, settings);
   progress.at("findings", 0);
   add_line_findings(analysis, record, stand, one_speed, settings);
-  add_resonance_findings(analysis, stand, one_speed);
   add_locked_findings(analysis, stand);
+  add_resonance_findings(analysis, stand, one_speed);
   add_onset_findings(analysis, record, line_free, settings);
   progress.at("findings", 0.5);
   add_bearing_findings(analysis, record, stand, settings);

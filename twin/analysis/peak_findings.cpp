@@ -28,6 +28,18 @@ const Finding *known_as(const Analysis &analysis, const Peak &peak)
       return &finding;
   return nullptr;
 }
+// A line that is locked to the speed is smeared over its interval while the speed changes.
+const Finding *smeared_line(const Analysis &analysis, const Peak &peak)
+{
+  constexpr double wider = 1.2;  // -, than the interval
+  if (speed_span(analysis) < 0.02)
+    return nullptr;
+  for (const Finding &finding : analysis.findings)
+    if (finding.kind == "locked to the speed" && peak.frequency >= finding.low && peak.frequency <= finding.high &&
+        peak.width <= wider * (finding.high - finding.low))
+      return &finding;
+  return nullptr;
+}
 }  // namespace
 
 bool is_unresolved_mode(const Analysis &analysis, const Peak &peak)
@@ -110,6 +122,10 @@ void add_resonance_findings(Analysis &analysis, const CaseModel *stand, const do
       continue;
     if (const Finding *known = known_as(analysis, one.peak))
       give_fate(analysis, one, known->kind, fmt::format("{} at {:.2f} Hz", known->kind, known->frequency));
+    else if (const Finding *locked = smeared_line(analysis, one.peak))
+      give_fate(
+          analysis, one, "locked to the speed",
+          fmt::format("smeared between {:.4g} and {:.4g} Hz while the speed changes", locked->low, locked->high));
     else
       add_resonance(analysis, one, stand, speed);
   }

@@ -13,8 +13,7 @@ struct GrowthStretch {
 };
 
 /// The stretch of largest gain: a second and 1.2 nepers at least, a straight line in the logarithm, and an end
-/// that a mode that noise drives does not reach: 12 times the mean square of all that was before and twice its
-/// largest value; without enough before it, 2.5 s of growth that is as smooth as noise never is. Cost O(m^2) of
-/// the quarters of a second.
+/// that a mode that noise drives reaches once in 1e7, and twice the largest value before; without enough before
+/// it, 2.5 s of growth that is smoother than a rise of such a mode.  Cost O(m^2) of the quarters of a second.
 std::optional<GrowthStretch> growth_stretch(const ComplexEnvelope &envelope);
 }  // namespace mill::twin
