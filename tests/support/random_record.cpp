@@ -144,7 +144,7 @@ Record make(const std::uint64_t seed, const Wish &wish)
     content.ring    = draw.uniform(0.15, 0.35) * rate;
   }
   if (wish.growth && T > 8) {
-    content.growth           = draw.uniform(0.5, 6);
+    content.growth           = draw.uniform(0.5, 2);
     const double lasts       = std::max(3.0, 2.0 / content.growth);
     content.growth_from      = draw.uniform(4, T - lasts - 0.5);
     content.growth_to        = content.growth_from + lasts;
@@ -189,8 +189,10 @@ Record make(const std::uint64_t seed, const Wish &wish)
       }
   }
   if (content.growth > 0) {
-    const double top = std::sqrt(2 * std::pow(10, 3.0) * noise.density(content.growth_frequency, rate) * 40);
-    const double w   = 2 * M_PI * content.growth_frequency / rate;
+    // 20 dB over the noise in the band of the envelope, 40 Hz wide, before it grows
+    const double top = std::sqrt(2 * std::pow(10, 2.0) * density_at(content.growth_frequency) * 40) *
+                       std::exp(content.growth * (content.growth_to - content.growth_from));
+    const double w = 2 * M_PI * content.growth_frequency / rate;
     for (Eigen::Index k = 0; k < n; ++k) {
       const double t = double(k) / rate;
       const double a =

@@ -20,9 +20,9 @@ struct Content {
   std::vector<Line> lines;
   std::vector<double> side_bands;  ///< Hz, lines that modulation makes
   std::vector<Mode> modes;
-  double impacts     = 0;                                       ///< Hz, rate of impacts; 0: none
-  double ring        = 0;                                       ///< Hz, what the impacts ring
-  double growth      = 0;                                       ///< 1/s, of a mode that grows; 0: none
+  double impacts     = 0;  ///< Hz, rate of impacts; 0: none
+  double ring        = 0;  ///< Hz, what the impacts ring
+  double growth      = 0;  ///< 1/s, of a mode that grows for 3 s and more; 0: none
   double growth_from = 0, growth_to = 0, growth_frequency = 0;  ///< s, s, Hz
   double drift = 0;  ///< -, by which the frequencies of orders of a drifting speed change; 0: steady
 };
