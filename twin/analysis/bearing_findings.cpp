@@ -74,11 +74,12 @@ void compare_with_baseline(Finding &finding, const BearingScore &now, const std:
 void give_to_bearing(Analysis &analysis, const std::string &channel, const std::string &fault,
                      const double frequency, const double shaft, const double resolution)
 {
-  constexpr int most_harmonic = 6, most_side = 2;
+  constexpr int most_harmonic = 12, of_side_bands = 6, most_side = 2;
   const auto place_of = [&](const double f) -> std::string {
     for (int h = 1; h <= most_harmonic; ++h)
       for (int j = -most_side; j <= most_side; ++j)
-        if (std::abs(f - h * frequency - j * shaft) <= std::max(2 * resolution, 0.002 * f))
+        if ((j == 0 || h <= of_side_bands) &&
+            std::abs(f - h * frequency - j * shaft) <= std::max(2 * resolution, 0.002 * f))
           return fmt::format("{} x {}", h, fault) + (j == 0 ? "" : fmt::format(" {:+d} x {:.2f} Hz", j, shaft));
     return "";
   };
@@ -93,13 +94,15 @@ void give_to_bearing(Analysis &analysis, const std::string &channel, const std::
                            }),
             all.end());
   for (Finding &finding : all) {
-    if (finding.channel != channel || (finding.kind != "resonance" && finding.kind != "line"))
+    if (finding.channel != channel ||
+        (finding.kind != "mode" && finding.kind != "resonance" && finding.kind != "line"))
       continue;
     const std::string place = place_of(finding.frequency);
     if (place.empty())
       continue;
     finding.evidence.push_back("second: " + finding.owner);
     finding.owner = place;
+    finding.kind  = "fault line";
   }
 }
 

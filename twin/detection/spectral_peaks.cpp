@@ -95,11 +95,6 @@ std::vector<Eigen::Index> maxima_above(const WelchSpectrum &s, const Eigen::Vect
 }
 }  // namespace
 
-bool SpectralPeaks::nothing_above() const
-{
-  return candidates.empty();
-}
-
 SpectralPeaks spectral_peaks(const Eigen::VectorXd &value, const std::vector<Span> &pieces, const WelchSpectrum &s,
                              const double low, const double high)
 {

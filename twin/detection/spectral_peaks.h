@@ -19,7 +19,6 @@ struct SpectralPeaks {
   Eigen::VectorXd floor;                      ///< (L/2 + 1) unit^2/Hz, noise_floor()
   Eigen::VectorXd without_lines;              ///< (L/2 + 1) unit^2/Hz, the density with the lines taken out
   double threshold = 0;                       ///< -, density over floor of the false-alarm probability
-  bool nothing_above() const;                 ///< no candidate at all
 };
 
 /// Lines above the threshold of a false-alarm probability of 1e-3 for the channel, then resonances in what the
