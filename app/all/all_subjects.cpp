@@ -11,8 +11,10 @@
 #include "app/verbs/checked_case.h"
 #include "core/base/files.h"
 #include "report/twin/advice/advice_page.h"
+#include "report/twin/analysis/analysis_comparison.h"
 #include "report/twin/analysis/analysis_page.h"
 #include "report/twin/calibration/calibration_page.h"
+#include "report/twin/calibration/plan_page.h"
 #include <filesystem>
 
 // millstand-all: every subject.
@@ -23,9 +25,25 @@ int write_page(const std::string &directory)
 {
   const auto holds = [&](const char *file) { return std::filesystem::exists(directory + "/" + file); };
   write_atomically(directory + "/report.html", holds("calibration.json") ? report::calibration_page(directory)
+                                               : holds("plan.json")      ? report::plan_page(directory)
                                                : holds("analysis.json")  ? report::analysis_page(directory)
                                                                          : report::advice_page(directory));
   console::print("report: " + directory + "/report.html\n");
+  return 0;
+}
+
+// Analyses of one mill, compared; the page is in the first folder unless -o names a file.
+int write_analysis_comparison(const CommandLine &command)
+{
+  std::vector<std::string> directories{command.target};
+  directories.insert(directories.end(), command.names.begin(), command.names.end());
+  for (const std::string &directory : directories)
+    if (!std::filesystem::exists(directory + "/analysis.json"))
+      throw InputError("the folder " + directory +
+                       " holds no analysis.json; analyses are compared with analyses only");
+  const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
+  write_atomically(file, report::analysis_comparison(directories));
+  console::print("comparison: " + file + "\n");
   return 0;
 }
 
@@ -38,7 +56,7 @@ int subject_command(const CommandLine &command)
   if (command.verb == "advise")
     return advise_command(command, checked_case(command).the_case);
   if (command.verb == "report")
-    return write_page(command.target);
+    return command.names.empty() ? write_page(command.target) : write_analysis_comparison(command);
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
   if (command.verb == "live")

@@ -119,8 +119,8 @@ Table history_table(const ChatterStudy &s, const dynamics::ChatterHistory &h, co
 {
   const auto &labels = s.question.stand.structure.labels;
   const auto row_of  = [&](const std::string &label) -> Eigen::VectorXd {
-    const auto found = std::find(labels.begin(), labels.end(), label);
-    return 1e6 * h.point.row(found - labels.begin()).transpose();
+    const auto match = std::find(labels.begin(), labels.end(), label);
+    return 1e6 * h.point.row(match - labels.begin()).transpose();
   };
   Table table;
   table.add("time", "s", h.time).add("gap", "um", 1e6 * h.gap);

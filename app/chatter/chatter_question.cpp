@@ -157,10 +157,9 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   if (std::isnan(c.speed)) {
     q.speed_assumed = true;
     c.speed         = 0.5 * (stand.analysis.speeds[0] + stand.analysis.speeds[1]);
-    asked.assumed.push_back(
-        fmt::format("{}: the speed of the rolls is not given (pass.speed); {:.4g} m/s, the middle of the range "
-                    "searched, represents it",
-                    pass.name, c.speed));
+    asked.assumed.push_back(fmt::format("{}: the speed of the rolls is not given (pass.speed); {:.4g} m/s is "
+                                        "used, the middle of the range searched",
+                                        pass.name, c.speed));
   }
   const FreeStrip free = free_strip(stand);
   asked.assumed.insert(asked.assumed.end(), free.assumed.begin(), free.assumed.end());

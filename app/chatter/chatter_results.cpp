@@ -23,7 +23,7 @@ OperatingPoint at_speed(const double speed)
 }
 
 // How far the other linearisations and the other models of the same stand are from the chosen one; without a film
-// all linearisations are one, and a single model then tells nothing of its error.
+// all linearisations are the same, and a single model gives no estimate of its error.
 double spread(const ChatterStudy &s, double dynamics::StandSpeed::*value)
 {
   double widest    = 0;
@@ -60,7 +60,7 @@ struct ChatterAdder {
   }
 };
 
-void beside(std::vector<Check> &checks, const char *name, const double value, const char *note = "")
+void add_check(std::vector<Check> &checks, const char *name, const double value, const char *note = "")
 {
   if (!std::isnan(value))
     checks.push_back({name, value, note});
@@ -85,9 +85,9 @@ void add_bite(RunContext &run, const ChatterStudy &s)
     if (has_own_bite(run.the_case))
       return;
     std::vector<Check> checks;
-    beside(checks, "slab equation without the simplification of Bland and Ford", karman);
-    beside(checks, name_of(CheckId::published), published, c.note.c_str());
-    beside(checks, name_of(CheckId::measured), measured);
+    add_check(checks, "slab equation without the simplification of Bland and Ford", karman);
+    add_check(checks, name_of(CheckId::published), published, c.note.c_str());
+    add_check(checks, name_of(CheckId::measured), measured);
     add(name, unit, value, std::isnan(karman) ? not_given : apart(karman, value), std::move(checks));
   };
   const bite::BiteState none{};
@@ -143,15 +143,15 @@ bool grows(const std::complex<double> &root)
   return root.real() > 1e-9 * std::abs(root);
 }
 
-// At the working speed: does it grow, and do two counts that know no eigenvalues agree?
+// At the working speed: does it grow, and do two methods without eigenvalues agree?
 void add_growth(RunContext &run, const ChatterStudy &s, const std::string &method)
 {
   const RollingCondition &c = s.question.condition;
   const ChatterAdder working{run, s, "chatter", method, at_speed(c.speed)};
   std::vector<Check> growth, frequency;
   if (s.in_time) {
-    beside(growth, "record of the time simulation", s.in_time->growth);
-    beside(frequency, "record of the time simulation", s.in_time->frequency);
+    add_check(growth, "record of the time simulation", s.in_time->growth);
+    add_check(frequency, "record of the time simulation", s.in_time->frequency);
   }
   working("growth_rate", "1/s", s.growth, not_given, growth);
   if (s.working_mode)
@@ -174,16 +174,16 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   const ChatterAdder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
                               s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
   std::vector<Check> checks;
-  beside(checks, "Routh's array in extended precision", s.speed_by_routh);
+  add_check(checks, "Routh's array in extended precision", s.speed_by_routh);
   for (const OtherSearch &other : s.schemes)
     if (other.name != s.question.analysis.linearisation)
-      beside(checks, (other.name + " linearisation").c_str(), other.found.speed,
-             "what follows a disturbance decides about the speed");
+      add_check(checks, (other.name + " linearisation").c_str(), other.found.speed,
+                "the speed depends on what follows a disturbance");
   for (std::size_t i = 1; i < s.structures.size(); ++i)
-    beside(checks, ("on " + s.structures[i].name).c_str(), s.structures[i].found.speed,
-           "another model of the stand; the result is the worst of them");
-  beside(checks, name_of(CheckId::published), c.published_critical_speed, c.note.c_str());
-  beside(checks, name_of(CheckId::measured), c.measured_critical_speed);
+    add_check(checks, ("on " + s.structures[i].name).c_str(), s.structures[i].found.speed,
+              "another model of the stand; the result is the worst of them");
+  add_check(checks, name_of(CheckId::published), c.published_critical_speed, c.note.c_str());
+  add_check(checks, name_of(CheckId::measured), c.measured_critical_speed);
   if (s.structures.size() > 1)
     critical("critical_speed_highest", "m/s", band_of(s.structures).high);
   critical("critical_speed", "m/s", s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
@@ -193,8 +193,9 @@ void add_stability(RunContext &run, const ChatterStudy &s)
         std::find_if(s.records.begin(), s.records.end(), [](const auto &r) { return r.name == "at"; });
     if (peak != s.records.end() && peak->history.gap.size() > 0)
       try {
-        beside(frequency, "time simulation at this speed",
-               dynamics::mode_near(dynamics::record_modes(peak->history.gap, 1e-4), s.found.frequency).frequency);
+        add_check(
+            frequency, "time simulation at this speed",
+            dynamics::mode_near(dynamics::record_modes(peak->history.gap, 1e-4), s.found.frequency).frequency);
       } catch (const SolverError &) {
         // the disturbance did not excite this mode
       }
@@ -242,8 +243,8 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
   for (const ChatterSensitivity &one : s.sensitivities->inputs) {
     const auto halves = [&](double FiniteChange::*member) {
       std::vector<Check> checks;
-      beside(checks, "from changes of -10 % and +10 %", (one.raised.*member - one.lowered.*member) / 0.2,
-             "over a wide span; far off where the curve bends");
+      add_check(checks, "from changes of -10 % and +10 %", (one.raised.*member - one.lowered.*member) / 0.2,
+                "over a wide span; not accurate where the curve bends");
       return checks;
     };
     working("friction_slope." + one.key, "1", one.friction, not_given, halves(&FiniteChange::friction));
@@ -288,16 +289,16 @@ void add_chatter_results(RunContext &run, const ChatterStudy &s)
   if (c.entry_tension == 0 || c.exit_tension == 0)
     run.warn(s.question.label +
              ": a strip without tension goes slack at the first vibration, where the linear model "
-             "lets its tension fall below zero; the critical speed is that of a strip kept taut");
+             "lets its tension fall below zero; the critical speed is that of a strip that stays under tension");
   for (const std::string &remark : s.remarks)
     run.assume(s.question.label + ": " + remark);
   if (!s.working)
     run.warn(fmt::format("{} has no steady bite at its working speed of {:.4g} m/s: {}", s.question.label, c.speed,
                          s.no_bite));
   else if (grows(s.working_mode->root) && !s.question.speed_assumed)
-    run.warn(fmt::format("{} chatters at its working speed of {:.4g} m/s: vibration of {:.4g} Hz grows by a "
-                         "factor of e in {:.3g} s",
-                         s.question.label, c.speed, s.working_mode->frequency, 1 / s.growth));
+    run.warn(
+        fmt::format("{} chatters at its working speed of {:.4g} m/s: vibration of {:.4g} Hz doubles in {:.3g} s",
+                    s.question.label, c.speed, s.working_mode->frequency, std::log(2) / s.growth));
   if (!s.working)
     return;
   for (const std::string &note : s.working->state.notes)
@@ -311,7 +312,7 @@ void add_chatter_results(RunContext &run, const ChatterStudy &s)
     run.warn(fmt::format("{}: the oil film of {:.3g} um is outside {:.3g} .. {:.3g} um, {}", s.question.label,
                          1e6 * film, 1e6 * range[0], 1e6 * range[1],
                          known ? "over which the friction was measured (oil.film_range)"
-                               : "where the friction law still tells films apart (5 to 95 % of mu1; give "
+                               : "where the friction law still depends on the film (5 to 95 % of mu1; give "
                                  "oil.film_range if it was measured over other films)"));
 }
 
@@ -356,35 +357,34 @@ std::vector<ChatterConclusion> conclusions(const ChatterStudy &s)
   std::vector<ChatterConclusion> out;
   if (s.variants.empty() || s.found.verdict != Verdict::crossing || !s.mode)
     return out;
-  // the stand itself counts as one of the readings
-  std::vector<const dynamics::StandSpeed *> found{&s.found};
+  // the stand itself is one of the variants
+  std::vector<const dynamics::StandSpeed *> searches{&s.found};
   std::vector<const dynamics::ChatterMode *> modes{&*s.mode};
   bool all_cross = true;
   for (const OtherSearch &v : s.variants) {
     all_cross = all_cross && v.mode.has_value();
     if (v.mode) {
-      found.push_back(&v.found);
+      searches.push_back(&v.found);
       modes.push_back(&*v.mode);
     }
   }
   const auto [slow, fast] =
-      std::minmax_element(found.begin(), found.end(), [](auto *a, auto *b) { return a->speed < b->speed; });
-  const auto [low, high] = std::minmax_element(found.begin(), found.end(),
+      std::minmax_element(searches.begin(), searches.end(), [](auto *a, auto *b) { return a->speed < b->speed; });
+  const auto [low, high] = std::minmax_element(searches.begin(), searches.end(),
                                                [](auto *a, auto *b) { return a->frequency < b->frequency; });
   const auto add         = [&](const std::string &text, const bool holds, const std::string &detail) {
     out.push_back({text, holds, detail});
   };
-  add("There is a critical speed", all_cross,
-      all_cross ? "in every reading" : "some reading has none in the range searched");
+  add("There is a searches speed", all_cross,
+      all_cross ? "in every variant" : "one variant has no searches speed in the range searched");
   const bool fitted =
       std::any_of(s.question.variants.begin(), s.question.variants.end(),
                   [&](const NamedStand &v) { return v.stand.entry_distance != s.question.stand.entry_distance; });
-  add("The critical speed", (*fast)->speed / (*slow)->speed < 1.05,
+  add("The searches speed", (*fast)->speed / (*slow)->speed < 1.05,
       span((*slow)->speed, (*fast)->speed, "m/s") +
-          (fitted
-               ? "; the readings differ in their distances too: where those were fitted to this speed, agreement "
-                 "is by construction"
-               : ""));
+          (fitted ? "; the variants also differ in their distances: where these were fitted to this speed, the "
+                    "agreement is not evidence"
+                  : ""));
   add("The chatter frequency", (*high)->frequency / (*low)->frequency < 1.05,
       span((*low)->frequency, (*high)->frequency, "Hz"));
   const auto same = [&](const auto &question) {

@@ -22,7 +22,7 @@ dynamics::ChatterMode least_stable_mode(const ChatterStandModel &stand, const bi
   return dynamics::chatter_mode(stand, by, dynamics::eigenvalues(dynamics::chatter_matrix(stand, by))[0]);
 }
 
-// A second opinion on the bite; where it cannot be had the first stands alone.
+// A second solution of the bite for comparison; it may not exist.
 std::optional<bite::BiteState> by_karman(const dynamics::WorkingPoint &point)
 {
   try {
@@ -58,7 +58,7 @@ OtherSearch search(const std::string &name, const ChatterStandModel &stand, cons
     const auto point = dynamics::working_point(q.bite, q.condition.speed, scheme);
     other.growth     = dynamics::growth_rate(dynamics::chatter_matrix(stand, point.by));
   } catch (const std::runtime_error &) {
-    // no bite at the working speed, which is said once for the condition
+    // no bite at the working speed, which is reported once for the condition
   }
   return other;
 }
@@ -79,19 +79,19 @@ void search_beside(ChatterStudy &s, const dynamics::SpeedRange &range)
     s.variants.push_back(search(variant.name, variant.stand, q, q.scheme, range));
 }
 
-// Speed up to which a model is stable, and what tells two models without a critical speed apart: smaller is worse.
-std::pair<double, double> severity(const CriticalSpeed &found)
+// Speed up to which a model is stable, and what ranks two models without a critical speed: smaller is worse.
+std::pair<double, double> severity(const CriticalSpeed &critical)
 {
   constexpr double ever = std::numeric_limits<double>::infinity();
-  switch (found.verdict) {
+  switch (critical.verdict) {
   case Verdict::unstable:
-    return {-2, -found.margin};
+    return {-2, -critical.margin};
   case Verdict::unstable_below:
     return {-1, 0};
   case Verdict::crossing:
-    return {found.speed, 0};
+    return {critical.speed, 0};
   case Verdict::stable:
-    return {ever, -found.margin};
+    return {ever, -critical.margin};
   case Verdict::no_bite:
     break;
   }
@@ -118,7 +118,7 @@ void search_models(ChatterStudy &s, const dynamics::SpeedRange &range)
                 std::to_string(q.structures.size()) + (q.structure.empty() ? "" : ", " + q.structure);
 }
 
-// Two counts that know no eigenvalues, and the critical speed by one of them.
+// Number of unstable roots by two methods without eigenvalues, and the critical speed by one of them.
 void count_roots(ChatterStudy &s)
 {
   const ChatterQuestion &q = s.question;
@@ -219,11 +219,10 @@ void simulate_nonlinear(ChatterStudy &s)
     if (!s.run->stopped.empty())
       s.remarks.push_back(fmt::format("nonlinear run at {:.4g} m/s: {}", s.run_speed, s.run->stopped));
     else if (end < 1e-4)
-      s.remarks.push_back(
-          fmt::format("the nonlinear run at {:.4g} m/s, above the critical speed, dies away from half the "
-                      "draft: slack strip and parting rolls take more than the bite gives, so that there "
-                      "only small motions grow",
-                      s.run_speed));
+      s.remarks.push_back(fmt::format(
+          "the nonlinear run at {:.4g} m/s, above the critical speed, decays from an amplitude of half the draft: "
+          "slack strip and separating rolls take more energy than the bite supplies, so only small motions grow",
+          s.run_speed));
     else if (!s.cycle.settled)
       s.remarks.push_back(fmt::format("the nonlinear run at {:.4g} m/s has not settled after {:g} s ({:.3g} um)",
                                       s.run_speed, options.duration, 1e6 * s.cycle.amplitude));
@@ -236,6 +235,34 @@ void simulate_nonlinear(ChatterStudy &s)
 Eigen::VectorXd around(const double value, const double low, const double high, const int n)
 {
   return Eigen::VectorXd::LinSpaced(n, low * value, high * value);
+}
+
+// Which cells of a map are empty and why: "map of speed and reduction: 12 of 100 cells are empty, ..".
+std::string empty_cells(const dynamics::StabilityMap &map)
+{
+  std::string causes;
+  int n_empty = 0;
+  for (int k = int(dynamics::NoBite::none) + 1; k < dynamics::n_no_bite; ++k)
+    if (const int n = map.cells[std::size_t(k)]; n > 0) {
+      n_empty += n;
+      causes += fmt::format("{}{} in {}", causes.empty() ? "" : "; ", dynamics::reason_of(dynamics::NoBite(k)), n);
+    }
+  if (n_empty == 0)
+    return "";
+  return fmt::format(
+      "map of speed and {}: {} of {} cells are empty because the bite has no steady state there ({})",
+      dynamics::quantity_name(map.quantity), n_empty, map.growth.size(), causes);
+}
+
+std::string empty_boundary(const dynamics::StabilityMap &map)
+{
+  const auto n_empty = map.critical_speed.array().isNaN().count();
+  if (n_empty == 0)
+    return "";
+  return fmt::format("boundary over {}: {} of {} cells of critical_speed are empty because no vibration begins to "
+                     "grow between {:.4g} and {:.4g} m/s",
+                     dynamics::quantity_name(map.quantity), n_empty, map.critical_speed.size(), map.speed[0],
+                     map.speed[map.speed.size() - 1]);
 }
 
 void draw_maps(RunContext &run, ChatterStudy &s)
@@ -254,8 +281,12 @@ void draw_maps(RunContext &run, ChatterStudy &s)
     axes.emplace_back(MapQuantity::tension, around(1, 0.25, 1.75, n));
   if (has_film(q.bite.strip.friction))
     axes.emplace_back(MapQuantity::viscosity, around(q.bite.strip.friction.viscosity, 0.4, 2, n));
-  for (const auto &[quantity, values] : axes)
+  for (const auto &[quantity, values] : axes) {
     s.maps.push_back(dynamics::stability_map(q.stand, q.bite, q.scheme, speed, quantity, values, run.threads));
+    for (const std::string &sentence : {empty_cells(s.maps.back()), empty_boundary(s.maps.back())})
+      if (!sentence.empty())
+        s.remarks.push_back(sentence);
+  }
 }
 
 void find_sensitivities(RunContext &run, ChatterStudy &s, const dynamics::SpeedRange &range)

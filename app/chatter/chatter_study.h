@@ -25,7 +25,7 @@ struct ChatterQuestion {
   std::string label;  ///< "condition 2", "pass 1": as sentences call it
   bite::RollBite bite;
   dynamics::ChatterStandModel stand;
-  bool speed_assumed = false;  ///< the working speed is nobody's: no judgement of it
+  bool speed_assumed = false;  ///< the case does not give the working speed: it is not judged
   std::string structure;       ///< where the stand comes from: "given", "six-mass model of this run"
   bite::Linearisation scheme = bite::Linearisation::sequential;
   ChatterAnalysis analysis;
@@ -57,7 +57,7 @@ struct ChatterRecord {
 /// Range that analysis.speeds asks for, with its steps.
 dynamics::SpeedRange chatter_range(const ChatterQuestion &question);
 
-/// The bite at the working speed and the critical speed, nothing beside them.
+/// The bite at the working speed and the critical speed, nothing else.
 struct ChatterSearch {
   std::optional<dynamics::WorkingPoint> working;  ///< absent: no steady bite there
   std::string no_bite;                            ///< why

@@ -29,10 +29,10 @@ std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec)
       r.equation         = equation;
       all.push_back(r);
     };
-    const ChatterSearch found = search_chatter(q);
-    const auto &state         = found.working ? found.working->state : bite::BiteState{};
-    const auto there          = [&](const double value) { return found.working ? value : not_given; };
-    const KeyList at_speed    = joined(bite, speed);
+    const ChatterSearch search = search_chatter(q);
+    const auto &state          = search.working ? search.working->state : bite::BiteState{};
+    const auto there           = [&](const double value) { return search.working ? value : not_given; };
+    const KeyList at_speed     = joined(bite, speed);
     for (const auto &[quantity, unit, value] : {
              std::tuple<const char *, const char *, double>{"force",            "N", state.force           },
              {"friction",         "1", state.friction        },
@@ -41,18 +41,19 @@ std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec)
     })
       add("bite." + name + "." + quantity, unit, there(value), at_speed, "steady bite",
           "reduce/bite/slab/bland_ford", "(8.8)");
-    add("chatter." + name + ".growth_rate", "1/s", found.growth, joined(at_speed, stand), "stand, bite and strip",
+    add("chatter." + name + ".growth_rate", "1/s", search.growth, joined(at_speed, stand), "stand, bite and strip",
         "dynamics/chatter/chatter", "(25.4)");
     const KeyList searched = joined(bite, stand, range);
-    add("chatter." + name + ".critical_speed", "m/s", found.found.speed, searched, "search over the speed",
+    add("chatter." + name + ".critical_speed", "m/s", search.found.speed, searched, "search over the speed",
         "dynamics/chatter/speed", "(25.4)");
-    add("chatter." + name + ".frequency", "Hz", found.found.frequency, searched, "search over the speed",
+    add("chatter." + name + ".frequency", "Hz", search.found.frequency, searched, "search over the speed",
         "dynamics/chatter/speed", "(25.4)");
     for (std::size_t v = 0; v < q.variants.size(); ++v) {
-      const std::string of = spec.variants[v].name;
-      add("chatter." + name + ".variant." + of + ".critical_speed", "m/s",
+      const std::string variant = spec.variants[v].name;
+      add("chatter." + name + ".variant." + variant + ".critical_speed", "m/s",
           dynamics::critical_speed(q.variants[v].stand, q.bite, q.scheme, chatter_range(q)).speed,
-          joined(searched, keys_in("variant." + of, "masses stiffnesses dampings entry_distance exit_distance")),
+          joined(searched,
+                 keys_in("variant." + variant, "masses stiffnesses dampings entry_distance exit_distance")),
           "search over the speed", "dynamics/chatter/speed", "(25.4)");
     }
   }

@@ -44,7 +44,7 @@ void add_results(RunContext &run, const dynamics::TandemStudy &study, const dyna
   if (!std::isnan(study.tension.speed))
     checks.push_back({"shared tension, no thickness from the stand before", study.tension.speed, ""});
   const auto add = [&](const char *name, const char *unit, const double value, const char *method,
-                       std::vector<Check> beside = {}) {
+                       std::vector<Check> checks = {}) {
     if (std::isnan(value))
       return;
     Parameter p;
@@ -53,7 +53,7 @@ void add_results(RunContext &run, const dynamics::TandemStudy &study, const dyna
     p.method = method;
     p.at     = at_last_stand(unit == std::string("m/s") ? value : study.full.speed);
     p.inputs = inputs;
-    p.checks = std::move(beside);
+    p.checks = std::move(checks);
     run.results.add(std::string("chatter.tandem.") + name, p);
   };
   add("critical_speed", "m/s", study.full.speed, "roots of the coupled stands with the delay of the strip",
@@ -77,15 +77,14 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
     run.results.add("chatter.tandem.growth_rate", growth);
     if (root.real() > 1e-9 * std::abs(root))
       run.warn(fmt::format(
-          "the tandem chatters at {:.4g} m/s of its last stand: vibration of {:.4g} Hz grows by a factor "
-          "of e in {:.3g} s",
-          speed, std::abs(root.imag()) / (2 * M_PI), 1 / root.real()));
+          "the tandem chatters at {:.4g} m/s of its last stand: vibration of {:.4g} Hz doubles in {:.3g} s", speed,
+          std::abs(root.imag()) / (2 * M_PI), std::log(2) / root.real()));
     for (std::size_t i = 0; i + 1 < line.stands.size(); ++i) {
       const double given = line.stands[i].bite.roll_speed, needed = point.stands[i].bite.roll_speed;
       if (std::abs(given / needed - 1) > 0.01)
         run.assume(fmt::format(
             "tandem: mass flow makes the rolls of stand {} turn at {:.4g} m/s when the last stand works "
-            "at {:.4g} m/s; its condition says {:.4g} m/s, which its own results belong to",
+            "at {:.4g} m/s; its condition gives {:.4g} m/s, and its own results are for that speed",
             line.stands[i].name, needed, speed, given));
     }
   } catch (const InputError &e) {

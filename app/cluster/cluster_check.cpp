@@ -78,10 +78,10 @@ ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass)
     return {pass.load, true, "", not_given, ""};
   const auto drawn = bite_of_pass(stand, pass);
   if (!drawn)
-    throw InputError("nothing gives the rolling force; give load, or strip.width, thicknesses, strip.friction and "
+    throw InputError("the rolling force is not given; give load, or strip.width, thicknesses, strip.friction and "
                      "strip.flow_stress, "
                      "from which it is computed");
-  // One mean stress, as the fits beside it take it: a law that begins at zero has none at the entry of the first
+  // One mean stress, as in the fits: a law that begins at zero has no stress at the entry of the first
   // pass.
   const bite::RollBite bite = bite::with_exit_stress(*drawn);
   bite::SlabModel model     = slab_model(stand.bite);
@@ -96,7 +96,7 @@ ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass)
     try {
       force.closed        = bite::solve_slab(bite, closed).force;
       force.closed_method = bite::model_name(closed);
-    } catch (const SolverError &) {  // no root by that theory: the force stands alone
+    } catch (const SolverError &) {  // no root by that theory: the force has no comparison
     } catch (const InputError &) {
     }
   return force;

@@ -20,7 +20,7 @@ Parameter parameter(const ClusterPassRun &pass, const double value, const char *
   return p;
 }
 
-// Nobody states how far the stiffness of a support or the law of a contact is off.
+// The error of the stiffness of a support, or of the law of a contact, is not known.
 void lacks_error(Parameter &p, const ClusterStand &stand)
 {
   for (std::size_t i = 0; i < stand.supports.size(); ++i)
@@ -55,18 +55,16 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
   run.results.add(name("force"), force);
   if (!c.one_sided || f <= 0)
     return;
-  const double length = c.law.length > 0 ? c.law.length : 0;
-  Parameter approach  = parameter(pass, d, "m", "law of the contact (38.3)-(38.5)"),
+  Parameter approach = parameter(pass, d, "m", "law of the contact (38.3)-(38.5)"),
             tangent = parameter(pass, cluster::contact_tangent(c, d), "N/m", "law of the contact, dF/d(approach)"),
             secant  = parameter(pass, f / d, "N/m", "law of the contact, F/approach");
-  (void)length;
   // The other laws of a line contact under the same force.
   for (const char *law : {"power", "foeppl", "johnson"}) {
-    ClusterStand beside = stand;
-    for (ClusterContact &own : beside.contacts)
-      if (own.like.empty())
-        own.law = law;
-    const auto other        = cluster::stack_of(beside, *pass.pass, pass.force.value).contacts[i].law;
+    ClusterStand variant = stand;
+    for (ClusterContact &contact : variant.contacts)
+      if (contact.like.empty())
+        contact.law = law;
+    const auto other        = cluster::stack_of(variant, *pass.pass, pass.force.value).contacts[i].law;
     const double depth      = cluster::approach(other, f);
     const std::string named = std::string(law) == "power"    ? "Palmgren (38.4)"
                               : std::string(law) == "foeppl" ? "Foeppl (38.5)"
@@ -80,6 +78,27 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
   run.results.add(name("approach"), approach);
   run.results.add(name("tangent"), tangent);
   run.results.add(name("secant"), secant);
+}
+
+// Load of each roller of a support on two rollers: what its bearing carries.
+void add_roller_loads(RunContext &run, const ClusterPassRun &pass)
+{
+  for (const cluster::Support &support : pass.state.stack.supports) {
+    if (support.type != cluster::Support::Type::rollers)
+      continue;
+    const auto loads      = cluster::roller_forces(support, pass.state.rest.u.segment<2>(2 * support.roll));
+    const auto directions = cluster::roller_directions(support);
+    for (const std::size_t k : {0, 1}) {
+      const double angle = std::atan2(directions[k].y(), directions[k].x()) * 180 / M_PI;
+      Parameter load     = parameter(
+              pass, loads[k], "N",
+              fmt::format("{}; the roller lies at {:.4g} deg from the rolling direction", static_method, angle));
+      load.error_estimate = loads[k] != 0 ? pass.state.rest.residual / loads[k] : 0;
+      run.results.add(
+          result_name({family::cluster, pass.pass->name, "roller_load", support.name, fmt::format("{}", k + 1)}),
+          load);
+    }
+  }
 }
 
 ClusterModeRecord mode_record(const ClusterStand &stand, const ClusterPassRun &pass, const std::size_t k)
@@ -126,8 +145,8 @@ ClusterPassRecord pass_record(const ClusterStand &stand, const ClusterPassRun &p
     const auto f              = cluster::support_force(s, u);
     r.supports.push_back({s.name, f.norm(), (u - s.anchor).norm(), not_given, not_given});
     if (f.norm() > 0) {
-      const Eigen::Index at     = state.stack.per_roll() * s.roll;
-      r.supports.back().tangent = f.normalized().dot(K.supports[i].block<2, 2>(at, at) * f.normalized());
+      const Eigen::Index index  = state.stack.per_roll() * s.roll;
+      r.supports.back().tangent = f.normalized().dot(K.supports[i].block<2, 2>(index, index) * f.normalized());
     }
   }
   for (std::size_t k = 0; k < state.modes.size(); ++k)
@@ -142,7 +161,7 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
   force.at        = {};
   if (!std::isnan(pass.force.closed))
     force.checks.push_back({pass.force.closed_method + ", same stress", pass.force.closed,
-                            "the closed theory of the static half leaves one term of the slab equation out"});
+                            "the closed theory leaves out one term of the slab equation"});
   if (!std::isnan(pass.pass->published_force))
     force.checks.push_back(check(CheckId::published, pass.pass->published_force));
   if (!std::isnan(pass.pass->measured_force[0]))
@@ -153,6 +172,7 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
   run.results.add(result_name({family::cluster, pass.pass->name, "force"}), force);
   for (std::size_t i = 0; i < pass.state.stack.contacts.size(); ++i)
     add_contact(run, stand, pass, i);
+  add_roller_loads(run, pass);
   const cluster::Motion start = cluster::closed_form_approaches(pass.state.stack);
   for (std::size_t i = 0; i < stand.rolls.size(); ++i)
     for (const int direction : {0, 1}) {
@@ -160,7 +180,7 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
       lacks_error(u, stand);
       if (direction == 1 && int(i) == cluster::strip_roll(stand))
         u.checks.push_back({"sum of approaches at the rolling force (38.10)", start[2 * Eigen::Index(i) + 1],
-                            "without weight and what stands beside the column"});
+                            "without weight and without the supports next to the column"});
       run.results.add(result_name({family::cluster, pass.pass->name, stand.rolls[i].name, direction ? "y" : "x"}),
                       u);
     }
@@ -188,11 +208,11 @@ void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterP
     Parameter f = parameter(pass, mode.frequency, "Hz", "mode recognised by its shape (38.14), " + mode.label);
     lacks_error(f, stand);
     if (!std::isnan(stand.modes[i].frequency))
-      f.checks.push_back(check(CheckId::published, stand.modes[i].frequency,
-                               has_fitted_support(stand)
-                                   ? "supports are fitted to some of the published frequencies: "
-                                     "what agrees by that is no evidence"
-                                   : ""));
+      f.checks.push_back(check(
+          CheckId::published, stand.modes[i].frequency,
+          has_fitted_support(stand)
+              ? "supports are fitted to some of the published frequencies: agreement with these is not evidence"
+              : ""));
     run.results.add(result_name({family::cluster, pass.pass->name, "mode", stand.modes[i].name}), f);
   }
 }

@@ -12,9 +12,9 @@ namespace {
 Material flattened_material(const ClusterStand &stand, const ClusterRoll &roll)
 {
   Material material = stand.steel;
-  const auto take   = [](double &value, const double own) {
-    if (!std::isnan(own))
-      value = own;
+  const auto take   = [](double &value, const double local) {
+    if (!std::isnan(local))
+      value = local;
   };
   take(material.youngs_modulus, roll.youngs_modulus);
   take(material.poisson_ratio, roll.poisson_ratio);

@@ -47,7 +47,7 @@ void refuse_buckled(const ClusterPassRun &pass, const ClusterPassRecord &record)
       {fmt::format("pass \"{}\": the stack buckles under {:.5g} kN", pass.pass->name, 1e-3 * pass.force.value),
        fmt::format("{} grows: its eigenvalue is {:.4g} 1/s2{}", worst.label, pass.state.rest.least_root,
                    first_guide(record)),
-       "contacts push a roll out of the line of forces, and nothing stiff enough holds it",
+       "contacts push a roll out of the line of forces, and no support is stiff enough to hold it",
        "stiffer guides or supports of that roll, or a smaller force", ""});
 }
 
@@ -79,15 +79,14 @@ void warn_of_preload(RunContext &run, const ClusterStand &stand, const ClusterPa
       continue;
     const auto f = cluster::roller_forces(s, pass.state.rest.u.segment<2>(2 * s.roll));
     if (f[0] <= 0 || f[1] <= 0)
-      run.warn(fmt::format(
-          "{}pass \"{}\": the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} N; the "
-          "roll lies loose in its nest",
-          place_text(stand.supports[i].place), pass.pass->name, s.name, f[0], f[1]));
+      run.warn(fmt::format("{}pass \"{}\": the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} "
+                           "N; the roll is not held by all of its rollers",
+                           place_text(stand.supports[i].place), pass.pass->name, s.name, f[0], f[1]));
   }
   for (std::size_t i = 0; i < pass.state.stack.contacts.size(); ++i)
     if (pass.state.stack.contacts[i].one_sided && pass.state.rest.contact_loads[i] <= 0)
       run.warn(fmt::format(
-          "{}pass \"{}\": contact {} is open, its rolls stand {:.3g} um apart",
+          "{}pass \"{}\": contact {} is open, its rolls are {:.3g} um apart",
           i < stand.contacts.size() ? place_text(stand.contacts[i].place) : "", pass.pass->name,
           pass.state.stack.contacts[i].name,
           -1e6 *
@@ -135,18 +134,18 @@ void solve_fits(RunContext &run, const ClusterStand &stand, const std::vector<Cl
 {
   for (std::size_t i = 0; i < stand.variants.size(); ++i) {
     const ClusterVariant &variant = stand.variants[i];
-    const ClusterPassRun *at      = &passes.front();
+    const ClusterPassRun *chosen  = &passes.front();
     for (const ClusterPassRun &pass : passes)
       if (pass.pass->name == variant.pass)
-        at = &pass;
-    const auto fit = cluster::fit_variant(stand, variant, *at->pass, at->force.value, computed);
+        chosen = &pass;
+    const auto fit = cluster::fit_variant(stand, variant, *chosen->pass, chosen->force.value, computed);
     if (!fit.refused.empty())
       run.warn(fmt::format("variant \"{}\" has no fit: {}", variant.name, fit.refused));
     else if (!fit.converged)
-      run.warn(fmt::format("variant \"{}\": the fit has not settled after {} steps", variant.name, fit.steps));
+      run.warn(fmt::format("variant \"{}\": the fit has not converged after {} steps", variant.name, fit.steps));
     else if (!fit.undetermined.empty())
-      run.warn(fmt::format("variant \"{}\": the frequencies do not tell {}", variant.name, fit.undetermined));
-    add_fit_results(run, fit, cluster_fit_keys(run.the_case, at->p, i));
+      run.warn(fmt::format("variant \"{}\": the frequencies do not identify {}", variant.name, fit.undetermined));
+    add_fit_results(run, fit, cluster_fit_keys(run.the_case, chosen->p, i));
     record.fits.push_back(fit_record(stand, variant, fit));
   }
 }
@@ -155,16 +154,15 @@ void say_what_is_assumed(RunContext &run, const ClusterStand &stand)
 {
   for (const ClusterSupport &s : stand.supports)
     if (s.fitted && s.like.empty())
-      run.assume(
-          fmt::format("the stiffness of support {} follows only from a fit to frequencies; what agrees with them "
-                      "by it is no evidence",
-                      s.own_name()));
+      run.assume(fmt::format(
+          "the stiffness of support {} is fitted to frequencies; agreement with these frequencies is not evidence",
+          s.own_name()));
   if (stand.stack.spin == "free")
     run.assume(
         "contacts of the stack are frictionless; rolls turn freely in every vibration (stack.spin = \"coupled\" "
         "has the other limit)");
   if (stand.stack.strip.find('-') == std::string::npos || std::isnan(stand.stack.strip_stiffness))
-    run.assume("the strip is a force on the stack and no spring");
+    run.assume("the strip is a force on the stack, not a spring");
 }
 }  // namespace
 
@@ -178,19 +176,20 @@ KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool drive
   };
   for (const auto &place : the_case.places) {
     const std::string &key = place.first;
-    const auto of          = [&](const std::string &section) { return key.rfind(section, 0) == 0; };
+    const auto begins_with = [&](const std::string &section) { return key.rfind(section, 0) == 0; };
     const bool dynamic =
         key == pass + "dynamic_force" || key == pass + "dynamic_frequency" || key == pass + "loss_factor";
     // Damping is not in the state at rest nor in the modes; a mark "fitted" is in no number.
     if (ends(key, ".fitted") ||
         (!driven && (ends(key, ".loss_factor") || ends(key, ".damping") || ends(key, ".damping_depth"))))
       continue;
-    if (given && of("stack.flattening_"))  // of the bite, which then gives no force
+    if (given && begins_with("stack.flattening_"))  // of the bite, which then gives no force
       continue;
-    if (of("steel.") || of("stack.") || of("roll.") || of("contact.") || of("support.") || key == pass + "load" ||
-        key == pass + "horizontal_force" || (driven && (of("response.") || dynamic)))
+    if (begins_with("steel.") || begins_with("stack.") || begins_with("roll.") || begins_with("contact.") ||
+        begins_with("support.") || key == pass + "load" || key == pass + "horizontal_force" ||
+        (driven && (begins_with("response.") || dynamic)))
       keys.push_back(key);
-    const bool strip = of("strip.") || of("bite.") || key == pass + "entry_thickness" ||
+    const bool strip = begins_with("strip.") || begins_with("bite.") || key == pass + "entry_thickness" ||
                        key == pass + "exit_thickness" || key == pass + "entry_pull" || key == pass + "exit_pull" ||
                        key == pass + "speed";
     // What the strip was before the first pass, where nothing says it.

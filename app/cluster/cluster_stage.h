@@ -20,7 +20,7 @@ struct ClusterForce {
   double value = 0;  ///< N
   bool given   = true;
   std::string method;
-  double closed = not_given;  ///< N, by the closed theory of the schedule with the same stress, beside it
+  double closed = not_given;  ///< N, by the closed theory of the schedule with the same stress, for comparison
   std::string closed_method;
 };
 /// @throws InputError, SolverError  what the slab theory refuses

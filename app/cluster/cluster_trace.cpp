@@ -31,7 +31,7 @@ ClosedFormResult result_of(const KeyList &keys, const std::string &name, const d
   return r;
 }
 
-// Velocities under the dynamic force, linear.
+// Velocities and accelerations under the dynamic force, linear.
 void add_velocities_of(const ClusterStand &stand, const ClusterPass &pass, const cluster::PassState &state,
                        const double force, const KeyList &keys, std::vector<ClosedFormResult> &all)
 {
@@ -45,12 +45,17 @@ void add_velocities_of(const ClusterStand &stand, const ClusterPass &pass, const
       const double size = std::abs(u[state.stack.per_roll() * Eigen::Index(i) + k]);
       if (size <= solved_to)
         continue;
-      all.push_back(result_of(
-          keys, result_name({family::cluster, pass.name, "velocity", stand.rolls[i].name, k ? "y" : "x"}),
-          2 * M_PI * pass.dynamic_frequency * size, "m/s", force));
-      all.back().relation = "harmonic response with complex stiffness";
-      all.back().file     = "dynamics/cluster/response";
-      all.back().equation = "(38.16)";
+      const double omega = 2 * M_PI * pass.dynamic_frequency;
+      const auto add     = [&](const char *quantity, const double value, const char *unit) {
+        all.push_back(result_of(
+                keys, result_name({family::cluster, pass.name, quantity, stand.rolls[i].name, k ? "y" : "x"}), value,
+                unit, force));
+        all.back().relation = "harmonic response with complex stiffness";
+        all.back().file     = "dynamics/cluster/response";
+        all.back().equation = "(38.16)";
+      };
+      add("velocity", omega * size, "m/s");
+      add("acceleration", omega * omega * size, "m/s2");
     }
 }
 
@@ -136,6 +141,15 @@ std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case)
       add(c.name, "approach", d, "m");
       add(c.name, "tangent", cluster::contact_tangent(c, d), "N/m");
       add(c.name, "secant", f / d, "N/m");
+    }
+    for (const cluster::Support &support : state.stack.supports) {
+      if (support.type != cluster::Support::Type::rollers)
+        continue;
+      const auto loads = cluster::roller_forces(support, state.rest.u.segment<2>(2 * support.roll));
+      for (const std::size_t k : {0, 1})
+        all.push_back(result_of(
+            keys, result_name({family::cluster, pass.name, "roller_load", support.name, fmt::format("{}", k + 1)}),
+            loads[k], "N", force));
     }
     for (std::size_t i = 0; i < stand.rolls.size(); ++i)
       for (const int k : {0, 1})

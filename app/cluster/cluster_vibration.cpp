@@ -52,8 +52,8 @@ void write_response(RunContext &run, const ClusterStand &stand, const ClusterPas
   write_curve(run, curve::cluster_response, slug(pass.pass->name), t);
 }
 
-// Velocities at the frequency of the dynamic force: linear, and in time.
-// @param nonlinear  empty: there is no history
+// Velocity and acceleration at the frequency of the dynamic force: of the linear response, and of the history.
+// @param nonlinear  m/s, x and y of every roll; empty: without a history
 void add_velocities(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
                     const Eigen::VectorXcd &linear, const Eigen::VectorXd &nonlinear, ClusterHistoryRecord &record)
 {
@@ -64,23 +64,28 @@ void add_velocities(RunContext &run, const ClusterStand &stand, const ClusterPas
       const std::string name = stand.rolls[std::size_t(i)].name;
       const double steady    = omega * std::abs(linear[per_roll * i + k]);
       record.linear.push_back({name + " " + directions[k], steady});
-      Parameter p;
-      p.value  = steady;
-      p.unit   = "m/s";
-      p.method = "harmonic response with complex stiffness (38.16)";
-      p.at     = {
-              "{}, {} at {}",
-              {{pass.force.value, "kN", ".5g"}, {record.force, "N", ".4g"}, {record.frequency, "Hz", ".5g"}}
+      if (nonlinear.size() > 0)
+        record.nonlinear.push_back({name + " " + directions[k], nonlinear[2 * i + k]});
+      const auto add = [&](const char *quantity, const char *unit, const double factor, const char *method) {
+        Parameter p;
+        p.value  = factor * steady;
+        p.unit   = unit;
+        p.method = method;
+        p.at     = {
+                "{}, {} at {}",
+                {{pass.force.value, "kN", ".5g"}, {record.force, "N", ".4g"}, {record.frequency, "Hz", ".5g"}}
+        };
+        p.inputs      = pass.driven_keys;
+        p.error_lacks = {"response.loss_factor"};
+        if (nonlinear.size() > 0)
+          p.checks.push_back({"history with one-sided contacts and viscous damping (38.20), over its second half",
+                              factor * nonlinear[2 * i + k],
+                              "the history has viscous damping and a remainder of its start"});
+        run.results.add(result_name({family::cluster, pass.pass->name, quantity, name, directions[k]}), p);
       };
-      p.inputs      = pass.driven_keys;
-      p.error_lacks = {"response.loss_factor"};
-      if (nonlinear.size() > 0) {
-        const double moved = nonlinear[2 * i + k];
-        record.nonlinear.push_back({name + " " + directions[k], moved});
-        p.checks.push_back({"history with one-sided contacts and viscous damping (38.20), over its second half",
-                            moved, "viscous damping and what the start has left"});
-      }
-      run.results.add(result_name({family::cluster, pass.pass->name, "velocity", name, directions[k]}), p);
+      add("velocity", "m/s", 1, "harmonic response with complex stiffness (38.16)");
+      add("acceleration", "m/s2", omega,
+          "harmonic response with complex stiffness (38.16), angular frequency times velocity");
     }
 }
 
@@ -112,7 +117,7 @@ std::string verdict_of(const ClusterHistoryRecord &r)
   if (std::abs(r.difference) > 0.05)
     return fmt::format(
         "no contact opens, the velocity of the roll at the strip differs by {:.2g} % from the linear one: "
-        "the start has not died away, or the stiffness changes with the force",
+        "the transient of the start has not decayed, or the stiffness changes with the force",
         100 * r.difference);
   return fmt::format(
       "linearising is enough: no contact opens, the velocity of the roll at the strip differs by {:.2g} %",

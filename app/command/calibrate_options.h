@@ -2,10 +2,11 @@
 #include <string>
 
 namespace mill {
-/// Options of millstand calibrate as they were written.
+/// Options of millstand calibrate as the user wrote them.
 struct CalibrateOptions {
-  std::string measured;  ///< --measured: folder of the records
-  std::string free;      ///< --free: K1,K2,zeta; empty: all
+  std::string measured;     ///< --measured: folder of the records
+  std::string free;         ///< --free: "K1, M2/M5, frame, zeta"; empty: all
+  std::string model_error;  ///< --model-error: "5 %", of the level of a third octave
   bool plan   = false;
   bool accept = false;
   bool align  = false;         ///< --align: the delay of two clocks is one more unknown

@@ -81,14 +81,19 @@ void add_folder_of_records(CLI::App *verb, CommandLine &c, const char *folder, c
 
 void add_calibrate(CLI::App &app, CommandLine &c)
 {
-  auto *verb = app.add_subcommand(
-      "calibrate", "springs and damping of a stand from records: which are identified, and which are not");
+  auto *verb =
+      app.add_subcommand("calibrate", "springs, masses and damping of a stand from records, with their intervals");
   CalibrateOptions &o = c.calibrate;
   verb->add_option("CASE", c.target, "stand, kind four-high or lumped")->required();
   verb->add_option("--measured", o.measured, "folder of the records, with records.toml where they have roles");
-  verb->add_option("--free", o.free, "what is fitted, K1,K2,zeta (default: all springs and zeta)");
-  verb->add_flag("--plan", o.plan, "what a record would identify, before anything is measured");
-  verb->add_flag("--accept", o.accept, "write calibrated.toml although it is refused, with a note in it");
+  verb->add_option(
+      "--free", o.free,
+      "unknowns of the fit, \"K1, M2/M5, frame, zeta\": names, groups with one factor, or frame, springs, "
+      "masses, ratios (default: all springs, masses with a stated error, zeta)");
+  verb->add_option("--model-error", o.model_error,
+                   "error that the model may have in each third octave, of its level (default \"5 %\")");
+  verb->add_flag("--plan", o.plan, "which unknowns a record would identify, before anyone measures");
+  verb->add_flag("--accept", o.accept, "write calibrated.toml although it is refused, and say so in it");
   verb->add_flag("--align", o.align, "force and vibration have two clocks: fit their delay");
   verb->add_option("--sensors", o.sensors,
                    "with --plan: places of the sensors (default: upper_work_roll,lower_work_roll)");
@@ -128,9 +133,10 @@ void add_analyse(CLI::App &app, CommandLine &c)
   analyse->add_option("--speed", c.speed, "surface speed of the rolls, if it was not recorded, \"4 m/s\"");
   analyse->add_option("--limit", c.limit, "vibration limit of this mill, 0-peak, \"2 g\"");
   add_repeatable(analyse, "--severity", c.severity,
-                 "upper end of a severity zone, \"2.3 mm/s\", repeatable; no zones are built in");
-  analyse->add_flag("--align", c.align, "remove the delay between the clocks of force and vibrations from H1");
-  analyse->add_option("--baseline", c.baseline, "folder of an earlier analysis, for changes and bearings");
+                 "upper end of a zone, \"2.3 mm/s\", repeatable; none is built in");
+  analyse->add_flag("--align", c.align, "take the delay between the clocks of force and vibrations out of H1");
+  add_repeatable(analyse, "--baseline", c.baseline,
+                 "folder of an earlier analysis, for changes and bearings, repeatable");
   add_folder_of_records(analyse, c, "folder of the results (default out/<record>-analysis)",
                         "no progress, no table");
 }
@@ -271,7 +277,9 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   auto *marks =
       app.add_subcommand("marks", "marks at equal distances: the rolls, bearings and modes that may cause them");
   marks->add_option("CASE", c.target, "case file")->required();
-  marks->add_option("--spacing", c.marks.spacing, "distance of the marks along the strip, \"2 mm\"")->required();
+  marks->add_option("--spacing", c.marks.spacing, "distance of the marks along the strip, \"2 mm\"");
+  marks->add_option("--frequency", c.marks.frequency,
+                    "of a vibration that would leave the marks, \"315 Hz\", instead of --spacing");
   marks->add_option("--speed", c.marks.speed, "speed of the strip behind the stand, \"500 m/min\"")->required();
   marks->add_option("--forward-slip", c.marks.forward_slip,
                     "forward slip of the strip over the rolls (default 0 %)");
@@ -314,9 +322,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   auto *report =
       app.add_subcommand("report", "write DIR/report.html again from the stored results, or compare runs");
   report->add_option("DIR", c.target, "folder of a run")->required();
-  report->add_option("MORE", c.names, "further runs: what differs is written to DIR/comparison.html");
+  report->add_option("MORE", c.names, "further runs or analyses: what differs is written to DIR/comparison.html");
   report->add_option("-o", c.output, "file of the comparison");
-  report->add_flag("--force-overwrite", c.force_overwrite, "replace a file that is not a comparison");
 
   app.add_subcommand("schema", "print the JSON Schema of the case file");
   auto *completion = app.add_subcommand("completion", "print the completion of a shell");

@@ -38,7 +38,7 @@ struct CommandLine {
       channel_units;                  ///< analyse, calibrate, advise --channel, --unit: NAME=PLACE, NAME=UNIT
   std::vector<std::string> scales;    ///< analyse, calibrate, advise --scale: "50 mV/g", NAME=50 mV/g
   std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones
-  std::string baseline;               ///< analyse --baseline: folder of an earlier analysis
+  std::vector<std::string> baseline;  ///< analyse --baseline: folders of earlier analyses
   bool align = false;                 ///< analyse --align
   std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
   bool list            = false;                           ///< verify --list

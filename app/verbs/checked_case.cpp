@@ -7,9 +7,25 @@
 #include "core/base/errors.h"
 
 namespace mill {
+namespace {
+/// A lumped stand without [[pass]], driven by the record of --force: the record is its only pass.
+void add_pass_of_record(Case &the_case, const std::string &force_file)
+{
+  auto *lumped = std::get_if<Lumped>(&the_case.spec);
+  if (force_file.empty() || !lumped || !lumped->passes.empty())
+    return;
+  Pass pass;
+  pass.name       = "record";
+  pass.place      = {the_case.path, 0, 0};
+  pass.force_file = force_file;
+  lumped->passes.push_back(pass);
+}
+}  // namespace
+
 CheckedCase checked_case(const CommandLine &command)
 {
   CheckedCase checked{read_case(command.target, command.sets), {}};
+  add_pass_of_record(checked.the_case, command.force);
   const Case &the_case = checked.the_case;
   require_linked(the_case, command);
   check_file_names(the_case);

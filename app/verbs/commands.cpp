@@ -193,30 +193,29 @@ int write_report(const std::string &directory)
   return 0;
 }
 
-// A comparison replaces an earlier comparison and no other file.
-void require_replaceable_page(const std::string &file)
+// A page of an earlier comparison may be replaced, any other file is kept.
+void refuse_foreign_file(const std::string &file)
 {
-  std::error_code error;
-  if (!fs::exists(fs::symlink_status(file, error)))
+  std::error_code ignored;
+  if (!fs::exists(fs::symlink_status(file, ignored)))
     return;
   const auto text = text_if_readable(file);
-  if (!text || text->substr(0, 4096).find("<title>comparison - millstand report</title>") == std::string::npos)
+  if (!text || !report::is_comparison_page(*text))
     throw InputError("the file " + file +
-                     " exists and is not a comparison page; choose another with -o, or give --force-overwrite");
+                     " exists and is not a comparison that 'millstand report' wrote; choose another name with -o");
 }
 
-// Compares runs; the page is written into the first folder unless -o names a file.
+// Compares runs; the page is written to the first folder unless -o names a file.
 int write_comparison(const CommandLine &command)
 {
+  const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
+  refuse_foreign_file(file);
   std::vector<std::string> directories{command.target};
   directories.insert(directories.end(), command.names.begin(), command.names.end());
   for (const std::string &directory : directories) {
     const FolderLock alone(directory);
     finish_publishing(directory);
   }
-  const std::string file = command.output.empty() ? command.target + "/comparison.html" : command.output;
-  if (!command.force_overwrite)
-    require_replaceable_page(file);
   write_atomically(file, report::comparison_of(directories));
   console::print("comparison: " + file + "\n");
   return 0;

@@ -35,8 +35,15 @@ double quantity_of(const std::string &flag, const std::string &text, const char 
 MarksQuestion question_of(const MarksOptions &flags)
 {
   MarksQuestion q;
-  q.spacing       = quantity_of("spacing", flags.spacing, "mm");
-  q.speed         = quantity_of("speed", flags.speed, "m/s");
+  if (flags.spacing.empty() == flags.frequency.empty())
+    throw InputError("millstand marks takes either --spacing \"2 mm\" or --frequency \"315 Hz\"");
+  q.speed = quantity_of("speed", flags.speed, "m/s");
+  if (flags.frequency.empty())
+    q.spacing = quantity_of("spacing", flags.spacing, "mm");
+  else if (const double frequency = quantity_of("frequency", flags.frequency, "Hz"); frequency > 0)
+    q.spacing = q.speed / frequency;  // (40.1)
+  else
+    throw InputError("--frequency \"" + flags.frequency + "\" is not above zero");
   const auto take = [](double &value, const char *flag, const std::string &text, const char *like) {
     if (!text.empty())
       value = quantity_of(flag, text, like);
@@ -93,8 +100,8 @@ std::string table_text(const MarksRecord &record)
 void write_folder(const CommandLine &command, const Case &the_case, const MarksRecord &record,
                   const dynamics::MarkSources &sources, const KnownModes &known, const std::string &path)
 {
-  const std::string asked = command.marks.spacing + command.marks.speed + command.marks.forward_slip +
-                            command.marks.accuracy + command.marks.side_bands;
+  const std::string asked = command.marks.spacing + command.marks.frequency + command.marks.speed +
+                            command.marks.forward_slip + command.marks.accuracy + command.marks.side_bands;
   const OutputDir out(path, the_case, command.force_overwrite, run_id_of(the_case, "marks " + asked, ""));
   RunContext run{the_case, out, "", false};
   run.started = local_time();

@@ -3,6 +3,7 @@
 #include "core/case/given.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/case/monitoring.h"
+#include "core/case/plant.h"
 #include "core/case/stand_reader.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
@@ -340,6 +341,7 @@ ChatterCase read_chatter(const Node &root, Reading &reading)
   read_variants(root, spec, reading);
   read_conditions(root, spec, reading);
   spec.analysis = read_chatter_analysis(root, reading);
+  read_plant(root, reading);
   read_monitoring(root, reading);  // checked here, used by those who read records
   spec.advice = read_chatter_advice(root, spec.conditions, reading);
   return spec;

@@ -270,6 +270,20 @@ void check_strip_laws(const ClusterStand &stand, Reading &reading)
                             computed->name));
 }
 
+// The flow stress of every pass of a stack is fitted to its load by the closed theories, whatever [bite] asks for.
+void check_no_fit(const BiteSetup &setup, Reading &reading)
+{
+  for (const auto &[key, wanted] : {
+           std::pair{"bite.fit",     !setup.fit.empty()    },
+           {"bite.fit_for", !setup.fit_for.empty()}
+  })
+    if (wanted && reading.usable({key}))
+      contradict(reading, key,
+                 "is not solved in kind = \"cluster\", where the flow stress of each pass is fitted to its load; "
+                 "remove it, or fit the same passes in a case of kind = \"bite\"",
+                 {});
+}
+
 void check_modes(const ClusterStand &stand, Reading &reading)
 {
   check_unique(
@@ -298,6 +312,7 @@ std::shared_ptr<const ClusterStand> read_stand_of(const Node &root, Reading &rea
   check_supports(*stand, reading);
   check_schedule(*stand, reading);
   check_strip_laws(*stand, reading);
+  check_no_fit(stand->bite, reading);
   check_modes(*stand, reading);
   stand->variants = read_list(root, "variant", cluster_variant_rows(), false, reading);
   check_variants(*stand, reading);

@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/case/case_template.h"
 #include "core/case/kinds.h"
+#include "core/case/record_set_rows.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <map>
@@ -146,6 +147,18 @@ std::string kind_references()
   }
   return text;
 }
+
+// Another file than a case: it lies in a folder of records.
+std::string record_set_reference()
+{
+  std::string text =
+      "\n## Records of a calibration\n\n`records.toml` in the folder of `millstand calibrate --measured "
+      "DIR`. Without this file all records of the\nfolder are used.\n";
+  for (const SectionRows &section : record_set_sections())
+    text += "\n### `" + header_of(section) + "` of records.toml\n\n" + section.meaning + ".\n\n" +
+            rows_reference(section);
+  return text;
+}
 }  // namespace
 
 std::string input_reference()
@@ -172,7 +185,7 @@ std::string input_reference()
   text +=
       "\n`N.s/m`, `N*s/m` and `N s/m` are the same unit, the micro sign is read as `u`, and `g` is the standard\n"
       "acceleration of free fall, 9.80665 m/s2.\n";
-  text += kind_references() + "\n## Sections\n" + section_references();
+  text += kind_references() + "\n## Sections\n" + section_references() + record_set_reference();
   return text +
          "\nA key `..._tolerance` of `[frame]` or `[given]` becomes the error estimate of its value and of what "
          "follows\n"

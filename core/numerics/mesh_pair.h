@@ -7,6 +7,9 @@ namespace mill {
 /// each kind of mesh.
 constexpr double mesh_pair_safety = 1.25;
 
+/// The same where the order was not observed: largest values, whose place moves from mesh to mesh.
+constexpr double unseen_order_safety = 3;
+
 /// Gain of a method of second order on a mesh half as fine.
 constexpr double second_order = 4;
 
@@ -14,8 +17,9 @@ constexpr double second_order = 4;
 /// @param gain  -, how many times larger the error is on the coarser mesh: (ratio of element sizes)^order; 2 where
 /// no
 ///              order is known of a mesh half as fine: the finer one then errs by no more than the difference
-inline double mesh_pair_error(const double fine, const double coarse, const double gain = 2)
+inline double mesh_pair_error(const double fine, const double coarse, const double gain = 2,
+                              const double safety = mesh_pair_safety)
 {
-  return mesh_pair_safety * std::abs(fine - coarse) / (std::abs(fine) * (gain - 1));
+  return safety * std::abs(fine - coarse) / (std::abs(fine) * (gain - 1));
 }
 }  // namespace mill

@@ -30,7 +30,7 @@ struct RollMarks {
   double whole    = not_given;  ///< -, nearest whole number, at least one
   double off      = not_given;  ///< -, per_turn over it, less one
   double chance   = not_given;  ///< -, that any spacing is whole within the accuracy, (40.3)
-  std::string verdict;          ///< whole | between | not told apart
+  std::string verdict;          ///< whole | between | not distinguishable
 };
 
 /// Something that happens at equal angles of a roll, against the marks.
@@ -41,7 +41,7 @@ struct EventMarks {
   double whole     = not_given;  ///< -, nearest whole number, at least one
   double off       = not_given;  ///< -
   double chance    = not_given;  ///< -
-  std::string verdict;           ///< whole | between | not told apart
+  std::string verdict;           ///< whole | between | not distinguishable
 };
 
 /// A natural mode against the marks.

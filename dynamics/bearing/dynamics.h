@@ -23,7 +23,7 @@ struct BearingOscillator {
   double damping = 0;  ///< N s/m, also while nothing touches
   BearingCurve curve;
   Eigen::Vector2d mean_load = Eigen::Vector2d::Zero();   ///< N
-  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< -, of what varies; only its direction counts
+  Eigen::Vector2d direction = Eigen::Vector2d::UnitX();  ///< -, of what varies; its length has no influence
   double amplitude          = 0;                         ///< N, of amplitude sin(2 pi frequency t)
   double frequency          = 0;                         ///< Hz
   std::optional<ForceRecord>
@@ -56,12 +56,13 @@ struct BearingResponse {
   Spectrum force_spectrum;         ///< of the force of the bearing, N per sqrt(Hz)
   double spectrum_peak = 0;        ///< Hz, the highest line of `spectrum`
   long steps           = 0;        ///< of the integrator
-  std::vector<std::string> notes;  ///< what to know about this motion, one sentence each
+  std::vector<std::string> notes;  ///< remarks on this motion, one sentence each
 };
 
 /// Integrates with an error bound on every step (CVODE: Adams formulas of order 1 to 12, Newton with the exact
-/// Jacobian).  Loss and return of the contact are found as zeros of  |x| - clearance , and the formulas start anew
-/// there, since the force has no second derivative at that place; a step never runs across a break of the record.
+/// Jacobian).  Loss and return of the contact are found as zeros of  |x| - clearance , and the formulas start
+/// again there, since the force has no second derivative at that place; a step never runs across a break of the
+/// record.
 ///
 /// @param duration     s, > 0; not longer than the record
 /// @param output_rate  Hz, > 0

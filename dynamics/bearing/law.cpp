@@ -138,9 +138,9 @@ double displacement_under(const BearingLaw &law, const double load)
   // Newton inside a bracket: the force rises everywhere, so the root is unique.
   double d = high;
   for (int i = 0; i < 200 && high - low > 4e-16 * high; ++i) {
-    const ForceAndSlope at         = force_at(law, d);
-    (at.force < load ? low : high) = d;
-    const double next              = d - (at.force - load) / at.tangent;
+    const ForceAndSlope force         = force_at(law, d);
+    (force.force < load ? low : high) = d;
+    const double next                 = d - (force.force - load) / force.tangent;
     if (std::abs(next - d) <= 1e-15 * d)
       break;
     d = next > low && next < high ? next : 0.5 * (low + high);

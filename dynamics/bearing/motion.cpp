@@ -36,12 +36,12 @@ Vector2d bearing_force(const BearingLaw &law, const Vector2d &position)
 Matrix2d bearing_stiffness(const BearingLaw &law, const Vector2d &position)
 {
   const double distance = position.norm();
-  const auto at         = force_at(law, distance);
-  if (at.force == 0)
+  const auto force      = force_at(law, distance);
+  if (force.force == 0)
     return Matrix2d::Zero();
   const Vector2d radial = position / distance;
   const Matrix2d along  = radial * radial.transpose();
-  return at.tangent * along + at.force / distance * (Matrix2d::Identity() - along);
+  return force.tangent * along + force.force / distance * (Matrix2d::Identity() - along);
 }
 }  // namespace
 
@@ -102,7 +102,7 @@ struct MotionIntegrator::Solver {
   void *cvode            = nullptr;
   Eigen::Index next      = 0;  // break of the record that no step may cross
   long earlier_steps     = 0;
-  std::string complaint;  // what CVODE said last
+  std::string complaint;  // last message of CVODE
 
   explicit Solver(const BearingMotion &m) : motion(m) {}
   Solver(const Solver &)            = delete;
@@ -246,10 +246,11 @@ struct MotionIntegrator::Solver {
 
   [[noreturn]] void give_up(const double now, const int flag) const
   {
-    const BearingState at = read(state);
+    const BearingState bearing = read(state);
     throw SolverError(
         {fmt::format("bearing dynamics: the integration stops at t = {:.9g} s (CVODE flag {})", now, flag),
-         fmt::format("position {:.6g}, {:.6g} um; {}", 1e6 * at.position[0], 1e6 * at.position[1], complaint),
+         fmt::format("position {:.6g}, {:.6g} um; {}", 1e6 * bearing.position[0], 1e6 * bearing.position[1],
+                     complaint),
          "a damping or a mass many orders from what the stiffness asks for, or a tolerance at rounding",
          "check dynamics.mass and dynamics.damping", "the motion before this time"});
   }

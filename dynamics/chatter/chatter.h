@@ -33,7 +33,7 @@ WorkingPoint working_point(bite::RollBite bite, double speed, bite::Linearisatio
 Eigen::MatrixXd chatter_matrix(const ChatterStandModel &stand, const bite::LinearCoefficients &by);
 
 /// (s) scale of each state: z_i = scale_i * z~_i makes the rows and columns of A of like size (Osborne's balancing
-/// by powers of two), which a matrix of 1 and K/M beside E/L needs.  A~ = diag(1/scale) A diag(scale).
+/// by powers of two), which a matrix with entries 1, K/M and E/L needs.  A~ = diag(1/scale) A diag(scale).
 Eigen::VectorXd balance(const Eigen::MatrixXd &A);
 
 /// Eigenvalues of a real matrix after balancing, by falling real part; of a pair the one with positive imaginary

@@ -61,7 +61,7 @@ Eigen::MatrixXd chatter_matrix_by(const ChatterStandModel &stand, const bite::Li
   return A;
 }
 
-Eigen::MatrixXd chatter_matrix_by(const ChatterStandModel &stand, const bite::LinearCoefficients &at,
+Eigen::MatrixXd chatter_matrix_by(const ChatterStandModel &stand, const bite::LinearCoefficients &coefficients,
                                   const StructureNumber &number)
 {
   const Eigen::Index n = stand.structure.n();
@@ -71,7 +71,7 @@ Eigen::MatrixXd chatter_matrix_by(const ChatterStandModel &stand, const bite::Li
   if (number.C_by.size())
     A.block(n, n, n, n) -= number.C_by;
   if (number.M_by.size())
-    A.middleRows(n, n) -= number.M_by * chatter_matrix(stand, at).middleRows(n, n);
+    A.middleRows(n, n) -= number.M_by * chatter_matrix(stand, coefficients).middleRows(n, n);
   A.middleRows(n, n) = stand.structure.M.partialPivLu().solve(A.middleRows(n, n)).eval();  // (27.6)
   return A;
 }

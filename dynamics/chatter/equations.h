@@ -24,7 +24,7 @@ public:
   ChatterEquations(const ChatterStandModel &stand, const WorkingPoint &point, bite::Linearisation scheme,
                    const ChatterRunOptions &options);
 
-  /// The strip is between the rolls; changed by whoever integrates, at an edge, since its speed jumps there.
+  /// The strip is between the rolls; changed by the integrator at an edge, since its speed jumps there.
   bool strip_held = true;
   long bites      = 0;  ///< evaluated so far
 

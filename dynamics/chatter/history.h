@@ -2,7 +2,7 @@
 #include "dynamics/chatter/chatter.h"
 #include <vector>
 
-// The vibrating stand in time, linear and exact, and what a record of it tells.  theory.md 26
+// The vibrating stand in time, linear and exact, and what a record of it determines.  theory.md 26
 namespace mill::dynamics {
 /// (2n+2) state z = (x, x', d sigma_e, d sigma_d) with both work rolls away from the strip by `distance` and all
 /// else at rest.  Where the gap is the sum of the two points "upper work roll" and "lower work roll" (six masses)

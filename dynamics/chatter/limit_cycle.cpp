@@ -8,11 +8,11 @@ namespace {
 // Samples at which the signal passes its level upwards, with the part of the step.
 std::vector<double> upward_passes(const Eigen::VectorXd &signal, const double level)
 {
-  std::vector<double> at;
+  std::vector<double> positions;
   for (Eigen::Index k = 1; k < signal.size(); ++k)
     if (signal[k - 1] < level && signal[k] >= level)
-      at.push_back(double(k - 1) + (level - signal[k - 1]) / (signal[k] - signal[k - 1]));
-  return at;
+      positions.push_back(double(k - 1) + (level - signal[k - 1]) / (signal[k] - signal[k - 1]));
+  return positions;
 }
 
 // Top of the parabola through the largest sample and its neighbours.
@@ -33,10 +33,10 @@ double half_swing(const Eigen::VectorXd &signal)
 
 Eigen::Index point_of(const StandStructure &s, const std::string &label)
 {
-  const auto at = std::find(s.labels.begin(), s.labels.end(), label);
-  if (at == s.labels.end())
+  const auto position = std::find(s.labels.begin(), s.labels.end(), label);
+  if (position == s.labels.end())
     throw InputError("the stand has no point \"" + label + "\" at which rolls could part");
-  return at - s.labels.begin();
+  return position - s.labels.begin();
 }
 }  // namespace
 

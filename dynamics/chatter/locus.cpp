@@ -76,7 +76,7 @@ std::optional<Eigen::VectorXcd> roots_at(const MatrixAtSpeed &matrix, const doub
   }
 }
 
-// The front moved to where it points, and its roots there; `clear` tells whether every root ended nearer to its
+// The front moved to where it points, and its roots there; `clear` is whether every root ended nearer to its
 // own prediction than half the distance to the next root.
 Front advanced(const Front &from, const double speed, const Eigen::VectorXcd &roots, bool &clear)
 {
@@ -93,10 +93,10 @@ Front advanced(const Front &from, const double speed, const Eigen::VectorXcd &ro
   Front next{speed, Eigen::VectorXcd(s), {}};
   clear = true;
   for (Eigen::Index i = 0; i < s; ++i) {
-    const int own = to[std::size_t(i)];
-    next.root[i]  = roots[own];
+    const int root = to[std::size_t(i)];
+    next.root[i]   = roots[root];
     for (Eigen::Index j = 0; j < s; ++j)
-      clear = clear && (j == own || cost(i, own) < 0.5 * std::abs(roots[own] - roots[j]));
+      clear = clear && (j == root || cost(i, root) < 0.5 * std::abs(roots[root] - roots[j]));
   }
   next.slope = (next.root - from.root) / step;
   return next;

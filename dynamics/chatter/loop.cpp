@@ -63,11 +63,11 @@ std::vector<double> first_grid(const Eigen::VectorXcd &poles, const double right
 }
 }  // namespace
 
-std::complex<double> receptance(const StandStructure &s, const std::complex<double> at)
+std::complex<double> receptance(const StandStructure &structure, const std::complex<double> s)
 {
-  const Eigen::MatrixXcd dynamic = (at * at) * s.M + at * s.C + s.K.cast<Complex>();
-  const Eigen::VectorXcd b       = s.b.cast<Complex>();
-  return (s.b.transpose() * dynamic.partialPivLu().solve(b))(0);
+  const Eigen::MatrixXcd dynamic = (s * s) * structure.M + s * structure.C + structure.K.cast<Complex>();
+  const Eigen::VectorXcd b       = structure.b.cast<Complex>();
+  return (structure.b.transpose() * dynamic.partialPivLu().solve(b))(0);
 }
 
 std::complex<double> process_stiffness(const ChatterStandModel &stand, const bite::LinearCoefficients &by,
@@ -110,7 +110,7 @@ NyquistCount nyquist_count(const ChatterStandModel &stand, const bite::LinearCoe
       throw SolverError({"chatter: Nyquist's count meets a root or a pole on its line",
                          fmt::format("at Re s = {:g} 1/s, {:g} Hz", right_of, w / (2 * M_PI)),
                          "an undamped mode, or a speed at the very limit of stability",
-                         "count the roots right of a line a little beside it", ""});
+                         "count the roots to the right of a line slightly shifted from it", ""});
     return f;
   };
   // Far out 1 - K_p G is 1 + O(1/w), whose argument is that of its distance from 1: go on until it is small.
@@ -130,7 +130,7 @@ NyquistCount nyquist_count(const ChatterStandModel &stand, const bite::LinearCoe
           throw SolverError({"chatter: Nyquist's count does not resolve its line",
                              fmt::format("at Re s = {:g} 1/s, {:g} Hz", right_of, a / (2 * M_PI)),
                              "a root on the line, or a speed at the very limit of stability",
-                             "count the roots right of a line a little beside it", ""});
+                             "count the roots to the right of a line slightly shifted from it", ""});
         const double middle = 0.5 * (a + b);
         const Complex f     = value(middle);
         walk(a, fa, middle, f, depth + 1);

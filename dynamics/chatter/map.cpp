@@ -90,13 +90,15 @@ NoBite side_of_skid(const RollBite &bite)
   const auto state = [&](const double radius) {
     return bland_ford_state(bite, bite::pass_inputs<double>(bite, radius), speed, rules);
   };
-  const auto arc  = flattened_arc(bite, [&](const double radius) { return state(radius).force; });
-  const auto &c   = state(arc.radius).contact;
-  const double at = c.free_neutral_angle;
-  return at <= c.exit_angle ? NoBite::not_drawn_in : at >= c.entry_angle ? NoBite::torn_through : NoBite::other;
+  const auto arc        = flattened_arc(bite, [&](const double radius) { return state(radius).force; });
+  const auto &c         = state(arc.radius).contact;
+  const double position = c.free_neutral_angle;
+  return position <= c.exit_angle    ? NoBite::not_drawn_in
+         : position >= c.entry_angle ? NoBite::torn_through
+                                     : NoBite::other;
 }
 
-/// Why there was no bite.
+/// Why the bite has no steady state.
 NoBite classify(const RollBite &bite)
 {
   const Strip &s = bite.strip;
@@ -139,13 +141,13 @@ void fill_boundary(StabilityMap &map, const Eigen::Index j, const ChatterStandMo
   if (n < 2)
     return;
   SpeedRange range;
-  range.from                = map.speed[0];
-  range.to                  = map.speed[n - 1];
-  const CriticalSpeed found = critical_speed(stand, bite, scheme, range);
-  if (found.verdict != Verdict::crossing)
+  range.from                   = map.speed[0];
+  range.to                     = map.speed[n - 1];
+  const CriticalSpeed critical = critical_speed(stand, bite, scheme, range);
+  if (critical.verdict != Verdict::crossing)
     return;
-  map.critical_speed[j]     = found.speed;
-  map.critical_frequency[j] = found.frequency;
+  map.critical_speed[j]     = critical.speed;
+  map.critical_frequency[j] = critical.frequency;
 }
 }  // namespace
 

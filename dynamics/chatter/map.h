@@ -13,8 +13,8 @@ enum class MapQuantity {
 };
 
 /// Bite with one quantity changed.
-/// @throws InputError  a reduction outside 0..1, a negative factor, a viscosity that is not positive or where
-/// there is no oil
+/// @throws InputError  a reduction outside 0..1, a negative factor, a viscosity that is not positive or without
+/// oil
 bite::RollBite with_quantity(bite::RollBite bite, MapQuantity quantity, double value);
 
 /// The same quantity of a bite: its reduction, one, its viscosity.

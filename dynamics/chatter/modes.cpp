@@ -31,7 +31,7 @@ Eigen::VectorXcd eigenvector(const Eigen::MatrixXd &A, const std::complex<double
   const Eigen::Index s    = A.rows();
   const Eigen::VectorXd d = balance(A);
   Eigen::MatrixXcd B      = (d.cwiseInverse().asDiagonal() * A * d.asDiagonal()).cast<Complex>();
-  // A little beside the root, so that the factors stay finite; three steps give the rounding of the matrix.
+  // Slightly shifted from the root, so that the factors stay finite; three steps give the rounding of the matrix.
   B.diagonal().array() -= root + Complex(1, 1) * (1e-14 * B.norm());
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(B);
   Eigen::VectorXcd x(s);

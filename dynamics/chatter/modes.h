@@ -18,7 +18,7 @@ struct ChatterMode {
   std::complex<double> root;               ///< 1/s
   double frequency = 0;                    ///< Hz
   double damping   = 0;                    ///< -, -Re/|root|
-  Eigen::VectorXcd state;                  ///< (s) as chatter_matrix counts them
+  Eigen::VectorXcd state;                  ///< (s) in the order of chatter_matrix
   std::vector<ChatterPoint> body;          ///< (m)
   double work_roll_ratio = not_given;      ///< -, amplitude of the upper work roll over that of the lower
   std::complex<double> gap;                ///< m

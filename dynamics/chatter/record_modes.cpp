@@ -61,7 +61,7 @@ std::vector<RecordMode> record_modes(const Eigen::VectorXd &signal, const double
     ++rank;
   const Eigen::MatrixXd w = svd.matrixU().leftCols(rank).transpose() * copies;  // (rank, columns)
 
-  // One step of them, w_k+1 = T w_k, and their motions, each of which rotates and grows by itself.
+  // One step of them, w_k+1 = T w_k, and their motions, each of which rotates and grows independently.
   const Eigen::MatrixXd before = w.leftCols(columns - 1), after = w.rightCols(columns - 1);
   const Eigen::MatrixXd T = Eigen::MatrixXd(before.transpose())
                                 .colPivHouseholderQr()
@@ -72,7 +72,7 @@ std::vector<RecordMode> record_modes(const Eigen::VectorXd &signal, const double
   const Eigen::MatrixXcd motion  = vectors.fullPivLu().solve(w.cast<std::complex<double>>());
   const Eigen::RowVectorXcd seen = svd.matrixU().row(0).leftCols(rank) * vectors;  // in the undelayed signal
 
-  std::vector<std::pair<double, RecordMode>> found;  // with the size at the end
+  std::vector<std::pair<double, RecordMode>> result;  // with the size at the end
   for (Eigen::Index j = 0; j < rank; ++j) {
     const std::complex<double> per_step = solver.eigenvalues()[j];
     if (per_step.imag() < 0)
@@ -83,11 +83,11 @@ std::vector<RecordMode> record_modes(const Eigen::VectorXd &signal, const double
     mode.frequency = slope(u.angle) / step / (2 * M_PI);
     mode.amplitude = (per_step.imag() > 0 ? 2 : 1) * std::abs(seen[j]) *
                      std::exp(u.log_size.mean() - mode.growth * step * 0.5 * double(columns - 1));
-    found.push_back({mode.amplitude * std::exp(mode.growth * step * double(n - 1)), mode});
+    result.push_back({mode.amplitude * std::exp(mode.growth * step * double(n - 1)), mode});
   }
-  std::sort(found.begin(), found.end(), [](const auto &a, const auto &b) { return a.first > b.first; });
+  std::sort(result.begin(), result.end(), [](const auto &a, const auto &b) { return a.first > b.first; });
   std::vector<RecordMode> modes;
-  for (const auto &[size, mode] : found)
+  for (const auto &[size, mode] : result)
     modes.push_back(mode);
   return modes;
 }

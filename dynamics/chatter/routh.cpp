@@ -34,7 +34,7 @@ double time_scale(const Eigen::MatrixXd &A)
 }
 
 // Coefficients at the end that are zero but for rounding: no polynomial of a matrix of doubles near one ends on
-// less than about 1e-16 to the number of its states.  Only 400 digits tell that from a small number.
+// less than about 1e-16 to the number of its states.  Only 400 digits distinguish that from a small number.
 template <class Real> void drop_roots_at_zero(Polynomial<Real> &p)
 {
   if (std::numeric_limits<Real>::digits10 < 300)
@@ -93,28 +93,28 @@ template <class Real>
 Polynomial<Real> polynomial_by_elimination(const std::vector<Entry<Real>> &entries, const std::size_t s)
 {
   std::vector<Real> H(s * s, Real(0));
-  const auto at = [&](const std::size_t i, const std::size_t j) -> Real & { return H[i * s + j]; };
+  const auto value_at = [&](const std::size_t i, const std::size_t j) -> Real & { return H[i * s + j]; };
   for (const Entry<Real> &e : entries)
-    at(e.row, e.column) = e.value;
+    value_at(e.row, e.column) = e.value;
   for (std::size_t m = 1; m + 1 < s; ++m) {
     std::size_t pivot = m;
     for (std::size_t i = m; i < s; ++i)
-      if (magnitude(at(i, m - 1)) > magnitude(at(pivot, m - 1)))
+      if (magnitude(value_at(i, m - 1)) > magnitude(value_at(pivot, m - 1)))
         pivot = i;
-    if (at(pivot, m - 1) == 0)
+    if (value_at(pivot, m - 1) == 0)
       continue;
     for (std::size_t j = 0; j < s && pivot != m; ++j)
-      std::swap(at(pivot, j), at(m, j));
+      std::swap(value_at(pivot, j), value_at(m, j));
     for (std::size_t i = 0; i < s && pivot != m; ++i)
-      std::swap(at(i, pivot), at(i, m));
+      std::swap(value_at(i, pivot), value_at(i, m));
     for (std::size_t i = m + 1; i < s; ++i) {
-      if (at(i, m - 1) == 0)
+      if (value_at(i, m - 1) == 0)
         continue;
-      const Real y = at(i, m - 1) / at(m, m - 1);
+      const Real y = value_at(i, m - 1) / value_at(m, m - 1);
       for (std::size_t j = m - 1; j < s; ++j)
-        at(i, j) -= y * at(m, j);
+        value_at(i, j) -= y * value_at(m, j);
       for (std::size_t j = 0; j < s; ++j)
-        at(j, m) += y * at(j, i);
+        value_at(j, m) += y * value_at(j, i);
     }
   }
   std::vector<Polynomial<Real>> minors{{Real(1)}};  // rising powers here
@@ -122,12 +122,12 @@ Polynomial<Real> polynomial_by_elimination(const std::vector<Entry<Real>> &entri
     Polynomial<Real> p(k + 2, Real(0));
     for (std::size_t j = 0; j <= k; ++j) {
       p[j + 1] += minors[k][j];
-      p[j] -= at(k, k) * minors[k][j];
+      p[j] -= value_at(k, k) * minors[k][j];
     }
     Real product(1);
     for (std::size_t i = 1; i <= k; ++i) {
-      product *= at(k - i + 1, k - i);
-      const Real factor = product * at(k - i, k);
+      product *= value_at(k - i + 1, k - i);
+      const Real factor = product * value_at(k - i, k);
       for (std::size_t j = 0; j <= k - i; ++j)
         p[j] -= factor * minors[k - i][j];
     }
@@ -174,7 +174,7 @@ struct Array {
   Eigen::VectorXd first_column;
 };
 
-// Routh's array.  A row that vanishes tells of roots symmetric to the origin, those of the row above read as an
+// Routh's array.  A row that vanishes means roots symmetric to the origin, those of the row above read as an
 // even or odd polynomial; its derivative takes the place of the row.  Of these roots, as many are on the right as
 // on the left, and the changes of sign from there on count the right ones; the rest lies on the axis.
 template <class Real> Array routh_array(const Polynomial<Real> &p)
@@ -252,7 +252,7 @@ template <class Real> RouthCount count(const Polynomial<Real> &given)
     ++at_zero;
   }
   Array array;
-  // A leading zero is no property of the roots but of the array: a factor with a known root on the left moves it.
+  // A leading zero is a property of the array, not of the roots: a factor with a known root on the left moves it.
   for (int attempt = 0; attempt < 5; ++attempt) {
     array = routh_array(p);
     if (!array.stuck)
@@ -287,7 +287,7 @@ template <unsigned digits> bool counted(const Eigen::MatrixXd &A, const double r
   Polynomial<Real> p        = s <= few ? polynomial_by_traces(entries, s) : polynomial_by_elimination(entries, s);
   drop_roots_at_zero(p);
   if (!(defect(p, entries, s) <
-        pow(std::numeric_limits<Real>::epsilon(), 0.6)))  // tells a zero from a small number
+        pow(std::numeric_limits<Real>::epsilon(), 0.6)))  // distinguishes a zero from a small number
     return false;
   result        = count(p);
   result.digits = int(digits);

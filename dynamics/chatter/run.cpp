@@ -48,24 +48,24 @@ struct Run {
 
   void pass(const double time, const std::vector<int> &crossed, const double *z)
   {
-    const auto at = [&](const int edge) { return crossed[std::size_t(edge)]; };
-    if (at(Edge::entry_tight))
-      note(time, at(Edge::entry_tight) < 0 ? ChatterChange::entry_slack : ChatterChange::entry_taut);
-    if (at(Edge::exit_tight))
-      note(time, at(Edge::exit_tight) < 0 ? ChatterChange::exit_slack : ChatterChange::exit_taut);
+    const auto crossing_of = [&](const int edge) { return crossed[std::size_t(edge)]; };
+    if (crossing_of(Edge::entry_tight))
+      note(time, crossing_of(Edge::entry_tight) < 0 ? ChatterChange::entry_slack : ChatterChange::entry_taut);
+    if (crossing_of(Edge::exit_tight))
+      note(time, crossing_of(Edge::exit_tight) < 0 ? ChatterChange::exit_slack : ChatterChange::exit_taut);
     for (std::size_t i = Edge::n_edges; i < crossed.size(); ++i)
       if (crossed[i])
         note(time, crossed[i] < 0 ? ChatterChange::rolls_part : ChatterChange::rolls_meet, int(i) - Edge::n_edges);
-    if (at(Edge::held)) {
-      equations.strip_held = at(Edge::held) > 0;
+    if (crossing_of(Edge::held)) {
+      equations.strip_held = crossing_of(Edge::held) > 0;
       note(time, equations.strip_held ? ChatterChange::strip_gripped : ChatterChange::strip_free);
     }
     skid(time, z);
     const bite::Moment m = equations.moment(z);
     for (const int side : {0, 1})
-      if (at(Edge::entry_whole + side) < 0)
+      if (crossing_of(Edge::entry_whole + side) < 0)
         stop_at_yield(m, side);
-    if (at(Edge::gap_open) < 0)
+    if (crossing_of(Edge::gap_open) < 0)
       stop_at_gap(m);
     if (out.events.size() > most_events)
       out.stopped = fmt::format("more than {} events: the motion rattles", most_events);

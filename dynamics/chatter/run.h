@@ -66,7 +66,7 @@ struct ChatterRun {
 };
 
 /// Motion with the whole nonlinear bite: the flattened radius is that of the steady state.
-/// CVODE (Adams, Newton with exact Jacobian) starts anew at every event.
+/// CVODE (Adams, Newton with exact Jacobian) restarts at every event.
 /// @param point  steady bite
 /// @param start  (2n+2) state as displaced_rolls; a tension below zero in total is slack to be taken up
 /// @throws InputError  duration, rate or tolerance not positive, a start without a bite

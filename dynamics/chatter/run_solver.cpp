@@ -17,7 +17,7 @@ struct ChatterIntegrator::Solver {
   SUNLinearSolver linear = nullptr;
   void *cvode            = nullptr;
   long earlier_steps     = 0;
-  std::string complaint;  // what CVODE or the bite said last
+  std::string complaint;  // last message of CVODE or of the bite
 
   explicit Solver(ChatterEquations &e) : equations(e) {}
   Solver(const Solver &)            = delete;

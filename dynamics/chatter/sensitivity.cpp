@@ -120,17 +120,17 @@ Slopes slopes_at(const ChatterStandModel &stand, const bite::RollBite &bite, con
 }
 
 /// -(d growth/d ln p)/(d growth/d ln v), (27.4).
-double speed_slope(const Slopes &at, const VariedInput &varied)
+double speed_slope(const Slopes &slopes, const VariedInput &varied)
 {
   static const VariedInput speed{"", "", "", 0, {PassNumber::roll_speed}};
-  const double growth = at.growth(varied);
-  return growth == 0 ? 0 : -growth / at.growth(speed);  // no -0
+  const double growth = slopes.growth(varied);
+  return growth == 0 ? 0 : -growth / slopes.growth(speed);  // no -0
 }
 
-const Crossing &critical_crossing(const CriticalSpeed &found)
+const Crossing &critical_crossing(const CriticalSpeed &critical)
 {
-  return *std::find_if(found.crossings.begin(), found.crossings.end(),
-                       [&](const Crossing &c) { return c.speed == found.speed; });
+  return *std::find_if(critical.crossings.begin(), critical.crossings.end(),
+                       [&](const Crossing &c) { return c.speed == critical.speed; });
 }
 
 /// The stand and its bite with one input times a factor.
@@ -181,16 +181,16 @@ FiniteChange finite_change(const ChatterStandModel &stand, const bite::RollBite 
       }
     if (is_speed(varied))
       return change;
-    const CriticalSpeed found = critical_speed(c.stand, c.bite, request.scheme, request.range);
-    if (found.verdict != Verdict::crossing)
-      note(sentence(found, request.range));
+    const CriticalSpeed critical = critical_speed(c.stand, c.bite, request.scheme, request.range);
+    if (critical.verdict != Verdict::crossing)
+      note(sentence(critical, request.range));
     else if (std::isnan(base.critical_speed))
-      note(fmt::format("critical speed {:.3f} m/s, the unchanged stand has none", found.speed));
+      note(fmt::format("critical speed {:.3f} m/s, the unchanged stand has none", critical.speed));
     else {
-      change.critical_speed = found.speed / base.critical_speed - 1;
+      change.critical_speed = critical.speed / base.critical_speed - 1;
       if (!varied.structure)  // whose matrices do not know how they move from the changed structure on
         change.slope = speed_slope(
-            slopes_at(c.stand, c.bite, request.scheme, found.speed, &critical_crossing(found)), varied);
+            slopes_at(c.stand, c.bite, request.scheme, critical.speed, &critical_crossing(critical)), varied);
     }
   } catch (const InputError &error) {
     note(error.problems.front().message);
@@ -233,14 +233,14 @@ void fill_held_friction(SensitivityTable &table, const std::vector<VariedInput> 
 {
   bite.strip.friction             = Friction{};
   bite.strip.friction.coefficient = table.friction;
-  const StandSpeed found          = critical_speed(stand, bite, request.scheme, request.range);
-  if (found.verdict != Verdict::crossing)
+  const StandSpeed critical       = critical_speed(stand, bite, request.scheme, request.range);
+  if (critical.verdict != Verdict::crossing)
     return;
-  table.critical_speed_at_held_friction = found.speed;
-  const Slopes at = slopes_at(stand, bite, request.scheme, found.speed, &critical_crossing(found));
+  table.critical_speed_at_held_friction = critical.speed;
+  const Slopes slopes = slopes_at(stand, bite, request.scheme, critical.speed, &critical_crossing(critical));
   for (std::size_t i = 0; i < varied_inputs.size(); ++i)
     if (!is_speed(varied_inputs[i]))
-      table.inputs[i].critical_speed_at_held_friction = speed_slope(at, varied_inputs[i]);
+      table.inputs[i].critical_speed_at_held_friction = speed_slope(slopes, varied_inputs[i]);
 }
 
 void sort_by_size(SensitivityTable &table)
@@ -285,16 +285,16 @@ SensitivityTable chatter_sensitivities(const ChatterStandModel &stand, const std
     table.inputs.push_back(s);
   }
 
-  const StandSpeed found = critical_speed(stand, pass, request.scheme, request.range);
-  table.verdict          = sentence(found, request.range);
-  if (found.verdict == Verdict::crossing) {
-    table.critical_speed      = found.speed;
-    table.frequency           = found.frequency;
-    const Slopes at           = slopes_at(stand, pass, request.scheme, found.speed, &critical_crossing(found));
-    table.growth_by_log_speed = at.growth({"", "", "", 0, {PassNumber::roll_speed}});
+  const StandSpeed critical = critical_speed(stand, pass, request.scheme, request.range);
+  table.verdict             = sentence(critical, request.range);
+  if (critical.verdict == Verdict::crossing) {
+    table.critical_speed = critical.speed;
+    table.frequency      = critical.frequency;
+    const Slopes slopes  = slopes_at(stand, pass, request.scheme, critical.speed, &critical_crossing(critical));
+    table.growth_by_log_speed = slopes.growth({"", "", "", 0, {PassNumber::roll_speed}});
     for (std::size_t i = 0; i < varied_inputs.size(); ++i)
       if (!is_speed(varied_inputs[i]))
-        table.inputs[i].critical_speed = speed_slope(at, varied_inputs[i]);
+        table.inputs[i].critical_speed = speed_slope(slopes, varied_inputs[i]);
   }
   fill_held_friction(table, varied_inputs, stand, pass, request);
   if (request.change > 0)

@@ -45,7 +45,7 @@ struct SensitivityRequest {
   int threads          = 2;    ///< that share the finite changes
 };
 
-/// Answer, inputs by falling |slope of the critical speed| (of the growth rate where there is none).
+/// Answer, inputs by falling |slope of the critical speed| (of the growth rate without a critical speed).
 struct SensitivityTable {
   double working_speed  = 0;          ///< m/s
   double friction       = not_given;  ///< -, at the working speed
@@ -87,6 +87,6 @@ EigenvalueSlope slope_of_eigenvalue(const Eigen::MatrixXd &A, std::complex<doubl
 Eigen::MatrixXd chatter_matrix_by(const ChatterStandModel &stand, const bite::LinearCoefficients &by);
 
 /// Derivative of chatter_matrix by a number of the structure.
-Eigen::MatrixXd chatter_matrix_by(const ChatterStandModel &stand, const bite::LinearCoefficients &at,
+Eigen::MatrixXd chatter_matrix_by(const ChatterStandModel &stand, const bite::LinearCoefficients &coefficients,
                                   const StructureNumber &number);
 }  // namespace mill::dynamics

@@ -8,7 +8,7 @@
 
 namespace mill::dynamics {
 namespace {
-// Real part beyond which a root counts as growing: rounding of an eigenvalue is some eps of the largest one, and
+// Real part above which a root is growing: rounding of an eigenvalue is some eps of the largest one, and
 // an undamped mode that the bite does not reach stands on the axis.
 double noise(const std::complex<double> root, const double largest)
 {
@@ -68,9 +68,9 @@ bool has_bite(const Sample &s)
 using Samples = std::vector<Sample>;
 
 // Change of rank k over the interval between samples i and i + 1, per m/s; nan: not known.
-double slope(const Samples &at, const std::size_t i, const Eigen::Index k)
+double slope(const Samples &samples, const std::size_t i, const Eigen::Index k)
 {
-  const Sample &a = at[i], &b = at[i + 1];
+  const Sample &a = samples[i], &b = samples[i + 1];
   if (!has_bite(a) || !has_bite(b) || k >= std::min(a.excess.size(), b.excess.size()))
     return not_given;
   return (b.excess[k] - a.excess[k]) / (b.speed - a.speed);
@@ -78,15 +78,15 @@ double slope(const Samples &at, const std::size_t i, const Eigen::Index k)
 
 // Whether a rank may touch zero between two samples unseen: its excess may leave the straight line between them by
 // the change of slope to the neighbouring intervals times the length, eight times what a parabola does.
-bool may_cross(const Samples &at, const std::size_t i)
+bool may_cross(const Samples &samples, const std::size_t i)
 {
-  const Sample &a = at[i], &b = at[i + 1];
+  const Sample &a = samples[i], &b = samples[i + 1];
   if (!has_bite(a) || !has_bite(b))
     return false;
   for (Eigen::Index k = 0; k < std::min(a.excess.size(), b.excess.size()); ++k) {
-    const double here   = slope(at, i, k);
-    const double before = i > 0 ? slope(at, i - 1, k) : not_given;
-    const double after  = i + 2 < at.size() ? slope(at, i + 1, k) : not_given;
+    const double here   = slope(samples, i, k);
+    const double before = i > 0 ? slope(samples, i - 1, k) : not_given;
+    const double after  = i + 2 < samples.size() ? slope(samples, i + 1, k) : not_given;
     const double turn = std::fmax(std::abs(here - before), std::abs(after - here));  // of a nan and a number: that
     const double bow  = (std::isnan(turn) ? std::abs(here) : turn) * (b.speed - a.speed);
     if (std::min(std::abs(a.excess[k]), std::abs(b.excess[k])) < bow)
@@ -95,43 +95,44 @@ bool may_cross(const Samples &at, const std::size_t i)
   return false;
 }
 
-void refine(Samples &at, const RootsAtSpeed &roots, const double finest)
+void refine(Samples &samples, const RootsAtSpeed &roots, const double finest)
 {
   for (bool halved = true; halved;) {
     halved = false;
     Samples next;
-    for (std::size_t i = 0; i < at.size(); ++i) {
-      next.push_back(at[i]);
-      if (i + 1 == at.size() || at[i + 1].speed - at[i].speed < 1.5 * finest || !may_cross(at, i))
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+      next.push_back(samples[i]);
+      if (i + 1 == samples.size() || samples[i + 1].speed - samples[i].speed < 1.5 * finest ||
+          !may_cross(samples, i))
         continue;
-      next.push_back(sample(roots, 0.5 * (at[i].speed + at[i + 1].speed)));
+      next.push_back(sample(roots, 0.5 * (samples[i].speed + samples[i + 1].speed)));
       halved = true;
     }
-    at = std::move(next);
+    samples = std::move(next);
   }
 }
 
 // Puts the edges of the range with a bite among the samples: halving between one that has it and one that has not.
 // The sample without a bite stays, moved to the edge, so that its reason is that of the edge.
-void find_edges(Samples &at, const RootsAtSpeed &roots)
+void find_edges(Samples &samples, const RootsAtSpeed &roots)
 {
   constexpr double fine = 1e-3;  // m/s, finer than any speed is known
   Samples next;
-  for (std::size_t i = 0; i < at.size(); ++i) {
-    next.push_back(at[i]);
-    if (i + 1 == at.size() || has_bite(at[i]) == has_bite(at[i + 1]))
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    next.push_back(samples[i]);
+    if (i + 1 == samples.size() || has_bite(samples[i]) == has_bite(samples[i + 1]))
       continue;
-    Sample a = at[i], b = at[i + 1];
+    Sample a = samples[i], b = samples[i + 1];
     while (b.speed - a.speed > fine) {
       Sample middle                             = sample(roots, 0.5 * (a.speed + b.speed));
       (has_bite(middle) == has_bite(a) ? a : b) = std::move(middle);
     }
-    if (a.speed > at[i].speed)
+    if (a.speed > samples[i].speed)
       next.push_back(a);
-    if (b.speed < at[i + 1].speed)
+    if (b.speed < samples[i + 1].speed)
       next.push_back(b);
   }
-  at = std::move(next);
+  samples = std::move(next);
 }
 
 // Root of f between a and b, where it has opposite signs: false position, the weight of an end that stays twice
@@ -173,24 +174,24 @@ Crossing solve_crossing(const RootsAtSpeed &roots, const Sample &a, const Sample
                         const double tolerance)
 {
   std::map<double, Sample> tried;
-  const auto at = [&](const double speed) -> const Sample & {
-    const auto found = tried.find(speed);
-    return found != tried.end() ? found->second : tried.emplace(speed, sample(roots, speed)).first->second;
+  const auto point = [&](const double speed) -> const Sample & {
+    const auto match = tried.find(speed);
+    return match != tried.end() ? match->second : tried.emplace(speed, sample(roots, speed)).first->second;
   };
   const auto excess = [&](const double speed) {
-    const Sample &s = at(speed);
+    const Sample &s = point(speed);
     return k < s.excess.size() ? s.excess[k] : -1.;  // a list of roots that ends before is one of decaying ones
   };
   Crossing c;
   c.speed             = bracketed_root(excess, a.speed, a.excess[k], b.speed, b.excess[k], tolerance);
   c.upward            = b.excess[k] > 0;
-  const Sample &there = at(c.speed);
+  const Sample &there = point(c.speed);
   if (k >= there.roots.size())  // no bite between two speeds with one
     return c;
   // The rank crossed the noise, the root crosses the axis close by: Newton's steps along its own path.
   c.root           = there.roots[k];
   const double d   = std::min(1e-4, 0.25 * (b.speed - a.speed));
-  const Sample &up = at(c.speed + d), &down = at(c.speed - d);
+  const Sample &up = point(c.speed + d), &down = point(c.speed - d);
   if (up.roots.size() && down.roots.size()) {
     const auto above = nearest(up.roots, c.root), below = nearest(down.roots, c.root);
     c.slope          = (above - below).real() / (2 * d);
@@ -199,7 +200,7 @@ Crossing solve_crossing(const RootsAtSpeed &roots, const Sample &a, const Sample
       const double step = -c.root.real() / c.slope;
       if (!(std::abs(step) > tolerance && std::abs(step) < far))
         break;
-      const Sample &moved = at(c.speed + step);
+      const Sample &moved = point(c.speed + step);
       if (moved.roots.size() == 0)
         break;
       c.speed += step;
@@ -210,11 +211,11 @@ Crossing solve_crossing(const RootsAtSpeed &roots, const Sample &a, const Sample
   return c;
 }
 
-std::vector<Crossing> solve_crossings(const Samples &at, const RootsAtSpeed &roots, const double tolerance)
+std::vector<Crossing> solve_crossings(const Samples &samples, const RootsAtSpeed &roots, const double tolerance)
 {
   std::vector<Crossing> crossings;
-  for (std::size_t i = 0; i + 1 < at.size(); ++i) {
-    const Sample &a = at[i], &b = at[i + 1];
+  for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
+    const Sample &a = samples[i], &b = samples[i + 1];
     if (!has_bite(a) || !has_bite(b))
       continue;
     for (Eigen::Index k = std::min(a.unstable, b.unstable); k < std::max(a.unstable, b.unstable); ++k) {
@@ -231,46 +232,46 @@ std::vector<Crossing> solve_crossings(const Samples &at, const RootsAtSpeed &roo
 }
 
 // Extreme growth near the sample where it is extreme, by golden sections.  @param sign  1: largest, -1: smallest
-Sample extreme_growth(const Samples &at, const RootsAtSpeed &roots, const double sign, const double fine)
+Sample extreme_growth(const Samples &samples, const RootsAtSpeed &roots, const double sign, const double fine)
 {
-  std::size_t best = at.size();
-  for (std::size_t i = 0; i < at.size(); ++i)
-    if (has_bite(at[i]) && (best == at.size() || sign * at[i].growth > sign * at[best].growth))
+  std::size_t best = samples.size();
+  for (std::size_t i = 0; i < samples.size(); ++i)
+    if (has_bite(samples[i]) && (best == samples.size() || sign * samples[i].growth > sign * samples[best].growth))
       best = i;
-  Sample found = at[best];
-  if (best == 0 || best + 1 == at.size() || !has_bite(at[best - 1]) || !has_bite(at[best + 1]))
-    return found;
-  double low = at[best - 1].speed, high = at[best + 1].speed;
+  Sample extreme = samples[best];
+  if (best == 0 || best + 1 == samples.size() || !has_bite(samples[best - 1]) || !has_bite(samples[best + 1]))
+    return extreme;
+  double low = samples[best - 1].speed, high = samples[best + 1].speed;
   const double ratio = 0.5 * (3 - std::sqrt(5.));
   while (high - low > fine) {
-    const bool right = high - found.speed > found.speed - low;
-    const Sample s   = sample(roots, found.speed + ratio * (right ? high - found.speed : low - found.speed));
+    const bool right = high - extreme.speed > extreme.speed - low;
+    const Sample s   = sample(roots, extreme.speed + ratio * (right ? high - extreme.speed : low - extreme.speed));
     if (!has_bite(s))
       break;
-    if (sign * s.growth > sign * found.growth) {
-      (right ? low : high) = found.speed;
-      found                = s;
+    if (sign * s.growth > sign * extreme.growth) {
+      (right ? low : high) = extreme.speed;
+      extreme              = s;
     } else
       (right ? high : low) = s.speed;
   }
-  return found;
+  return extreme;
 }
 
-void judge(CriticalSpeed &result, const Samples &at, const RootsAtSpeed &roots, const SpeedRange &range)
+void judge(CriticalSpeed &result, const Samples &samples, const RootsAtSpeed &roots, const SpeedRange &range)
 {
   const auto bite_of = [](const Sample &s) { return has_bite(s); };
-  const auto first   = std::find_if(at.begin(), at.end(), bite_of);
-  if (first == at.end()) {
-    result.below = at.front().no_bite;
-    result.above = at.back().no_bite;
+  const auto first   = std::find_if(samples.begin(), samples.end(), bite_of);
+  if (first == samples.end()) {
+    result.below = samples.front().no_bite;
+    result.above = samples.back().no_bite;
     return;
   }
-  const auto last     = std::find_if(at.rbegin(), at.rend(), bite_of);
+  const auto last     = std::find_if(samples.rbegin(), samples.rend(), bite_of);
   result.lowest_bite  = first->speed;
   result.highest_bite = last->speed;
-  if (first != at.begin())
+  if (first != samples.begin())
     result.below = std::prev(first)->no_bite;
-  if (last != at.rbegin())
+  if (last != samples.rbegin())
     result.above = std::prev(last)->no_bite;
   for (const Crossing &c : result.crossings)
     if (c.of_stand && c.upward) {
@@ -281,14 +282,14 @@ void judge(CriticalSpeed &result, const Samples &at, const RootsAtSpeed &roots, 
     }
   const auto grows     = [](const Sample &s) { return has_bite(s) && s.unstable > 0; };
   const auto rests     = [](const Sample &s) { return has_bite(s) && s.unstable == 0; };
-  const bool some_grow = std::any_of(at.begin(), at.end(), grows),
-             some_rest = std::any_of(at.begin(), at.end(), rests);
+  const bool some_grow = std::any_of(samples.begin(), samples.end(), grows),
+             some_rest = std::any_of(samples.begin(), samples.end(), rests);
   result.verdict       = some_grow && some_rest ? Verdict::unstable_below
                          : some_grow            ? Verdict::unstable
                                                 : Verdict::stable;
   if (result.verdict == Verdict::unstable_below)
     return;
-  const Sample nearest_to_change = extreme_growth(at, roots, some_grow ? -1 : 1, 0.01 * range.step);
+  const Sample nearest_to_change = extreme_growth(samples, roots, some_grow ? -1 : 1, 0.01 * range.step);
   result.margin                  = nearest_to_change.growth;
   result.margin_speed            = nearest_to_change.speed;
 }
@@ -297,7 +298,8 @@ void require(const SpeedRange &r)
 {
   if (!(r.from > 0) || !(r.to > r.from) || !std::isfinite(r.to))
     throw InputError(fmt::format(
-        "speeds from {:g} to {:g} m/s are no range; both ends above zero and rising are needed", r.from, r.to));
+        "speeds from {:g} to {:g} m/s are not a range; both must be above zero and the second one larger", r.from,
+        r.to));
   if (!(r.step > 0) || !(r.finest > 0) || !(r.tolerance > 0))
     throw InputError(fmt::format("steps of {:g} and {:g} m/s and a tolerance of {:g} m/s have to be above zero",
                                  r.step, r.finest, r.tolerance));
@@ -307,16 +309,16 @@ void require(const SpeedRange &r)
 CriticalSpeed crossings_of_roots(const RootsAtSpeed &roots, const SpeedRange &range)
 {
   require(range);
-  Samples at;
+  Samples samples;
   const int steps = std::max(1, int(std::ceil((range.to - range.from) / range.step - 1e-9)));
   for (int i = 0; i <= steps; ++i)
-    at.push_back(sample(roots, i == steps ? range.to : range.from + i * range.step));
-  find_edges(at, roots);
-  refine(at, roots, range.finest);
+    samples.push_back(sample(roots, i == steps ? range.to : range.from + i * range.step));
+  find_edges(samples, roots);
+  refine(samples, roots, range.finest);
   CriticalSpeed result;
-  result.crossings = solve_crossings(at, roots, range.tolerance);
-  judge(result, at, roots, range);
-  result.points.assign(at.begin(), at.end());
+  result.crossings = solve_crossings(samples, roots, range.tolerance);
+  judge(result, samples, roots, range);
+  result.points.assign(samples.begin(), samples.end());
   return result;
 }
 
@@ -349,44 +351,44 @@ StandSpeed critical_speed(const ChatterStandModel &stand, const bite::RollBite &
   return result;
 }
 
-std::string sentence(const CriticalSpeed &found, const SpeedRange &range)
+std::string sentence(const CriticalSpeed &critical, const SpeedRange &range)
 {
   const auto edges = [&] {
     std::string text;
-    if (!found.below.empty())
-      text += fmt::format("; no steady bite below {:.2f} m/s", found.lowest_bite);
-    if (!found.above.empty())
-      text += fmt::format("; no steady bite above {:.2f} m/s", found.highest_bite);
+    if (!critical.below.empty())
+      text += fmt::format("; no steady bite below {:.2f} m/s", critical.lowest_bite);
+    if (!critical.above.empty())
+      text += fmt::format("; no steady bite above {:.2f} m/s", critical.highest_bite);
     return text;
   };
-  const std::string speeds =
-      fmt::format("from {:.4g} to {:.4g} m/s", std::isnan(found.lowest_bite) ? range.from : found.lowest_bite,
-                  std::isnan(found.highest_bite) ? range.to : found.highest_bite);
-  switch (found.verdict) {
+  const std::string speeds = fmt::format("from {:.4g} to {:.4g} m/s",
+                                         std::isnan(critical.lowest_bite) ? range.from : critical.lowest_bite,
+                                         std::isnan(critical.highest_bite) ? range.to : critical.highest_bite);
+  switch (critical.verdict) {
   case Verdict::crossing: {
-    std::string text = fmt::format("unstable above {:.3f} m/s ({:.1f} Hz)", found.speed, found.frequency);
-    for (const Crossing &c : found.crossings)
-      if (c.of_stand && c.speed != found.speed)
+    std::string text = fmt::format("unstable above {:.3f} m/s ({:.1f} Hz)", critical.speed, critical.frequency);
+    for (const Crossing &c : critical.crossings)
+      if (c.of_stand && c.speed != critical.speed)
         text += fmt::format(", {} above {:.3f} m/s", c.upward ? "unstable again" : "stable", c.speed);
     return text + edges();
   }
   case Verdict::stable:
-    return fmt::format("stable {}; the slowest decay is {:.3g} 1/s at {:.4g} m/s", speeds, -found.margin,
-                       found.margin_speed) +
+    return fmt::format("stable {}; the slowest decay is {:.3g} 1/s at {:.4g} m/s", speeds, -critical.margin,
+                       critical.margin_speed) +
            edges();
   case Verdict::unstable:
-    return fmt::format("unstable {}; the slowest growth is {:.3g} 1/s at {:.4g} m/s", speeds, found.margin,
-                       found.margin_speed) +
+    return fmt::format("unstable {}; the slowest growth is {:.3g} 1/s at {:.4g} m/s", speeds, critical.margin,
+                       critical.margin_speed) +
            edges();
   case Verdict::unstable_below: {
-    double last = found.lowest_bite;
-    for (const Crossing &c : found.crossings)
+    double last = critical.lowest_bite;
+    for (const Crossing &c : critical.crossings)
       if (c.of_stand)
         last = c.speed;
     return fmt::format("unstable up to {:.3f} m/s and stable above, so that no speed is critical", last) + edges();
   }
   case Verdict::no_bite:
-    return fmt::format("no steady bite from {:.4g} to {:.4g} m/s ({})", range.from, range.to, found.below);
+    return fmt::format("no steady bite from {:.4g} to {:.4g} m/s ({})", range.from, range.to, critical.below);
   }
   return "";
 }

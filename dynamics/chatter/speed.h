@@ -10,11 +10,11 @@
 
 // At which roll speed vibration begins to grow.  theory.md 25.3
 namespace mill::dynamics {
-/// The system at a roll speed in m/s.  Throws InputError or SolverError where there is no steady bite.
+/// The system at a roll speed in m/s.  Throws InputError or SolverError without a steady bite.
 using MatrixAtSpeed = std::function<Eigen::MatrixXd(double)>;
 
 /// (s) roots of the system at a roll speed, 1/s, in any order; a real system: with their conjugates.  For systems
-/// that are no matrix (delays); their number may change with the speed.  Throws as MatrixAtSpeed.
+/// that are not a matrix (delays); their number may change with the speed.  Throws as MatrixAtSpeed.
 using RootsAtSpeed = std::function<Eigen::VectorXcd(double)>;
 
 /// Where to look.
@@ -33,7 +33,7 @@ struct SpeedPoint {
   double frequency = not_given;  ///< Hz, of that root
   int unstable     = 0;          ///< roots that grow, both of a pair
   Eigen::VectorXcd roots;        ///< (s) 1/s, by falling real part; empty: no bite
-  std::string no_bite;           ///< why there is none; empty: there is one
+  std::string no_bite;           ///< why the bite has no steady state; empty: it has one
 };
 
 /// A root, or a pair, on the imaginary axis.
@@ -51,7 +51,7 @@ enum class Verdict {
   crossing,        ///< stable below the critical speed, unstable above it
   stable,          ///< nothing grows at any speed of the range that has a bite
   unstable,        ///< something grows at every such speed
-  unstable_below,  ///< unstable at the low end, stable above, and no crossing upward: there is no critical speed
+  unstable_below,  ///< unstable at the low end, stable above, without a crossing upward: no critical speed
   no_bite          ///< no steady bite in the range
 };
 
@@ -66,14 +66,14 @@ struct CriticalSpeed {
   double margin_speed = not_given;  ///< m/s, where that is
   double lowest_bite  = not_given;  ///< m/s, lowest speed of the range with a steady bite
   double highest_bite = not_given;  ///< m/s
-  std::string below;                ///< why there is no bite just below lowest_bite; empty: end of the range
+  std::string below;                ///< why the bite ends just below lowest_bite; empty: end of the range
   std::string above;                ///< the same above highest_bite
   std::vector<SpeedPoint> points;   ///< by speed
 };
 
 /// Scans the range, halves the intervals in which a root may cross the axis twice unseen (judged by the bend of
 /// its path at the ends), and solves for every crossing.  A rise and fall that is over within a step and leaves no
-/// trace in the slopes beside it is not seen: a smaller step sees it.
+/// trace in the neighbouring slopes is not seen: a smaller step sees it.
 ///
 /// Roots within 1e-9 of their modulus from the axis count as standing on it, not as growing: an undamped structure
 /// has such.
@@ -101,7 +101,7 @@ StandSpeed critical_speed(const ChatterStandModel &stand, const bite::RollBite &
 MatrixAtSpeed matrix_at_speed(const ChatterStandModel &stand, const bite::RollBite &bite,
                               bite::Linearisation scheme);
 
-/// "unstable above 18.207 m/s (128.1 Hz)", with the margin where there is no crossing, and the edges of the bite
+/// "unstable above 18.207 m/s (128.1 Hz)", with the margin when nothing crosses, and the edges of the bite
 /// with their reason.
-std::string sentence(const CriticalSpeed &found, const SpeedRange &range);
+std::string sentence(const CriticalSpeed &critical, const SpeedRange &range);
 }  // namespace mill::dynamics

@@ -44,13 +44,13 @@ Collocation::Collocation()
 
 Collocation::Row Collocation::up_to(const double x) const
 {
-  const auto at = legendre(x);
+  const auto basis = legendre(x);
   Row row;
   for (int j = 0; j < s; ++j) {
     const auto P = legendre(c[j]);
     double sum   = x;
     for (std::size_t k = 1; k < s; ++k)
-      sum += 0.5 * P[k] * (at[k + 1] - at[k - 1]);
+      sum += 0.5 * P[k] * (basis[k + 1] - basis[k - 1]);
     row[j] = b[j] * sum;
   }
   return row;

@@ -32,7 +32,7 @@ ContactLaw straight_law(double stiffness);
 ContactLaw palmgren_law(double length, double coefficient);
 
 /// k d^p through a force with a tangent stiffness there: p f/d = k_t.
-/// @param tangent  N/m   @param force  N, where it belongs to; of no account with exponent 1
+/// @param tangent  N/m   @param force  N, where it belongs to; without influence for exponent 1
 ContactLaw power_law_through(double tangent, double force, double exponent);
 
 enum class LineForm { foeppl, johnson };

@@ -64,9 +64,9 @@ double follow(const Stack &stack, const std::vector<char> &left_out, const Motio
               Secants &k)
 {
   double change     = 0;
-  const auto update = [&](double &own, const double wanted) {
-    change = std::max(change, std::abs(wanted / own - 1));
-    own    = wanted;
+  const auto update = [&](double &value, const double wanted) {
+    change = std::max(change, std::abs(wanted / value - 1));
+    value  = wanted;
   };
   for (std::size_t i = 0; i < stack.contacts.size(); ++i) {
     const Contact &c = stack.contacts[i];

@@ -26,11 +26,11 @@ struct StackFit {
   std::vector<MatchedFrequency> frequencies;  ///< every [[mode]] with a frequency
   Eigen::MatrixXd correlation;                ///< of the numbers; empty where no interval is known
   double rms_fitted    = 0;                   ///< -, relative, of the frequencies that were fitted
-  double rms_predicted = 0;                   ///< -, of the others; NaN: there are none
+  double rms_predicted = 0;                   ///< -, of the others; NaN: no others
   int steps            = 0;
   bool converged       = false;
-  std::string undetermined;  ///< a number that the frequencies do not tell; empty: all are told
-  std::string refused;       ///< why there is no fit: an equilibrium that does not exist on the way
+  std::string undetermined;  ///< a number that the frequencies do not identify; empty: all are identified
+  std::string refused;       ///< why the fit failed: an equilibrium that does not exist
 };
 
 /// Levenberg-Marquardt on relative errors of frequencies; stiffnesses and loads by their logarithm.  Modes are

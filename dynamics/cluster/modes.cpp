@@ -130,16 +130,16 @@ Eigen::VectorXd parsed_shape(const Stack &stack, const std::string &text)
     if (words >> rest) {
       std::istringstream number(rest);
       if (!(number >> weight) || !number.eof())
-        throw InputError(fmt::format("'{}' is no number", rest));
+        throw InputError(fmt::format("'{}' is not a number", rest));
     }
-    const auto found =
+    const auto result =
         std::find_if(stack.rolls.begin(), stack.rolls.end(), [&](const Roll &r) { return r.name == roll; });
-    if (found == stack.rolls.end())
-      throw InputError(fmt::format("there is no roll '{}'", roll));
+    if (result == stack.rolls.end())
+      throw InputError(fmt::format("no roll has the name '{}'", roll));
     if (direction != "x" && direction != "y")
       throw InputError(
-          fmt::format("'{}' is no direction; x or y is needed, for example \"{} y 0.8\"", direction, roll));
-    shape[stack.per_roll() * (found - stack.rolls.begin()) + (direction == "y")] = weight;
+          fmt::format("'{}' is not a direction; give x or y, for example \"{} y 0.8\"", direction, roll));
+    shape[stack.per_roll() * (result - stack.rolls.begin()) + (direction == "y")] = weight;
   }
   if (shape.isZero())
     throw InputError("names no motion; for example \"W y, I y 0.8\"");

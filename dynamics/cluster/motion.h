@@ -42,7 +42,7 @@ struct MotionHistory {
   bool stopped_by_events = false;
 };
 
-/// Integrates from a displacement and velocity beside the state at rest, by collocation of order 12
+/// Integrates from a displacement and velocity relative to the state at rest, by collocation of order 12
 /// with error control; contacts that open or close end a step.
 /// @param stack  anchors set; damping and depth of its contacts as they are; never coupled
 /// @param rest   state at rest

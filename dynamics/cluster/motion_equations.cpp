@@ -24,7 +24,7 @@ MotionEquations::MotionEquations(const Stack &stack, const Motion &rest, const s
                          s.approach, c.damping, c.depth, c.one_sided});
   }
   for (const Support &s : stack_.supports) {
-    OneSupport own{
+    OneSupport support{
         s.roll,
         s.type,
         s.law.kappa,
@@ -40,11 +40,11 @@ MotionEquations::MotionEquations(const Stack &stack, const Motion &rest, const s
     if (s.type == Support::Type::rollers) {
       const auto t = roller_directions(s);
       for (std::size_t k = 0; k < 2; ++k) {
-        own.tx[k] = t[k].x();
-        own.ty[k] = t[k].y();
+        support.tx[k] = t[k].x();
+        support.ty[k] = t[k].y();
       }
     }
-    supports_.push_back(own);
+    supports_.push_back(support);
   }
   for (const Drive &d : drives)
     drives_.push_back({d.roll, d.force.x(), d.force.y(), 2 * M_PI * d.frequency});
@@ -158,19 +158,19 @@ void MotionEquations::contact_forces(const double *state, double *forces) const
 
 double MotionEquations::stored(const OneSupport &s, const double x, const double y)
 {
-  const auto of = [&](const double d) { return odd_power(d, s.kappa, s.power) * d / (1 + s.power); };
+  const auto energy = [&](const double d) { return odd_power(d, s.kappa, s.power) * d / (1 + s.power); };
   switch (s.type) {
   case Support::Type::radial:
-    return of(std::sqrt(x * x + y * y));
+    return energy(std::sqrt(x * x + y * y));
   case Support::Type::isotropic:
-    return 0.5 * s.across * x * x + of(y);
+    return 0.5 * s.across * x * x + energy(y);
   case Support::Type::guide:
-    return of(s.tx[0] * x + s.ty[0] * y);
+    return energy(s.tx[0] * x + s.ty[0] * y);
   case Support::Type::rollers: {
     double sum = 0.5 * s.guard * (x * x + y * y);
     for (int k = 0; k < 2; ++k)
       if (const double d = s.tx[k] * x + s.ty[k] * y + s.d0; d > 0)
-        sum += of(d);
+        sum += energy(d);
     return sum;
   }
   }

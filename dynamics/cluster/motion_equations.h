@@ -4,7 +4,7 @@
 namespace mill::cluster {
 /// The equations of motion in flat arrays, without allocation.  State: displacement from rest, velocity, work of
 /// drive and damping, impulse of the outer forces along x and y.  Approaches are counted from rest, so that a
-/// small vibration keeps its digits beside the diameters.  theory.md (38.20)
+/// small vibration keeps its digits next to the large diameters.  theory.md (38.20)
 class MotionEquations {
 public:
   MotionEquations(const Stack &stack, const Motion &rest, const std::vector<Drive> &drives);

@@ -8,7 +8,7 @@ namespace mill::cluster {
 namespace {
 using Point = Eigen::Vector2d;
 
-constexpr double closed = 2e-6;  // m: a contact that closes to this counts as touching
+constexpr double closed = 2e-6;  // m: a contact that closes to this is touching
 
 std::pair<std::string, std::string> rolls_of(const ClusterContact &contact)
 {
@@ -33,7 +33,7 @@ struct Neighbour {
 std::vector<Neighbour> neighbours_of(const ClusterStand &stand, const std::size_t roll,
                                      const std::vector<std::optional<Point>> &places)
 {
-  std::vector<Neighbour> found;
+  std::vector<Neighbour> neighbours;
   for (const ClusterContact &c : stand.contacts) {
     const auto [first, second] = rolls_of(c);
     const std::size_t a = index_of(stand, first), b = index_of(stand, second);
@@ -43,9 +43,9 @@ std::vector<Neighbour> neighbours_of(const ClusterStand &stand, const std::size_
     Neighbour n{*places[other], 0.5 * (stand.rolls[a].barrel_diameter + stand.rolls[b].barrel_diameter), {}};
     if (!std::isnan(c.direction))
       n.direction = c.direction + (b == roll ? 0 : M_PI);
-    found.push_back(n);
+    neighbours.push_back(n);
   }
-  return found;
+  return neighbours;
 }
 
 // On two circles; nothing where they do not meet.
@@ -126,13 +126,13 @@ std::vector<Eigen::Vector2d> placed_rolls(const ClusterStand &written)
   for (std::size_t i = 0; i < places.size(); ++i)
     if (const auto &p = stand.rolls[i].position; !std::isnan(p[0]))
       places[i] = Point(p[0], p[1]);
-  for (bool found = true; found;) {
-    found = false;
+  for (bool progress = true; progress;) {
+    progress = false;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (!places[i])
         if (const auto place = place_from(neighbours_of(stand, i, places), stand.rolls[i].side == "below")) {
           places[i] = place;
-          found     = true;
+          progress  = true;
         }
   }
   std::vector<Problem> problems;

@@ -6,7 +6,7 @@
 
 namespace mill::cluster {
 namespace {
-// Equilibrium under a factor on the rolling force; nothing where there is none.
+// Equilibrium under a factor on the rolling force; empty where it does not exist.
 std::optional<Equilibrium> at_factor(Stack stack, const double factor)
 {
   for (Load &load : stack.loads)

@@ -22,7 +22,7 @@ struct LostContact {
   double load = 0;      ///< N
   std::string contact;  ///< "W-L", "L, upper roller"
 };
-/// A force on one roll, beside the loads of the pass, from 0 up along a direction.
+/// A force on one roll, in addition to the loads of the pass, from 0 up along a direction.
 /// @param largest  N, where the search ends
 std::optional<LostContact> leaving_load(const Stack &stack, int roll, const Eigen::Vector2d &direction,
                                         double largest);

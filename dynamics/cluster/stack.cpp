@@ -8,7 +8,7 @@ Eigen::Vector2d at(const Motion &u, const Stack &stack, const int roll)
   return u.segment<2>(stack.per_roll() * roll);
 }
 
-// A symmetric 2x2 block between two rolls: + on the diagonal, - beside it.
+// A symmetric 2x2 block between two rolls: + on the diagonal, - off it.
 void add_pair(Eigen::MatrixXd &K, const Stack &stack, const Contact &c, const Eigen::Matrix2d &block)
 {
   const int a = stack.per_roll() * c.a, b = stack.per_roll() * c.b;
@@ -79,8 +79,8 @@ double support_energy(const Support &s, const Eigen::Vector2d &u)
     double sum      = 0.5 * s.guard * d.squaredNorm();
     const double d0 = s.law.kappa * std::pow(s.preload, s.law.q);
     for (const Eigen::Vector2d &t : roller_directions(s))
-      if (const double own = t.dot(d) + d0; own > 0)
-        sum += bearing_energy(s.law, own);
+      if (const double value = t.dot(d) + d0; value > 0)
+        sum += bearing_energy(s.law, value);
     return sum;
   }
   }
@@ -122,10 +122,10 @@ Eigen::VectorXd masses(const Stack &stack)
   Eigen::VectorXd m(stack.size());
   for (std::size_t i = 0; i < stack.rolls.size(); ++i) {
     const Roll &roll = stack.rolls[i];
-    const int at     = stack.per_roll() * int(i);
-    m.segment<2>(at).setConstant(roll.mass);
+    const int index  = stack.per_roll() * int(i);
+    m.segment<2>(index).setConstant(roll.mass);
     if (stack.coupled)
-      m[at + 2] = roll.inertia / (roll.radius * roll.radius);
+      m[index + 2] = roll.inertia / (roll.radius * roll.radius);
   }
   return m;
 }
@@ -225,10 +225,10 @@ Forces forces(const Stack &stack, const Motion &u)
     for (std::size_t i = 0; i < stack.rolls.size(); ++i)
       f.loads[stack.per_roll() * int(i) + 1] -= stack.rolls[i].mass * free_fall;
   for (const Contact &c : stack.contacts) {
-    const ContactState s      = contact_state(stack, c, u);
-    const Eigen::Vector2d own = contact_force(c, s.approach) * s.normal;
-    f.contacts.segment<2>(stack.per_roll() * c.a) -= own;
-    f.contacts.segment<2>(stack.per_roll() * c.b) += own;
+    const ContactState s        = contact_state(stack, c, u);
+    const Eigen::Vector2d force = contact_force(c, s.approach) * s.normal;
+    f.contacts.segment<2>(stack.per_roll() * c.a) -= force;
+    f.contacts.segment<2>(stack.per_roll() * c.b) += force;
   }
   for (const Support &s : stack.supports)
     f.supports.segment<2>(stack.per_roll() * s.roll) += support_force(s, at(u, stack, s.roll));

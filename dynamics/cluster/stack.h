@@ -134,7 +134,7 @@ struct Forces {
 };
 Forces forces(const Stack &stack, const Motion &u);
 
-/// -d(force)/d(displacement), symmetric, N/m; each part by itself.  theory.md (38.9)
+/// -d(force)/d(displacement), symmetric, N/m; each part separately.  theory.md (38.9)
 struct Tangent {
   Eigen::MatrixXd total;
   std::vector<Eigen::MatrixXd> contacts;   ///< of every contact, geometric term included

@@ -14,11 +14,11 @@ double or_else(const double value, const double otherwise)
 
 Material material_of(const ClusterRoll &roll, const Material &steel)
 {
-  Material own       = steel;
-  own.youngs_modulus = or_else(roll.youngs_modulus, steel.youngs_modulus);
-  own.poisson_ratio  = or_else(roll.poisson_ratio, steel.poisson_ratio);
-  own.density        = or_else(roll.density, steel.density);
-  return own;
+  Material material       = steel;
+  material.youngs_modulus = or_else(roll.youngs_modulus, steel.youngs_modulus);
+  material.poisson_ratio  = or_else(roll.poisson_ratio, steel.poisson_ratio);
+  material.density        = or_else(roll.density, steel.density);
+  return material;
 }
 
 int roll_named(const std::vector<ClusterRoll> &rolls, const std::string &name)
@@ -44,8 +44,8 @@ ContactLaw law_of(const ClusterStand &stand, const ClusterContact &c, const Comp
     return palmgren_law(length, c.coefficient);
   if (c.law == "spring")
     return power_law_through(c.stiffness, c.load, c.exponent);
-  if (const auto found = computed.find(c.pair); c.law == "computed" && found != computed.end())
-    return found->second;
+  if (const auto match = computed.find(c.pair); c.law == "computed" && match != computed.end())
+    return match->second;
   return line_law(c.law == "foeppl" ? LineForm::foeppl : LineForm::johnson,
                   {0.5 * one.barrel_diameter, material_of(one, stand.steel)},
                   {0.5 * other.barrel_diameter, material_of(other, stand.steel)}, length);
@@ -126,27 +126,27 @@ ClusterStand written_out(ClusterStand stand)
   for (ClusterContact &c : stand.contacts) {
     if (c.like.empty())
       continue;
-    const auto original = std::find_if(stand.contacts.begin(), stand.contacts.end(),
-                                       [&](const ClusterContact &o) { return o.pair == c.like; });
-    ClusterContact own  = *original;
-    own.pair            = c.pair;
-    own.place           = c.place;
-    own.direction       = M_PI - original->direction;
-    c                   = own;
+    const auto original    = std::find_if(stand.contacts.begin(), stand.contacts.end(),
+                                          [&](const ClusterContact &o) { return o.pair == c.like; });
+    ClusterContact contact = *original;
+    contact.pair           = c.pair;
+    contact.place          = c.place;
+    contact.direction      = M_PI - original->direction;
+    c                      = contact;
   }
   for (ClusterSupport &s : stand.supports) {
     if (s.like.empty())
       continue;
-    const auto original = std::find_if(stand.supports.begin(), stand.supports.end(),
-                                       [&](const ClusterSupport &o) { return o.own_name() == s.like; });
-    ClusterSupport own  = *original;
-    own.roll            = s.roll;
-    own.name            = s.name;
-    own.place           = s.place;
-    own.direction       = M_PI - original->direction;
+    const auto original    = std::find_if(stand.supports.begin(), stand.supports.end(),
+                                          [&](const ClusterSupport &o) { return o.own_name() == s.like; });
+    ClusterSupport support = *original;
+    support.roll           = s.roll;
+    support.name           = s.name;
+    support.place          = s.place;
+    support.direction      = M_PI - original->direction;
     if (!s.against.empty())
-      own.against = s.against;
-    s = own;
+      support.against = s.against;
+    s = support;
   }
   return stand;
 }
@@ -187,7 +187,7 @@ Stack stack_of(const ClusterStand &written, const ClusterPass &pass, const doubl
 
 std::vector<std::string> free_motions(const Stack &stack)
 {
-  // Every contact closed and every support at a stiffness of one: only directions count.
+  // Every contact closed and every support at a stiffness of one: only directions matter.
   Stack flat            = stack;
   flat.coupled          = false;
   Eigen::MatrixXd K     = Eigen::MatrixXd::Zero(flat.size(), flat.size());

@@ -9,7 +9,7 @@ namespace mill::cluster {
 /// Laws of contacts that finite elements have computed, by pair.
 using ComputedLaws = std::map<std::string, ContactLaw>;
 
-/// Everything said with `like` written out: mirror images about the vertical.
+/// Every `like` written out: mirror images about the vertical.
 ClusterStand written_out(ClusterStand stand);
 
 /// Unloaded axes of all rolls: given, or found from contacts.
@@ -20,7 +20,7 @@ std::vector<Eigen::Vector2d> placed_rolls(const ClusterStand &stand);
 
 /// The stack under one pass.
 /// @param force     N, rolling force
-/// @param computed  laws of contacts with law = "computed"; Johnson's closed form where there is none
+/// @param computed  laws of contacts with law = "computed"; Johnson's closed form for the others
 Stack stack_of(const ClusterStand &stand, const ClusterPass &pass, double force,
                const ComputedLaws &computed = {});
 
@@ -28,7 +28,7 @@ Stack stack_of(const ClusterStand &stand, const ClusterPass &pass, double force,
 int strip_roll(const ClusterStand &stand);
 
 /// Motions that nothing holds at all, on the unloaded geometry: "I x".  What only the curvature of the contacts
-/// holds or drives away counts as free.
+/// holds or drives away is free.
 std::vector<std::string> free_motions(const Stack &stack);
 
 std::vector<NamedShape> named_shapes(const ClusterStand &stand, const Stack &stack);

@@ -53,8 +53,8 @@ TimeSteps::TimeSteps(const MotionEquations &equations, const Stack &stack, const
 
 const std::vector<Collocation::Square> &TimeSteps::inverses(const double h)
 {
-  if (const auto found = kept_.find(h); found != kept_.end())
-    return found->second;
+  if (const auto match = kept_.find(h); match != kept_.end())
+    return match->second;
   if (kept_.size() > 64)
     kept_.clear();
   auto &list = kept_[h];
@@ -64,7 +64,7 @@ const std::vector<Collocation::Square> &TimeSteps::inverses(const double h)
   return list;
 }
 
-// The motion of every mode by itself.
+// The motion of every mode, uncoupled.
 void TimeSteps::start_from_modes(const double h, Stages &acceleration) const
 {
   for (Eigen::Index k = 0; k < q_.size(); ++k) {
@@ -93,7 +93,7 @@ TimeSteps::Result TimeSteps::solve(const double h)
   r.acceleration.resize(n, Eigen::NoChange);
   start_from_modes(h, r.acceleration);
   Eigen::VectorXd slope(2 * n + 3);
-  Stages found(n, int(Collocation::stages));
+  Stages result(n, int(Collocation::stages));
   const double wanted = std::max(1e-14, 1e-3 * tolerance_) * length_ / (h * h);
   double before       = std::numeric_limits<double>::infinity();
   for (int iteration = 0; iteration < 40 && !r.converged; ++iteration) {
@@ -103,14 +103,14 @@ TimeSteps::Result TimeSteps::solve(const double h)
     for (int i = 0; i < Collocation::stages; ++i) {
       const Eigen::VectorXd y = physical(r.position.col(i), r.velocity.col(i));
       equations_.slope(time_ + rule_.c[i] * h, y.data(), slope.data());
-      found.col(i).noalias() = VtM_ * slope.segment(n, n);
-      r.sums.col(i)          = slope.tail(3);
+      result.col(i).noalias() = VtM_ * slope.segment(n, n);
+      r.sums.col(i)           = slope.tail(3);
       ++evaluations;
     }
     double largest = 0;
     for (Eigen::Index k = 0; k < n; ++k) {
       const Collocation::Row change =
-          (inverse[std::size_t(k)] * (found.row(k) - r.acceleration.row(k)).transpose()).transpose();
+          (inverse[std::size_t(k)] * (result.row(k) - r.acceleration.row(k)).transpose()).transpose();
       r.acceleration.row(k) += change;
       largest = std::max(largest, change.cwiseAbs().maxCoeff() * V_.col(k).cwiseAbs().maxCoeff());
     }
@@ -126,7 +126,7 @@ TimeSteps::Result TimeSteps::solve(const double h)
   return r;
 }
 
-// Contacts that at this state are not what they are said to be.
+// Contacts whose state differs from the assumed one.
 std::vector<int> TimeSteps::changed(const Eigen::VectorXd &state) const
 {
   Eigen::VectorXd d(equations_.contacts());
@@ -141,7 +141,7 @@ std::vector<int> TimeSteps::changed(const Eigen::VectorXd &state) const
 // Share of the step at which the first contact changes; 1: none does.
 double TimeSteps::first_crossing(const Result &r, const double h, int &contact) const
 {
-  const auto at = [&](const double x) {
+  const auto value_at = [&](const double x) {
     const Collocation::Row w = rule_.up_to(x);
     return physical(q_ + x * h * p_ + h * h * (r.acceleration * (w * rule_.A).transpose()),
                     p_ + h * (r.acceleration * w.transpose()));
@@ -150,14 +150,14 @@ double TimeSteps::first_crossing(const Result &r, const double h, int &contact) 
   contact      = -1;
   for (int i = 0; i <= Collocation::stages; ++i) {
     const double x   = i < Collocation::stages ? rule_.c[i] : 1;
-    const auto which = changed(at(x));
+    const auto which = changed(value_at(x));
     if (which.empty())
       continue;
     for (const int c : which) {
       double low = i > 0 ? rule_.c[i - 1] : 0, high = x;
       for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
         const double middle                                              = 0.5 * (low + high);
-        const auto now                                                   = changed(at(middle));
+        const auto now                                                   = changed(value_at(middle));
         (std::find(now.begin(), now.end(), c) != now.end() ? high : low) = middle;
       }
       if (high < first || contact < 0) {

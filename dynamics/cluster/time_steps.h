@@ -57,7 +57,7 @@ private:
   Collocation rule_;
   Eigen::MatrixXd V_, VtM_;    // mass-normalised modes
   Eigen::VectorXd roots_;      // 1/s2
-  Eigen::VectorXd dampings_;   // 1/s, of every mode by itself
+  Eigen::VectorXd dampings_;   // 1/s, of every mode, uncoupled
   Eigen::VectorXd q_, p_;      // modal state
   Eigen::VectorXd state_;      // physical, with sums
   std::vector<char> closed_;   // of every contact

@@ -34,7 +34,7 @@ Wholeness wholeness(const double number, const double accuracy)
   w.whole   = std::max(1.0, std::round(number));
   w.off     = number / w.whole - 1;
   w.chance  = std::min(1.0, 2 * accuracy * number);
-  w.verdict = std::abs(w.off) > accuracy ? "between" : w.chance > 0.5 ? "not told apart" : "whole";
+  w.verdict = std::abs(w.off) > accuracy ? "between" : w.chance > 0.5 ? "not distinguishable" : "whole";
   return w;
 }
 

@@ -152,7 +152,7 @@ struct AdaptiveRun::Solver {
       throw SolverError(
           {fmt::format("curves of the contacts: the integration stops at t = {:.9g} s (ARKODE flag {})", now,
                        flag),
-           complaint, "a damping many orders from what the stiffness asks for, or a force that is no number",
+           complaint, "a damping many orders from what the stiffness asks for, or a force that is not a number",
            "check dynamics.modal_damping and the force record", "the motion before this time"});
   }
 
@@ -162,7 +162,7 @@ struct AdaptiveRun::Solver {
     restart(time);
   }
 
-  // s, the first moment within a step at which this spring's state is no longer what it was; NaN: none.  The cubic
+  // s, the first moment within a step at which this spring changes its state; NaN: none.  The cubic
   // through compressions and rates at both ends says where to look.
   double crossing_guess(const std::size_t j, const double start, const double rate_at_start) const
   {

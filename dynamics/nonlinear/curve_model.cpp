@@ -32,10 +32,10 @@ CurveStand curve_stand(const StandModel &stand, const Eigen::VectorXd &frequency
   made.damping    = damping;
   made.gap_damper = gap_damper;
   for (const ConnectionCurve &curve : curves) {
-    const auto found = std::find_if(stand.connections.begin(), stand.connections.end(),
+    const auto match = std::find_if(stand.connections.begin(), stand.connections.end(),
                                     [&](const Connection &c) { return c.name == curve.connection; });
-    require(found != stand.connections.end() && curve.law.usable(), "a curve needs a spring of the stand");
-    const Connection &line     = *found;
+    require(match != stand.connections.end() && curve.law.usable(), "a curve needs a spring of the stand");
+    const Connection &line     = *match;
     const double whole         = line.stiffness.sum();
     const Eigen::MatrixXd rows = line.rows * kept;
     // One sense for the whole line: its mean strain under a constant bite force.

@@ -62,7 +62,7 @@ public:
   void output(const Eigen::Index i, const double F, const double *q, const double *v)
   {
     const auto n = Eigen::Index(stand_.modes());
-    const Eigen::Map<const Eigen::VectorXd> at(q, n), rate_of(v, n);
+    const Eigen::Map<const Eigen::VectorXd> positions(q, n), rate_of(v, n);
     const double bite = F - stand_.gap_damper * model_.force.dot(rate_of);
     for (Eigen::Index k = 0; k < n; ++k) {
       const double w = stand_.rate[std::size_t(k)];
@@ -70,7 +70,7 @@ public:
     }
     run.response.force[i]            = F + mean_;
     run.response.acceleration.row(i) = (model_.point * acceleration_).transpose();
-    run.response.load_cell[i]        = model_.load_cell.dot(at) + model_.load_cell_share * mean_;
+    run.response.load_cell[i]        = model_.load_cell.dot(positions) + model_.load_cell_share * mean_;
   }
 
   CurveRun run;

@@ -126,7 +126,7 @@ bool FixedStep::solve_end(std::vector<double> &end, const std::vector<double> &e
       next[i] = explicit_part[i];
       for (std::size_t j = 0; j < u; ++j)
         next[i] -= response_[i * u + j] * force[j];
-      // A velocity of the gap and a compression are each held against their own size.
+      // A velocity of the gap and a compression are each compared with their own size.
       const double reach = std::max(std::abs(next[i]), i < stand_.springs.size() ? stand_.springs[i].rest : 1e-9);
       change             = std::max(change, std::abs(next[i] - end[i]) / reach);
       size               = 1;
@@ -145,20 +145,20 @@ bool FixedStep::newton(std::vector<double> &end, const std::vector<double> &expl
 {
   const std::size_t u = n_unknowns_, s = stand_.springs.size();
   std::vector<double> A(u * u), miss(u), force(u), slope(u), start;
-  const auto missing = [&](const std::vector<double> &at) {
+  const auto missing = [&](const std::vector<double> &positions) {
     double largest = 0;
     for (std::size_t j = 0; j < u; ++j) {
-      const SpringForce f = j < s ? beyond_tangent(stand_, stand_.springs[j], at[j])
-                                  : SpringForce{force_at(j, at[j]), stand_.gap_damper};
+      const SpringForce f = j < s ? beyond_tangent(stand_, stand_.springs[j], positions[j])
+                                  : SpringForce{force_at(j, positions[j]), stand_.gap_damper};
       force[j]            = f.force;
       slope[j]            = f.stiffness;
     }
     for (std::size_t i = 0; i < u; ++i) {
-      miss[i] = at[i] - explicit_part[i];
+      miss[i] = positions[i] - explicit_part[i];
       for (std::size_t j = 0; j < u; ++j)
         miss[i] += response_[i * u + j] * force[j];
-      largest =
-          std::max(largest, std::abs(miss[i]) / std::max(std::abs(at[i]), i < s ? stand_.springs[i].rest : 1e-9));
+      largest = std::max(largest, std::abs(miss[i]) /
+                                      std::max(std::abs(positions[i]), i < s ? stand_.springs[i].rest : 1e-9));
     }
     return largest;
   };

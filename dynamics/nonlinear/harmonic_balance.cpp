@@ -206,21 +206,21 @@ PeriodicMotion free_motion(const CurveStand &stand, const Index mode, const doub
       x[j * b + k] = (near ? near->cosine(j, k) : (k == 1 ? amplitude * rows(j, mode) : 0.0)) / rest[j];
   x[u] = near ? std::pow(2 * M_PI * near->frequency / tangent, 2) : 1;
 
-  const auto equations = [&](const VectorXd &at, VectorXd &miss, MatrixXd *slope) {
-    const MatrixXd d    = as_series(at, rest, b);
+  const auto equations = [&](const VectorXd &positions, VectorXd &miss, MatrixXd *slope) {
+    const MatrixXd d    = as_series(positions, rest, b);
     const Remainders r  = remainders(stand, basis, d);
-    const double square = at[u] * tangent * tangent;
+    const double square = positions[u] * tangent * tangent;
     miss.resize(u + 1);
     if (slope)
       *slope = MatrixXd::Zero(u + 1, u + 1);
     for (Index k = 0; k < b; ++k) {
-      VectorXd own(rows.cols()), by_square(rows.cols());
-      for (Index m = 0; m < own.size(); ++m) {
+      VectorXd values(rows.cols()), by_square(rows.cols());
+      for (Index m = 0; m < values.size(); ++m) {
         const double z = std::pow(stand.rate[std::size_t(m)], 2) - double(k * k) * square;
-        own[m]         = (k == 1 && m == mode) || z == 0 ? 0 : 1 / z;
-        by_square[m]   = double(k * k) * own[m] * own[m];
+        values[m]      = (k == 1 && m == mode) || z == 0 ? 0 : 1 / z;
+        by_square[m]   = double(k * k) * values[m] * values[m];
       }
-      const MatrixXd G      = rows * own.asDiagonal() * rows.transpose();
+      const MatrixXd G      = rows * values.asDiagonal() * rows.transpose();
       const VectorXd moved  = G * r.rho.col(k);
       const VectorXd slower = rows * by_square.cwiseProduct(rows.transpose() * r.rho.col(k));
       for (Index j = 0; j < s; ++j) {
@@ -235,7 +235,7 @@ PeriodicMotion free_motion(const CurveStand &stand, const Index mode, const doub
     }
     // The mode itself.
     const double scale = 1 / (tangent * tangent * amplitude);
-    miss[u]            = (1 - at[u]) + scale * rows.col(mode).dot(r.rho.col(1));
+    miss[u]            = (1 - positions[u]) + scale * rows.col(mode).dot(r.rho.col(1));
     if (slope) {
       (*slope)(u, u) = -1;
       for (Index i = 0; i < s; ++i)
@@ -280,8 +280,8 @@ PeriodicMotion forced_motion(const CurveStand &stand, const double frequency, co
       if (k > 0)
         x[j * b + h + k] = (near ? near->sine(j, k) : k == 1 ? -linear[j].imag() : 0.0) / rest[j];
     }
-  const auto equations = [&](const VectorXd &at, VectorXd &miss, MatrixXd *slope) {
-    const MatrixXd d   = as_series(at, rest, b);
+  const auto equations = [&](const VectorXd &positions, VectorXd &miss, MatrixXd *slope) {
+    const MatrixXd d   = as_series(positions, rest, b);
     const Remainders r = remainders(stand, basis, d);
     miss.resize(u);
     if (slope)
@@ -293,20 +293,20 @@ PeriodicMotion forced_motion(const CurveStand &stand, const double frequency, co
       const MatrixXcd &G    = between[std::size_t(k)];
       const VectorXcd moved = G * rho;
       for (Index j = 0; j < s; ++j) {
-        const Complex own = moved[j] - (k == 1 ? linear[j] : Complex(0));
-        miss[j * b + k]   = (d(j, k) + own.real()) / rest[j];
+        const Complex nonlinear_part = moved[j] - (k == 1 ? linear[j] : Complex(0));
+        miss[j * b + k]              = (d(j, k) + nonlinear_part.real()) / rest[j];
         if (k > 0)
-          miss[j * b + h + k] = (d(j, h + k) - own.imag()) / rest[j];
+          miss[j * b + h + k] = (d(j, h + k) - nonlinear_part.imag()) / rest[j];
         if (!slope)
           continue;
         for (Index i = 0; i < s; ++i) {
-          const double over  = rest[i] / rest[j];
-          const MatrixXd &of = r.slope[std::size_t(i)];
-          slope->row(j * b + k).segment(i * b, b) += over * G(j, i).real() * of.row(k);
+          const double over          = rest[i] / rest[j];
+          const MatrixXd &derivative = r.slope[std::size_t(i)];
+          slope->row(j * b + k).segment(i * b, b) += over * G(j, i).real() * derivative.row(k);
           if (k > 0) {
-            slope->row(j * b + k).segment(i * b, b) += over * G(j, i).imag() * of.row(h + k);
+            slope->row(j * b + k).segment(i * b, b) += over * G(j, i).imag() * derivative.row(h + k);
             slope->row(j * b + h + k).segment(i * b, b) +=
-                over * (G(j, i).real() * of.row(h + k) - G(j, i).imag() * of.row(k));
+                over * (G(j, i).real() * derivative.row(h + k) - G(j, i).imag() * derivative.row(k));
           }
         }
       }

@@ -8,8 +8,8 @@
 namespace mill::dynamics {
 namespace {
 constexpr int harmonics_kept = 9;
-// A spring whose compression follows a mode less than this, beside the one that follows it most, is not strained
-// by rounding alone.
+// A spring whose compression follows a mode less than this, relative to the one that follows it most, is not
+// strained by rounding alone.
 constexpr double no_strain = 1e-6;
 // Amplitudes over the one at which the first spring would part if it were linear; the first is the tangent's.
 constexpr double steps_of_amplitude[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1, 1.1, 1.2, 1.35, 1.5};
@@ -110,10 +110,10 @@ void follow_backbone(NonlinearMode &made, const CurveStand &stand, const Eigen::
 // it is bracketed, then by false position.
 double parting_force(const CurveStand &stand, const double frequency)
 {
-  PeriodicMotion at = forced_motion(stand, frequency, 1, harmonics_kept);
-  if (!at.found)
+  PeriodicMotion motion = forced_motion(stand, frequency, 1, harmonics_kept);
+  if (!motion.found)
     return not_given;
-  const double slope = 1 - least_compression(stand, at);  // per newton
+  const double slope = 1 - least_compression(stand, motion);  // per newton
   if (!(slope > 0))
     return not_given;
   double low = 0, gap_low = 1, high = 0, gap_high = 0, force = 0.5 / slope;
@@ -148,14 +148,14 @@ std::vector<double> harmonics_of(const ModalModel &model, const PeriodicMotion &
 {
   std::vector<double> most;
   for (const Eigen::Index roll : {Eigen::Index(upper_work_roll), Eigen::Index(lower_work_roll)}) {
-    std::vector<double> own;
+    std::vector<double> values;
     for (int h = 1; h <= 3; ++h) {
       const double w = 2 * M_PI * motion.frequency * h;
-      own.push_back(w * w *
-                    std::abs((model.point.row(roll).cast<std::complex<double>>() * motion.modal.col(h)).value()));
+      values.push_back(
+          w * w * std::abs((model.point.row(roll).cast<std::complex<double>>() * motion.modal.col(h)).value()));
     }
-    if (most.empty() || own[0] > most[0])
-      most = own;
+    if (most.empty() || values[0] > most[0])
+      most = values;
   }
   return most;
 }
@@ -210,7 +210,7 @@ double scale_to_part(const CurveStand &stand, const ModalModel &model, const For
       smallest = std::min(smallest, spring.least);
     return smallest;
   };
-  // A force falls nearly in proportion; below `parted` of the rest it counts as zero.
+  // A force falls nearly in proportion; below `parted` of the force at rest it is taken as zero.
   double low = 0, at_low = 1, high = not_given, scale = 1, now = least;
   try {
     for (int round = 0; round < 12; ++round) {

@@ -37,8 +37,8 @@ std::vector<double> spline_slopes(const std::vector<double> &x, const std::vecto
   return slope;
 }
 
-// Keeps the cubics rising whatever the samples: no slope below zero or above three times that of a chord beside
-// it. Source: F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238.
+// Keeps the cubics rising whatever the samples: no slope below zero or above three times that of a neighbouring
+// chord it. Source: F. N. Fritsch, R. E. Carlson, SIAM J. Numer. Anal. 17 (1980) 238.
 void keep_rising(const std::vector<double> &x, const std::vector<double> &y, std::vector<double> &slope)
 {
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
@@ -81,10 +81,10 @@ double SpringLaw::sampled_compression(const double load, double &slope) const
   const double a = span * slope_[i], b = span * slope_[i + 1];
   // Cubic Hermite form about the left end.
   const double c2 = 3 * rise - 2 * a - b, c3 = a + b - 2 * rise;
-  const double own   = compression_[i] * std::exp(t * (a + t * (c2 + t * c3)));
+  const double value = compression_[i] * std::exp(t * (a + t * (c2 + t * c3)));
   const double power = (a + t * (2 * c2 + 3 * t * c3)) / span;
-  slope              = own * power / load + compliance_;
-  return own + compliance_ * load;
+  slope              = value * power / load + compliance_;
+  return value + compliance_ * load;
 }
 
 SpringLaw SpringLaw::in_series_with(const double compliance) const

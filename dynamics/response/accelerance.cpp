@@ -67,8 +67,8 @@ Eigen::MatrixXcd accelerance(const ModalResponse &s, const double frequency)
 {
   const double w                    = 2 * M_PI * frequency;
   const Eigen::VectorXcd receptance = s.frequency.unaryExpr([&](const double f) {
-    const double own = 2 * M_PI * f;
-    return Complex(1) / Complex((own - w) * (own + w), 2 * s.damping * own * w);  // (32.3)
+    const double omega = 2 * M_PI * f;
+    return Complex(1) / Complex((omega - w) * (omega + w), 2 * s.damping * omega * w);  // (32.3)
   });
   Eigen::MatrixXcd y                = s.seen * receptance.asDiagonal() * s.pushed.transpose();
   if (s.gap_damper > 0) {  // (32.4)
@@ -121,9 +121,9 @@ Eigen::VectorXd frequencies_around(const Eigen::VectorXd &modes, const double da
     all.push_back(f);
   all.push_back(high);
   for (const double mode : modes)
-    for (const double at : {0.12, 0.25, 0.5, 0.75, 1., 1.5, 2., 3., 5., 8., 13.})
+    for (const double half_widths : {0.12, 0.25, 0.5, 0.75, 1., 1.5, 2., 3., 5., 8., 13.})
       for (const double side : {-1., 1.})
-        if (const double f = mode * (1 + side * at * half_width); f > low && f < high)
+        if (const double f = mode * (1 + side * half_widths * half_width); f > low && f < high)
           all.push_back(f);
   std::sort(all.begin(), all.end());
   all.erase(std::unique(all.begin(), all.end(), [](const double a, const double b) { return b - a < 1e-9 * b; }),

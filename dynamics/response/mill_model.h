@@ -38,7 +38,7 @@ struct MillModel {
 
 /// The vertical chain M1..M6 with the springs and dampers that belong to the meaning of the force.
 ///
-/// @param model     M1..M6 > 0 kg, K1..K7 >= 0 N/m, C N s/m (NaN counts as none)
+/// @param model     M1..M6 > 0 kg, K1..K7 >= 0 N/m, C N s/m (NaN: none)
 /// @param settings  force_meaning  measured:    F is the whole bite force, so K4 = C = 0
 ///                                 disturbance: F is the part that gap motion does not cause; K4 and C stay
 ///                                 published:   F acts in parallel with K4 and C, its mean included

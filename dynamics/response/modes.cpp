@@ -10,8 +10,8 @@ namespace mill::dynamics {
 namespace {
 double elongation(const Spring &spring, const Eigen::MatrixXd &shape, const Eigen::Index mode)
 {
-  const auto at = [&](const int mass) { return mass == ground ? 0 : shape(mass, mode); };
-  return at(spring.to) - at(spring.from);
+  const auto value_at = [&](const int mass) { return mass == ground ? 0 : shape(mass, mode); };
+  return value_at(spring.to) - value_at(spring.from);
 }
 
 void largest_component_positive(Eigen::MatrixXd &shape)
@@ -24,9 +24,9 @@ void largest_component_positive(Eigen::MatrixXd &shape)
   }
 }
 
-SolverError no_eigenvalues(const std::string &of)
+SolverError no_eigenvalues(const std::string &owner)
 {
-  return SolverError({"eigenvalues of " + of + ": no convergence", "after the iterations of a QR algorithm",
+  return SolverError({"eigenvalues of " + owner + ": no convergence", "after the iterations of a QR algorithm",
                       "a mass, stiffness or damping that is not a number", "check M1..M6, K1..K7 and C", ""});
 }
 
@@ -77,11 +77,11 @@ std::vector<Pole> poles(const MillModel &model)
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(state_space(model).A, false);
   if (solver.info() != Eigen::Success)
     throw no_eigenvalues("the damped lumped model");
-  std::vector<Pole> found;
+  std::vector<Pole> all_poles;
   for (const std::complex<double> lambda : solver.eigenvalues())
     if (lambda.imag() >= 0 && std::abs(lambda) > 0)  // of a pair the one above the axis
-      found.push_back(pole_of(lambda));
-  return sorted(found);
+      all_poles.push_back(pole_of(lambda));
+  return sorted(all_poles);
 }
 
 std::vector<Pole> loss_factor_poles(const MillModel &model, const std::string &name, const double eta)
@@ -102,9 +102,9 @@ std::vector<Pole> loss_factor_poles(const MillModel &model, const std::string &n
   const Eigen::ComplexEigenSolver<Eigen::MatrixXcd> solver(K, false);  // (6.15)
   if (solver.info() != Eigen::Success)
     throw no_eigenvalues("the lumped model with a loss factor");
-  std::vector<Pole> found;
+  std::vector<Pole> all_poles;
   for (const std::complex<double> mu : solver.eigenvalues())
-    found.push_back({std::sqrt(mu.real()) / (2 * M_PI), mu.imag() / (2 * mu.real())});
-  return sorted(found);
+    all_poles.push_back({std::sqrt(mu.real()) / (2 * M_PI), mu.imag() / (2 * mu.real())});
+  return sorted(all_poles);
 }
 }  // namespace mill::dynamics

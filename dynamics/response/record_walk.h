@@ -3,7 +3,7 @@
 #include <utility>
 
 namespace mill::dynamics {
-/// What has to be known of a whole record before it is walked sample by sample: one pass over it tells.
+/// Properties of a whole record that are needed before it is walked sample by sample; found in one pass over it.
 class RecordSurvey {
 public:
   void add(double time, double force);

@@ -74,15 +74,15 @@ Level level_between(const Eigen::VectorXd &time, const Eigen::VectorXd &signal, 
 Comparison compare(const Response &response, const MeasuredRecord &measured)
 {
   Comparison result;
-  result.begin      = std::max(response.time[0], measured.time[0]);
-  result.end        = std::min(response.time[response.time.size() - 1], measured.time[measured.time.size() - 1]);
-  const auto beside = [&](const Mass roll, const Eigen::VectorXd &record) {
+  result.begin        = std::max(response.time[0], measured.time[0]);
+  result.end          = std::min(response.time[response.time.size() - 1], measured.time[measured.time.size() - 1]);
+  const auto compared = [&](const Mass roll, const Eigen::VectorXd &record) {
     const Level computed = level_between(response.time, response.acceleration.col(roll), result.begin, result.end);
     const Level known    = level_between(measured.time, record, result.begin, result.end);
     return RollComparison{computed, known, computed.peak / known.peak, computed.rms / known.rms};
   };
-  result.upper_work_roll = beside(upper_work_roll, measured.upper_work_roll);
-  result.lower_work_roll = beside(lower_work_roll, measured.lower_work_roll);
+  result.upper_work_roll = compared(upper_work_roll, measured.upper_work_roll);
+  result.lower_work_roll = compared(lower_work_roll, measured.lower_work_roll);
   return result;
 }
 

@@ -49,7 +49,7 @@ Level level(const Eigen::VectorXd &acceleration);
 /// a peak may be seen up to 1.2 % low); empty when it is fine.
 std::string output_rate_warning(double output_rate, double highest_mode);
 
-/// One roll, computed beside measured.
+/// One roll, computed and measured.
 struct RollComparison {
   Level computed;
   Level measured;

@@ -22,7 +22,7 @@ struct ResponseBand {
   Eigen::MatrixXd peak_low, peak_high;  ///< (m, k) 1/kg, of the largest magnitude at a mode within the frequencies
 };
 
-/// Every sample moves all inputs at once, independent and log-normal, solves the modes anew in the space of those
+/// Every sample moves all inputs at once, independent and log-normal, solves the modes again in the space of those
 /// of the stand and sums over them; what the modes left out contribute stays as it is.  (32.6) to (32.8)
 /// @param all         every mode of the stand, m places, k forces
 /// @param n           modes that the inputs are known in

@@ -35,27 +35,27 @@ double damping_quotient(const double wa, const double za, const double wb, const
 
 SlopedStand sloped_stand(const MillModel &model, const Eigen::VectorXd &damping)
 {
-  const Modes own = modes(model);
-  require(damping.size() == own.frequency.size(), "every mode needs a damping ratio");
+  const Modes natural = modes(model);
+  require(damping.size() == natural.frequency.size(), "every mode needs a damping ratio");
   SlopedStand s;
-  s.frequency = 2 * M_PI * own.frequency;
-  s.shape     = own.shape;
+  s.frequency = 2 * M_PI * natural.frequency;
+  s.shape     = natural.shape;
   s.damping   = damping;
-  s.force     = own.shape.transpose() * model.b;
+  s.force     = natural.shape.transpose() * model.b;
   for (const Spring &spring : model.springs) {
     if (!(spring.stiffness > 0))
       continue;
-    Eigen::VectorXd strain = Eigen::VectorXd::Zero(own.shape.cols());
+    Eigen::VectorXd strain = Eigen::VectorXd::Zero(natural.shape.cols());
     if (spring.from != ground)
-      strain += own.shape.row(spring.from).transpose();
+      strain += natural.shape.row(spring.from).transpose();
     if (spring.to != ground)
-      strain -= own.shape.row(spring.to).transpose();
+      strain -= natural.shape.row(spring.to).transpose();
     s.names.push_back(spring.name);
     s.stiffness.push_back(spring.stiffness * strain * strain.transpose());
     s.mass.emplace_back();
   }
   for (Eigen::Index i = 0; i < model.M.size(); ++i) {
-    const Eigen::VectorXd row = own.shape.row(i).transpose();
+    const Eigen::VectorXd row = natural.shape.row(i).transpose();
     s.names.push_back("M" + std::to_string(i + 1));
     s.stiffness.emplace_back();
     s.mass.push_back(model.M[i] * row * row.transpose());

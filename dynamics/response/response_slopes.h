@@ -24,7 +24,7 @@ struct SlopedStand {
 SlopedStand sloped_stand(const MillModel &model, const Eigen::VectorXd &damping);
 
 /// Z_ab = 2 (zeta_a w_a - zeta_b w_b) / (w_a^2 - w_b^2), s: divided difference of the damping of two modes.  Two
-/// modes of one frequency take the mean of their ratios: no function of M^-1 K could tell them apart.  (43.4)
+/// modes of one frequency take the mean of their ratios: no function of M^-1 K could distinguish them.  (43.4)
 double damping_quotient(double wa, double za, double wb, double zb);
 
 /// Accelerations of places per newton of bite force at one frequency, with exact derivatives.

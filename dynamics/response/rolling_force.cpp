@@ -80,7 +80,7 @@ ForceStatistics force_statistics(const ForceRecord &record)
 std::string bandwidth_warning(const ForceStatistics &statistics, const double highest_mode)
 {
   if (statistics.bandwidth < highest_mode)
-    return "the rolling force is sampled at " + hertz(statistics.sample_rate) + " and says nothing above " +
+    return "the rolling force is sampled at " + hertz(statistics.sample_rate) + " and contains nothing above " +
            hertz(statistics.bandwidth) + ", but the highest mode is at " + hertz(highest_mode) +
            ": the accelerations of that mode are missing, not small";
   if (statistics.content < highest_mode)

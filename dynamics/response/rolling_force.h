@@ -13,7 +13,7 @@ struct ForceStatistics {
   double rms;          ///< N, of the deviation from the mean
   double duration;     ///< s
   double sample_rate;  ///< Hz, lines per second: (n - 1) / duration
-  double bandwidth;    ///< Hz, sample_rate / 2: no record tells anything above it
+  double bandwidth;    ///< Hz, sample_rate / 2: a record contains nothing above it
   double content;      ///< Hz, highest frequency whose power density is within 3 dB of the power-weighted mean
                        ///<     density; for white noise cut off at f this is f.  0 for a constant force
 };

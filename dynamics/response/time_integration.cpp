@@ -211,15 +211,15 @@ public:
     if (length == last_length_)
       return *last_;
     constexpr std::size_t most = 4096;
-    auto found                 = steps_.find(length);
-    if (found == steps_.end()) {
+    auto match                 = steps_.find(length);
+    if (match == steps_.end()) {
       ++n_prepared;
       if (steps_.size() == most)
         steps_.clear();
-      found = steps_.emplace(length, form_.over(length)).first;
+      match = steps_.emplace(length, form_.over(length)).first;
     }
     last_length_ = length;
-    return *(last_ = &found->second);
+    return *(last_ = &match->second);
   }
   Eigen::Index n_prepared = 0;
 

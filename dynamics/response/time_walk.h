@@ -12,7 +12,7 @@ struct OutputGrid {
 };
 
 /// Times written with few digits are even to about a millionth of their spacing; the force read there is that much
-/// of one sample's change beside the straight line.
+/// of one sample's change from the straight line.
 constexpr double evenness = 1e-6;
 
 /// Times of the outputs: from the first sample of the force to its last, both included when they fall on the grid.
@@ -28,7 +28,7 @@ struct Step {
 
 /// Samples and outputs on one fine grid: fine = spacing / per_sample = grid.step / per_output.
 struct CommonGrid {
-  double fine             = 0;  ///< s, 0: there is none
+  double fine             = 0;  ///< s, 0: none
   Eigen::Index per_sample = 0;  ///< -, fine steps between two samples
   Eigen::Index per_output = 0;  ///< -, fine steps between two outputs
 };

@@ -84,7 +84,7 @@ DelaySpectrum::DelaySpectrum(DelaySystem system) : system_(std::move(system))
   const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(V);
   const double error = (V * poles_.asDiagonal() * lu.inverse() - A).norm() / A.norm();
   if (modes.info() != Eigen::Success || !(error < 1e-7))
-    throw SolverError({"tandem: the modes without delay cannot be told apart", "",
+    throw SolverError({"tandem: the modes without delay are not distinguishable", "",
                        "two modes that coincide in frequency, damping and shape",
                        "change one of the stands by 0.1 %", ""});
   const Eigen::MatrixXcd left  = (scale_.asDiagonal() * system_.W).transpose() * V,
@@ -123,13 +123,13 @@ DelaySpectrum::Sample DelaySpectrum::sample_of_one(const Complex s) const
   }
   const double delay = system_.delay[0];
   const Complex late = std::exp(-s * delay);
-  Sample at;
-  at.f              = 1. - late * g0;
-  at.newton         = -at.f / (late * (delay * g0 + g1));
-  at.nearest        = std::sqrt(nearest);
-  const double size = std::abs(late / at.f);
-  at.term           = {size * std::abs(g0), size * std::abs(g1), size * std::abs(g2), size * rest};
-  return at;
+  Sample point;
+  point.f           = 1. - late * g0;
+  point.newton      = -point.f / (late * (delay * g0 + g1));
+  point.nearest     = std::sqrt(nearest);
+  const double size = std::abs(late / point.f);
+  point.term        = {size * std::abs(g0), size * std::abs(g1), size * std::abs(g2), size * rest};
+  return point;
 }
 
 DelaySpectrum::Sample DelaySpectrum::sample(const Complex s) const
@@ -157,10 +157,10 @@ DelaySpectrum::Sample DelaySpectrum::sample(const Complex s) const
   const Small L   = part(0);
   const Eigen::PartialPivLU<Small> lu(Small::Identity(m, m) - L);
   const Small back = lu.inverse();
-  Sample at;
-  at.f       = lu.determinant();
-  at.nearest = std::sqrt(nearest);
-  at.newton  = -1. / (back * (system_.delay.cast<Complex>().asDiagonal() * L + part(1))).trace();
+  Sample point;
+  point.f       = lu.determinant();
+  point.nearest = std::sqrt(nearest);
+  point.newton  = -1. / (back * (system_.delay.cast<Complex>().asDiagonal() * L + part(1))).trace();
   // det M does not change if rows and columns are scaled against each other: in a scale in which the loop
   // from stand to stand is balanced the norms say most about it.
   const std::array<double, most_delays> scale = balanced_scale(L);
@@ -172,25 +172,25 @@ DelaySpectrum::Sample DelaySpectrum::sample(const Complex s) const
     return std::sqrt(sum);
   };
   for (Eigen::Index p = 0; p < 3; ++p)
-    at.term[p] = norm((back * part(p)).eval());
-  at.term[3] = norm((back.cwiseAbs() * late.cwiseAbs() * rest.reshaped(m, m)).eval());
-  return at;
+    point.term[p] = norm((back * part(p)).eval());
+  point.term[3] = norm((back.cwiseAbs() * late.cwiseAbs() * rest.reshaped(m, m)).eval());
+  return point;
 }
 
 // Longest step over which M changes by less than safe_change of itself.  With G the undelayed loop, G(s + x) -
 // G(s) is three terms of its series and a remainder, which a sum of moduli bounds as long as x stays below half
 // the distance to the nearest pole; the delay turns G by at most |x| delay, and never by more than 2.
-double DelaySpectrum::step(const Sample &at, const double leftward) const
+double DelaySpectrum::step(const Sample &point, const double leftward) const
 {
   const double wanted = safe_change(system_.delay.size());
-  double x            = 0.5 * at.nearest;
+  double x            = 0.5 * point.nearest;
   if (longest_ > 0 && leftward > 0)
     x = std::min(x, 0.25 / longest_);
   const double louder = leftward > 0 ? std::exp(0.25) : 1.;  // exp(-x delay) on the way
   for (;; x *= 0.7) {
-    const double loop = x * (at.term[1] + x * (at.term[2] + x * at.term[3] / (1 - x / at.nearest)));
+    const double loop = x * (point.term[1] + x * (point.term[2] + x * point.term[3] / (1 - x / point.nearest)));
     const double late = std::min(2., x * longest_) * louder;
-    if (louder * loop + late * (at.term[0] + loop) <= wanted || !(x > 1e-300))
+    if (louder * loop + late * (point.term[0] + loop) <= wanted || !(x > 1e-300))
       return x;
   }
 }
@@ -202,11 +202,11 @@ double DelaySpectrum::turn(const Complex from, const Complex to, std::vector<Com
   const double length     = std::abs(to - from);
   const Complex direction = (to - from) / length;
   const double leftward   = std::max(0., -direction.real());
-  Sample at               = sample(from);
+  Sample point            = sample(from);
   double gone = 0, sum = 0;
   Complex s = from;
   for (int steps = 0; gone < length; ++steps) {
-    const double x = step(at, leftward);
+    const double x = step(point, leftward);
     if (!(x > 1e-15 * std::abs(s)) || steps > most_steps)
       throw SolverError({"tandem: the roots right of a line cannot be counted",
                          steps > most_steps ? "after " + std::to_string(most_steps) + " steps" : "",
@@ -215,12 +215,12 @@ double DelaySpectrum::turn(const Complex from, const Complex to, std::vector<Com
     gone              = std::min(length, gone + x);
     s                 = gone < length ? from + gone * direction : to;
     const Sample next = sample(s);
-    sum += std::arg(next.f / at.f);
+    sum += std::arg(next.f / point.f);
     const double distance = std::abs(next.newton);
     if (starts && distance * longest_ < 2 &&
         (starts->empty() || std::abs(s + next.newton - starts->back()) > 0.2 * distance))
       starts->push_back(s + next.newton);
-    at = next;
+    point = next;
   }
   return sum;
 }

@@ -86,13 +86,13 @@ public:
 
 private:
   Sample sample_of_one(std::complex<double> s) const;
-  double step(const Sample &at, double leftward) const;
+  double step(const Sample &point, double leftward) const;
   double turn(std::complex<double> from, std::complex<double> to, std::vector<std::complex<double>> *starts) const;
   double height(double c) const;
   int line_count(double c, std::vector<std::complex<double>> *starts) const;
   int box_count(std::complex<double> low, std::complex<double> high) const;
   bool newton(std::complex<double> &s) const;
-  void search_box(std::complex<double> low, std::complex<double> high, std::vector<std::complex<double>> &found,
+  void search_box(std::complex<double> low, std::complex<double> high, std::vector<std::complex<double>> &roots,
                   int depth) const;
   std::vector<std::complex<double>> starts_at_poles(double c) const;
 

@@ -85,7 +85,7 @@ int DelaySpectrum::box_count(const Complex low, const Complex high) const
 }
 
 // Completes `found` (roots of the upper half plane) in a box.
-void DelaySpectrum::search_box(const Complex low, const Complex high, std::vector<Complex> &found,
+void DelaySpectrum::search_box(const Complex low, const Complex high, std::vector<Complex> &roots,
                                const int depth) const
 {
   int wanted = 0;
@@ -95,13 +95,13 @@ void DelaySpectrum::search_box(const Complex low, const Complex high, std::vecto
     if (depth > 60)
       throw;
     const Complex more = 1e-3 * (high - low);
-    search_box(low - (low.imag() == -high.imag() ? Complex(more.real(), more.imag()) : more), high + more, found,
+    search_box(low - (low.imag() == -high.imag() ? Complex(more.real(), more.imag()) : more), high + more, roots,
                depth + 20);
     return;
   }
   const auto have = [&] {
     int n = 0;
-    for (const Complex &r : found)
+    for (const Complex &r : roots)
       n += int(inside(r, low, high)) + int(r.imag() > 0 && inside(std::conj(r), low, high));
     return n;
   };
@@ -111,52 +111,52 @@ void DelaySpectrum::search_box(const Complex low, const Complex high, std::vecto
     for (int j = 1; j < 8 && have() < wanted; j += 2) {
       Complex s(low.real() + (high - low).real() * i / 8, low.imag() + (high - low).imag() * j / 8);
       if (newton(s) && inside(s, low, high))
-        add(found, s);
+        add(roots, s);
     }
   for (const Complex &pole : poles_)
     if (have() < wanted && inside(pole, low, high))
       try {
         if (const Complex s = polished(pole).value; inside(s, low, high))
-          add(found, s);
+          add(roots, s);
       } catch (const SolverError &) {
       }
   if (have() >= wanted)
     return;
   const double size = std::abs(high - low);
   if (size < 1e-6 * (1 + std::abs(low)) || depth > 60) {
-    const auto one = std::find_if(found.begin(), found.end(), [&](const Complex &r) {
+    const auto one = std::find_if(roots.begin(), roots.end(), [&](const Complex &r) {
       return inside(r, low, high) || inside(std::conj(r), low, high);
     });
-    if (one == found.end())
+    if (one == roots.end())
       throw SolverError({"tandem: " + std::to_string(wanted) + " roots near " + std::to_string(low.real()) +
                              " + " + std::to_string(low.imag()) + " i 1/s could not be found",
                          "", "stands that are exactly alike", "change one of the stands by 0.1 %", ""});
     while (have() < wanted)  // a multiple root
-      found.push_back(Complex(*one));
+      roots.push_back(Complex(*one));
     return;
   }
   const Complex span = high - low;
   if (span.imag() > 4 * span.real() || (span.imag() > span.real() && low.imag() != -high.imag())) {
-    const double at = low.imag() == -high.imag() ? 0.377 * high.imag() : low.imag() + 0.4871 * span.imag();
+    const double position = low.imag() == -high.imag() ? 0.377 * high.imag() : low.imag() + 0.4871 * span.imag();
     if (low.imag() == -high.imag())
-      search_box({low.real(), -at}, {high.real(), at}, found, depth + 1);
+      search_box({low.real(), -position}, {high.real(), position}, roots, depth + 1);
     else
-      search_box(low, {high.real(), at}, found, depth + 1);
-    search_box({low.real(), at}, high, found, depth + 1);
+      search_box(low, {high.real(), position}, roots, depth + 1);
+    search_box({low.real(), position}, high, roots, depth + 1);
   } else {
-    const double at = low.real() + 0.4871 * span.real();
-    search_box(low, {at, high.imag()}, found, depth + 1);
-    search_box({at, low.imag()}, high, found, depth + 1);
+    const double position = low.real() + 0.4871 * span.real();
+    search_box(low, {position, high.imag()}, roots, depth + 1);
+    search_box({position, low.imag()}, high, roots, depth + 1);
   }
 }
 
 std::vector<Complex> DelaySpectrum::roots(const double c, const double limit) const
 {
-  std::vector<Complex> found;
+  std::vector<Complex> roots;
   if (active_.size() == 0) {
     for (const Complex &pole : poles_)
       if (pole.imag() >= 0)
-        found.push_back(pole);
+        roots.push_back(pole);
   } else {
     const double spacing        = longest_ > 0 ? 1 / longest_ : INFINITY;
     std::vector<Complex> starts = starts_at_poles(c);
@@ -166,14 +166,14 @@ std::vector<Complex> DelaySpectrum::roots(const double c, const double limit) co
     const auto settle           = [&] {
       for (Complex s : starts)
         if (newton(s))
-          add(found, s);
+          add(roots, s);
       starts.clear();
     };
     for (int lines = 0;; ++lines) {
       int beyond = 0;
       try {
         beyond = line_count(line, &starts);
-      } catch (const SolverError &) {  // a root on the line: beside it, the first line further left
+      } catch (const SolverError &) {  // a root on the line: take the first line further left
         if (lines > 500)
           throw;
         line += (wanted < 0 ? -1e-5 : 1e-5) * (1 + std::abs(line));
@@ -189,13 +189,13 @@ std::vector<Complex> DelaySpectrum::roots(const double c, const double limit) co
       line += std::isfinite(spacing) ? spacing : std::max(1., rightmost_pole - line + 1);
     }
     int have = 0;
-    for (const Complex &s : found)
+    for (const Complex &s : roots)
       have += s.real() > first ? (s.imag() > 0 ? 2 : 1) : 0;
     if (have != wanted)
-      search_box({first, -limit}, {line, limit}, found, 0);
+      search_box({first, -limit}, {line, limit}, roots, 0);
   }
   std::vector<Complex> all;
-  for (const Complex &s : found)
+  for (const Complex &s : roots)
     if (s.real() > c && s.imag() <= limit) {
       all.push_back(s);
       if (s.imag() > 0)
@@ -211,15 +211,15 @@ Complex DelaySpectrum::rightmost(const std::vector<Complex> &near) const
     return *std::max_element(poles_.begin(), poles_.end(), [](const Complex &a, const Complex &b) {
       return a.real() != b.real() ? a.real() < b.real() : a.imag() < b.imag();
     });
-  std::vector<Complex> found, starts = starts_at_poles(-INFINITY);
+  std::vector<Complex> all_roots, starts = starts_at_poles(-INFINITY);
   starts.insert(starts.end(), near.begin(), near.end());
   const auto best = [&] {
     for (Complex s : starts)
       if (newton(s))
-        add(found, s);
+        add(all_roots, s);
     starts.clear();
     Complex right(-INFINITY, 0);
-    for (const Complex &r : found)
+    for (const Complex &r : all_roots)
       if (r.real() > right.real())
         right = r;
     return right;
@@ -277,14 +277,14 @@ DelayRoot DelaySpectrum::polished(const Complex start) const
     T.diagonal().array() += s;
     return T;
   };
-  // Start of the shape by two inverse iterations a little beside the root.
+  // Start of the shape by two inverse iterations slightly shifted from the root.
   Complex s = start * (1 + 1e-10) + 1e-10;
   Eigen::VectorXcd z(n);
   for (Eigen::Index i = 0; i < n; ++i)
     z[i] = Complex(1 + 0.3 * std::sin(double(i)), 0.2 * std::cos(2. * double(i)));
-  const Eigen::PartialPivLU<Eigen::MatrixXcd> beside(bracket(s));
+  const Eigen::PartialPivLU<Eigen::MatrixXcd> shifted(bracket(s));
   for (int i = 0; i < 2; ++i)
-    z = beside.solve(z).normalized();
+    z = shifted.solve(z).normalized();
   const Eigen::RowVectorXcd fix = z.adjoint();
   s                             = start;
   for (int i = 0; i < 20; ++i) {

@@ -142,8 +142,8 @@ DelaySystem tandem_system(const TandemLine &line, const TandemPoint &point)
   system.A.setZero(size, size);
   system.U.setZero(size, stands - 1);
   system.W.setZero(size, stands - 1);
-  system.delay    = Eigen::Map<const Eigen::VectorXd>(point.delay.data(), stands - 1);
-  Eigen::Index at = 0;
+  system.delay       = Eigen::Map<const Eigen::VectorXd>(point.delay.data(), stands - 1);
+  Eigen::Index index = 0;
   for (Eigen::Index i = 0; i < stands; ++i) {
     const StandStructure &s = line.stands[i].structure;
     const Eigen::Index n = s.n(), back = motions + i, front = motions + i + 1;
@@ -152,15 +152,15 @@ DelaySystem tandem_system(const TandemLine &line, const TandemPoint &point)
                  exit             = line.strip_modulus / (i == stands - 1 ? line.exit_distance : line.distance[i]);
     const auto factors            = s.M.partialPivLu();
     const Eigen::VectorXd push    = factors.solve(s.b);
-    system.A.block(at, at + n, n, n).setIdentity();
-    system.A.block(at + n, at, n, n)     = F[0] * push * s.b.transpose() - factors.solve(s.K);
-    system.A.block(at + n, at + n, n, n) = F[1] * push * s.b.transpose() - factors.solve(s.C);
-    system.A.block(at + n, back, n, 1)   = F[2] * push;
-    system.A.block(at + n, front, n, 1)  = F[3] * push;
+    system.A.block(index, index + n, n, n).setIdentity();
+    system.A.block(index + n, index, n, n)     = F[0] * push * s.b.transpose() - factors.solve(s.K);
+    system.A.block(index + n, index + n, n, n) = F[1] * push * s.b.transpose() - factors.solve(s.C);
+    system.A.block(index + n, back, n, 1)      = F[2] * push;
+    system.A.block(index + n, front, n, 1)     = F[3] * push;
     // (28.2): the strip before the stand is drawn out by what enters, that behind it slackened by what leaves
     const auto draw = [&](const Eigen::Index tension, const double rate, const bite::StripRow &by) {
-      system.A.block(tension, at, 1, n) += rate * by[0] * s.b.transpose();
-      system.A.block(tension, at + n, 1, n) += rate * by[1] * s.b.transpose();
+      system.A.block(tension, index, 1, n) += rate * by[0] * s.b.transpose();
+      system.A.block(tension, index + n, 1, n) += rate * by[1] * s.b.transpose();
       system.A(tension, back) += rate * by[2];
       system.A(tension, front) += rate * by[3];
       if (i > 0)
@@ -169,10 +169,10 @@ DelaySystem tandem_system(const TandemLine &line, const TandemPoint &point)
     draw(back, entry, P);
     draw(front, -exit, Q);
     if (i > 0)
-      system.U.block(at + n, i - 1, n, 1) = F[4] * push;
+      system.U.block(index + n, i - 1, n, 1) = F[4] * push;
     if (i + 1 < stands)
-      system.W.block(at, i, n, 1) = s.b;  // to first order the strip leaves as thick as the gap
-    at += 2 * n;
+      system.W.block(index, i, n, 1) = s.b;  // to first order the strip leaves as thick as the gap
+    index += 2 * n;
   }
   return system;
 }

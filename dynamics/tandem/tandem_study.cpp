@@ -80,11 +80,11 @@ std::vector<TandemShare> shares(const TandemLine &line, const DelayRoot &root)
 {
   std::vector<TandemShare> all;
   std::vector<Complex> gap;
-  Eigen::Index at = 0;
+  Eigen::Index index = 0;
   for (const TandemStand &stand : line.stands) {
     const Eigen::Index n = stand.structure.n();
-    gap.push_back(stand.structure.b.dot(root.shape.segment(at, n)));
-    at += 2 * n;
+    gap.push_back(stand.structure.b.dot(root.shape.segment(index, n)));
+    index += 2 * n;
   }
   const Complex largest =
       *std::max_element(gap.begin(), gap.end(), [](auto a, auto b) { return std::abs(a) < std::abs(b); });

@@ -57,22 +57,22 @@ void each_line_point(const Surface &surface, const RacewayLine &line, const doub
         const Eigen::Vector3d Ns = line_shape(3, s), Nt = line_shape(3, t);
         const Eigen::Vector3d Ds(4 * s - 3, 4 - 8 * s, 4 * s - 1), Dt(4 * t - 3, 4 - 8 * t, 4 * t - 1);
         LinePoint point;
-        Eigen::RowVector3d at = Eigen::RowVector3d::Zero(), by_s = at, by_t = at;
+        Eigen::RowVector3d position = Eigen::RowVector3d::Zero(), by_s = position, by_t = position;
         for (int j = 0; j < 3; ++j)
           for (int i = 0; i < 3; ++i) {
             const int k                 = i + 3 * j;
             point.shape[std::size_t(k)] = Ns[i] * Nt[j];
-            at += Ns[i] * Nt[j] * X.row(k);
+            position += Ns[i] * Nt[j] * X.row(k);
             by_s += Ds[i] * Nt[j] * X.row(k);
             by_t += Ns[i] * Dt[j] * X.row(k);
           }
-        const double r = at.head<2>().norm(), c = at[0] / r, sn = at[1] / r;
+        const double r = position.head<2>().norm(), c = position[0] / r, sn = position[1] / r;
         const auto around = [&](const Eigen::RowVector3d &d) { return (c * d[1] - sn * d[0]) / r; };
         const auto along  = [&](const Eigen::RowVector3d &d) {
           return (c * d[0] + sn * d[1]) * line.along[0] + d[2] * line.along[1];
         };
-        point.psi    = std::atan2(at[1], at[0]);
-        point.x      = (Eigen::Vector2d(r, at[2]) - line.middle).dot(line.along);
+        point.psi    = std::atan2(position[1], position[0]);
+        point.x      = (Eigen::Vector2d(r, position[2]) - line.middle).dot(line.along);
         point.weight = 0.25 * gauss.weight[gs] * gauss.weight[gt] *
                        std::abs(around(by_s) * along(by_t) - around(by_t) * along(by_s));
         point.nodes = nodes.data();

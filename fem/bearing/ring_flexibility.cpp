@@ -56,7 +56,7 @@ private:
   Eigen::MatrixXd loads;
 };
 
-// One ring harmonic by harmonic, and the raceway that the law of one roller counts.
+// One ring harmonic by harmonic, and the raceway whose deformation is part of the law of one roller.
 class Ring {
 public:
   Ring(const RingSection &ring, const MeshFile &whole_mesh, const MeshFile &raceway_mesh, const Material &material,

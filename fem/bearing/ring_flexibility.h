@@ -8,7 +8,7 @@
 namespace mill::fem {
 struct RingOptions {
   int modes           = 3;     ///< Legendre polynomials along a roller
-  int chock_harmonics = 8;     ///< for which a block is told from a round housing
+  int chock_harmonics = 8;     ///< for which a block differs from a round housing
   int last_harmonic   = 80;    ///< at which the series ends at the latest
   double share        = 1e-4;  ///< -, of the sum, below which harmonics are left out
 };
@@ -27,7 +27,7 @@ struct RingResult {
 };
 
 /// How far rings, neck and chock deflect under the rollers beyond the raceway pieces that the law of one roller
-/// counts. Bodies of revolution by one factorisation per harmonic; the block by one per symmetry case.  theory.md
+/// contains. Bodies of revolution by one factorisation per harmonic; the block by one per symmetry case. theory.md
 /// 15
 /// @param meshes  of these sections
 /// @param coarse  a coarser set, for companion and error estimate; null: none (error_estimate 0)

@@ -37,9 +37,9 @@ std::vector<int> in_grid_order(const ElasticBody &body, const PatchGrid &half)
 }
 
 // Flexibility of a piece of raceway for both parities about mid-length.
-CondensedRoller::Parities condense_raceway(const MeshFile &mesh, const PatchGrid &half, CondensedRoller &counts)
+CondensedRoller::Parities condense_raceway(const MeshFile &mesh, const PatchGrid &half, CondensedRoller &condensed)
 {
-  const ElasticBody body(mesh, counts.setup.material, 2);
+  const ElasticBody body(mesh, condensed.setup.material, 2);
   const std::vector<int> patch = in_grid_order(body, half);
   const auto symmetry          = [&](const bool odd) {
     const FreeUnknowns f = free_unknowns(body.unit_stiffness(), held_raceway(body, odd));
@@ -50,8 +50,8 @@ CondensedRoller::Parities condense_raceway(const MeshFile &mesh, const PatchGrid
         retained.push_back(place);
       }
     const CondensingFactor factor(f.K, f.node, retained);
-    counts.factor_bytes = std::max(counts.factor_bytes, factor.cost().bytes);
-    counts.n_unknowns += odd ? 0 : int(f.unknown.size());
+    condensed.factor_bytes = std::max(condensed.factor_bytes, factor.cost().bytes);
+    condensed.n_unknowns += odd ? 0 : int(f.unknown.size());
     const Eigen::MatrixXd C = inverse_from_factor(factor.schur_factor()) / body.stiffness_unit();
     return rows_and_columns(C, row, row);
   };

@@ -9,7 +9,7 @@ namespace mill::fem {
 /// @param drop            (x from mid-roller, m) -> m, profile of one contact; the law's is that of both.  May be
 ///                        empty
 /// @param reference_load  N, at which every slice load is spread as Hertz has it.  0: e times setup.largest_load,
-///                        below which each slice yields more the more it carries, whatever the others do
+///                        below which each slice yields more the more it carries, independent of the others
 /// @throws InputError  no slice, or a reference load that spreads wider than the mesh of the contact
 /// Cost: two products of the flexibilities with (nodes, slices) matrices.
 bearing::RollerLaw fe_roller_law(const CondensedRoller &roller, int slices,

@@ -214,7 +214,7 @@ FrictionalBodies pair_with_friction(const PlacedBody &slave, const PlacedBody &m
   for (Eigen::Index i = n; i < d * n; ++i)
     if (frame.row(i).squaredNorm() == 0)
       p.C(i, i) = spring;
-  // What loads open beforehand is no slip: tangential openings count from that state.
+  // What loads open beforehand is not slip: tangential openings are measured from that state.
   const Eigen::VectorXd loaded =
       D * whole_response(master, options.master_load) - B * whole_response(slave, options.slave_load);
   p.initial_gap = out.coupling.mean * gap_at_points(out.coupling, options) + loaded.head(n);

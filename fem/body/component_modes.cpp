@@ -8,7 +8,7 @@
 
 namespace mill::fem {
 namespace {
-// T and M of a part in units that make eigenvalues of order one, whatever size and unit the body is given in.
+// T and M of a part in units that make eigenvalues of order one, for every size and unit of the body.
 struct ScaledPart {
   const PartModel *part;
   double force, mass;  // N/m, kg
@@ -124,11 +124,11 @@ Component component_modes(const PartModel &part, const PartInterface &interface,
       return modes.frequency[k.frequency.size()] >= 2 * choice.frequency_limit &&
              largest_share(M_ii, K_ii, k, choice.frequency_limit) <= choice.residual_share;
     };
-    bool found = false;
-    for (int asked = 10; !found; asked *= 2) {
+    bool complete = false;
+    for (int asked = 10; !complete; asked *= 2) {
       const Eigen::MatrixXd coupling = solve(asked);
-      for (int n = 0; n < asked && !found; ++n)
-        found = enough(kept = keep(modes, coupling, all, n));
+      for (int n = 0; n < asked && !complete; ++n)
+        complete = enough(kept = keep(modes, coupling, all, n));
     }
   }
 

@@ -8,7 +8,7 @@ struct ModeChoice {
   int n_modes            = -1;  ///< exactly so many; -1: by the limit
   double frequency_limit = 0;   ///< Hz, up to which the component is meant to be used
   double reach           = 0;   ///< Hz, of the mesh (mesh_reach); 0: not checked
-  /// By the limit: modes are added until none of an assembly's modes up to the limit can be too high by more than
+  /// By the limit: modes are added until no mode of an assembly up to the limit can be too high by more than
   /// this share, (21.10).
   double residual_share = 1e-3;  ///< -
 };

@@ -19,7 +19,7 @@ public:
   ElasticBody(ElasticBody &&) noexcept;
 
   /// (3N, 3N) upper triangle, in units of stiffness_unit(): of a body as large as its mesh on disk and of modulus
-  /// one, so that rounding is the same whatever size, unit or modulus the body is given in.  Assembled when first
+  /// one, so that rounding is the same for every size, unit and modulus of the body.  Assembled when first
   /// asked for, about 0.1 ms per quadratic element and thread.
   const SymmetricSparse &unit_stiffness() const;
   double stiffness_unit() const;  ///< N/m

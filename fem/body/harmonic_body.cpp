@@ -10,7 +10,7 @@ namespace mill::fem {
 namespace {
 enum Component { u_r = 0, u_theta = 1, u_z = 2 };
 
-// Group of the mesh, empty if it has none of that name.
+// Group of the mesh, empty if it has no group of that name.
 std::vector<int> group_or_none(const SectionBody &body, const std::string &name)
 {
   try {
@@ -163,10 +163,10 @@ Eigen::MatrixXd raceway_loads(const SectionBody &body, const std::string &group,
   const auto last       = raceway.faces.cols() - 1;
   Eigen::MatrixXd out   = Eigen::MatrixXd::Zero(3 * body.nodes().rows(), modes);
   for (Eigen::Index f = 0; f < raceway.faces.rows(); ++f) {
-    const auto at = [&](const Eigen::Index corner) {
+    const auto value_at = [&](const Eigen::Index corner) {
       return (raceway.points.row(raceway.faces(f, corner)).transpose() - line.middle).dot(line.along);
     };
-    const double from = at(0), to = at(last);
+    const double from = value_at(0), to = value_at(last);
     for (Eigen::Index g = 0; g < gauss.node.size(); ++g) {
       const double s = 0.5 * (1 + gauss.node[g]), x = from + s * (to - from);
       const Eigen::VectorXd P = legendre(2 * x / length, modes), N = line_shape(last + 1, s);

@@ -46,11 +46,12 @@ LowestModes lowest_modes(const std::string &what, const SymmetricOperator &T, co
   Spectra::SymGEigsShiftSolver<Applied, Applied, Spectra::GEigsMode::ShiftInvert> solver(inverse, mass, n_modes,
                                                                                          n_lanczos, 0.);
   solver.init(start.data());
-  const auto found = solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-12, Spectra::SortRule::SmallestAlge);
-  if (found < n_modes || solver.info() != Spectra::CompInfo::Successful)
-    throw SolverError({std::to_string(found) + " of " + std::to_string(n_modes) + " " + what + " converged",
+  const auto n_converged =
+      solver.compute(Spectra::SortRule::LargestMagn, 300, 1e-12, Spectra::SortRule::SmallestAlge);
+  if (n_converged < n_modes || solver.info() != Spectra::CompInfo::Successful)
+    throw SolverError({std::to_string(n_converged) + " of " + std::to_string(n_modes) + " " + what + " converged",
                        "after " + std::to_string(solver.num_iterations()) + " restarts of the Lanczos iteration",
-                       "more modes than the mesh can tell apart", "ask for fewer modes or use a finer mesh", ""});
+                       "more modes than the mesh can distinguish", "ask for fewer modes or use a finer mesh", ""});
   out.frequency = solver.eigenvalues().cwiseMax(0).cwiseSqrt();
   out.shapes    = solver.eigenvectors();
   for (int k = 0; k < n_modes; ++k)  // once more through T: what rounding put outside its range goes

@@ -18,11 +18,11 @@ std::string library_version()
 const OnMesh &on_mesh()
 {
   static const OnMesh &opened = []() -> const OnMesh & {
-    const OnMesh &found = found_on_mesh();
+    const OnMesh &bodies = found_on_mesh();
     if (threads_wanted > 0)
-      found.use_threads(threads_wanted);
+      bodies.use_threads(threads_wanted);
     is_open = true;
-    return found;
+    return bodies;
   }();
   return opened;
 }

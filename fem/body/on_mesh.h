@@ -27,7 +27,7 @@ struct UnitStiffness {
   double volume = 0;       ///< m3
 };
 
-/// A body of hexahedra, read.  Its functions compute anew with each call.
+/// A body of hexahedra, read.  Its functions compute again with each call.
 struct SolidOnMesh {
   Eigen::Matrix<double, Eigen::Dynamic, 3> nodes;  ///< (N, 3) m
   std::map<std::string, std::vector<int>> groups;  ///< nodes of the boundary groups, ascending
@@ -63,7 +63,7 @@ struct CellPoint {
 };
 using VisitSection = std::function<void(const std::vector<int> &nodes, const std::vector<CellPoint> &points)>;
 
-/// A plane or meridian section of quadrilaterals, read.  Its functions compute anew with each call.
+/// A plane or meridian section of quadrilaterals, read.  Its functions compute again with each call.
 struct SectionOnMesh {
   bool readable = false;                           ///< the file has quadrilaterals in a plane, and nothing else
   Eigen::Matrix<double, Eigen::Dynamic, 2> nodes;  ///< (N, 2) m
@@ -85,7 +85,7 @@ struct OnMesh {
 };
 
 /// Opened at the first call.
-/// @throws SystemError  the library is not beside the program
+/// @throws SystemError  the library is not in the folder of the program
 const OnMesh &on_mesh();
 /// The same, as a program finds it: linked in (fem/dealii) or opened (opened_on_mesh.cpp).
 const OnMesh &found_on_mesh();

@@ -89,8 +89,14 @@ int PartModel::n_unknowns() const
 }
 double PartModel::mass() const
 {
+  // One by one, not M.sum(): Eigen sums packets from the first aligned address, and a sparse matrix lies at any
+  // multiple of 16 bytes.  Which one depends on the schedule, and Lanczos' iteration makes 1e-11 of the last bit.
   const SymmetricSparse &M = self->body->mass();
-  return copies() * (2 * M.sum() - M.diagonal().sum());
+  double sum               = 0;
+  for (Eigen::Index j = 0; j < M.outerSize(); ++j)
+    for (SymmetricSparse::InnerIterator entry(M, j); entry; ++entry)
+      sum += (entry.row() == j ? 1 : 2) * entry.value();
+  return copies() * sum;
 }
 double PartModel::time_unit() const
 {
@@ -157,15 +163,15 @@ BorderedPart::BorderedPart(const PartModel &p, const PartInterface &i) : part(&p
   GW = p.solve(W);
   Eigen::MatrixXd border(n + r, n + r);
   border << W.transpose() * GW, WR, WR.transpose(), Eigen::MatrixXd::Zero(r, r);
-  // In equal units: flexibilities are of order 1e-11 m/N beside entries of order one.
+  // In equal units: flexibilities are of order 1e-11 m/N, next to entries of order one.
   const double scale = border.topLeftCorner(n, n).diagonal().mean();
   Eigen::VectorXd s  = Eigen::VectorXd::Constant(n + r, 1 / std::sqrt(scale));
   s.tail(r).setConstant(std::sqrt(scale));
   const Eigen::FullPivLU<Eigen::MatrixXd> lu(s.asDiagonal() * border * s.asDiagonal());
   if (!lu.isInvertible())
     throw InputError("the interface displacements of the " + p.name() +
-                     " depend on each other: two of them are the same, or more are given than the mesh can tell "
-                     "apart; leave some out or use a finer mesh");
+                     " depend on each other: two of them are the same, or more are given than the mesh can "
+                     "distinguish; leave some out or use a finer mesh");
   border_inverse   = s.asDiagonal() * lu.inverse() * s.asDiagonal();
   reactions        = border_inverse.topLeftCorner(n, n);
   reactions        = 0.5 * (reactions + reactions.transpose()).eval();

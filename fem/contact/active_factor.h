@@ -13,7 +13,7 @@ struct Border {
 };
 
 /// Cholesky factor of C_AA for a set A that grows and shrinks by a few nodes at a time, with the forward-solved
-/// right-hand sides X = L^-1 B_A beside it.  theory.md 9
+/// right-hand sides X = L^-1 B_A next to it.  theory.md 9
 ///
 /// Growing appends rows and shrinking adds rank-one terms: both are stable for any positive definite C, no
 /// downdate occurs.  Nodes keep the order in which they came, so those that come last go cheapest.
@@ -23,10 +23,10 @@ public:
   /// @param rhs  (n, c) right-hand sides B
   ActiveFactor(const Eigen::MatrixXd &C, Eigen::MatrixXd rhs);
 
-  /// A = order, factorised anew.  Cost a^3 / 3.
+  /// A = order, factorised again.  Cost a^3 / 3.
   /// @throws SolverError  C_AA not positive definite
   void reset(const std::vector<int> &order);
-  /// Takes nodes out.  One: a rank-one update, 2 t^2 with t nodes behind it.  Several: the trailing block anew.
+  /// Takes nodes out.  One: a rank-one update, 2 t^2 with t nodes behind it.  Several: the trailing block again.
   void remove(const std::vector<int> &nodes);
   /// Cost a^2 m.
   Border border(const std::vector<int> &nodes) const;

@@ -141,7 +141,7 @@ struct ActiveSet::Implementation {
   std::unique_ptr<ActiveSet> coarse;
   bool warm = false;
 
-  // A second gap of zero beside the true one: the part that changes along a path (continuation).
+  // A second gap of zero in addition to the true one: the part that changes along a path (continuation).
   static Eigen::MatrixXd with_path(const Eigen::VectorXd &gap)
   {
     Eigen::MatrixXd out = Eigen::MatrixXd::Zero(gap.size(), 2);
@@ -365,7 +365,7 @@ struct ActiveSet::Implementation {
       try {
         State s          = solve(held, {});
         const auto lever = modes.rhs.col(j);
-        // 1e-10 as for the residual of an active set, of a lever as long as the longest
+        // 1e-10 as for the residual of an active set, of an arm as long as the longest
         if (std::abs(lever.dot(s.nodal)) <= 1e-10 * lever.cwiseAbs().maxCoeff() * s.nodal.sum())
           return s;
       } catch (const SolverError &) {  // another one is not determined either

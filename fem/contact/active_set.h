@@ -11,7 +11,7 @@ struct ScaledModes;
 ///
 /// Each iteration evaluates the conditions on all nodes for the present set, and then settles the nodes in doubt
 /// (those that violate a condition, and their next of kin by force or gap) against each other exactly, with all
-/// others held.  It ends when no node of all violates a condition: there is no tolerance to choose and no penalty.
+/// others held.  It ends when no node violates a condition: there is no tolerance to choose and no penalty.
 /// A cold start takes its set from the same problem on groups of neighbouring nodes.  When the exchange does not
 /// end, the set is followed from a known equilibrium by continuation (continuation.h), which ends for every
 /// positive definite C.  theory.md 9

@@ -16,15 +16,15 @@ struct Slopes {
 };
 
 Slopes slopes(const ActiveFactor &factor, const ScaledModes &modes, const Loading &constant, const Loading &linear,
-              const double at, const ModeState &here)
+              const double coordinate, const ModeState &here)
 {
   Slopes out;
   out.gram   = factor.gram();
   out.linear = solve_modes(out.gram, modes, linear, 1);
   // A free motion that too few nodes determine goes on from where it is.
   ModeState near = here;
-  near.motion -= at * out.linear.motion;
-  near.resultant -= at * out.linear.resultant;
+  near.motion -= coordinate * out.linear.motion;
+  near.resultant -= coordinate * out.linear.resultant;
   out.constant = solve_modes(out.gram, modes, constant, 0, &near);
   Eigen::MatrixXd c(modes.rhs.cols(), 2);
   c << closing(out.constant, modes, 0), closing(out.linear, modes, 1);
@@ -43,15 +43,15 @@ Slopes slopes(const ActiveFactor &factor, const ScaledModes &modes, const Loadin
 const char *const outside =
     "no equilibrium next to this one: the line of action leaves the contact, or a free motion would jump";
 
-[[noreturn]] void lost(const double at, const std::string &why)
+[[noreturn]] void lost(const double place, const std::string &why)
 {
-  throw SolverError({"contact: the path ends before its end", "at " + std::to_string(at) + " of the way", why,
+  throw SolverError({"contact: the path ends before its end", "at " + std::to_string(place) + " of the way", why,
                      "impose motions instead of resultants, or shorten the path", ""});
 }
 
 // Which of the nodes without force and gap touch from here on: complementarity of the derivatives.
 void settle(ActiveFactor &factor, const ScaledModes &modes, const Loading &linear, const std::vector<int> &ties,
-            const std::vector<char> &guess, const double at)
+            const std::vector<char> &guess, const double place)
 {
   std::vector<int> inside;
   for (const int i : ties)
@@ -66,7 +66,7 @@ void settle(ActiveFactor &factor, const ScaledModes &modes, const Loading &linea
     chosen = candidates_in_contact(border.S, border.rhs, gram, modes, linear, std::vector<char>(ties.size(), 1),
                                    rate, 1);
   if (chosen.empty())
-    lost(at, outside);
+    lost(place, outside);
   factor.append(border, chosen);
 }
 }  // namespace
@@ -76,7 +76,7 @@ void follow_path(ActiveFactor &factor, const ScaledModes &modes, const Loading &
                  const std::function<void(const PathStep &)> &seen)
 {
   const int n              = int(factor.rhs().rows());
-  double at                = 0;
+  double coordinate        = 0;
   ModeState here           = start;
   std::vector<int> ties    = touching;
   std::vector<char> before = factor.indicator();
@@ -84,11 +84,11 @@ void follow_path(ActiveFactor &factor, const ScaledModes &modes, const Loading &
   std::vector<char> guess(ties.size(), 1);
   for (int event = 0; event <= 100 * n + 100; ++event) {
     if (!ties.empty())
-      settle(factor, modes, linear, ties, guess, at);
-    const Slopes s = slopes(factor, modes, constant, linear, at, here);
+      settle(factor, modes, linear, ties, guess, coordinate);
+    const Slopes s = slopes(factor, modes, constant, linear, coordinate, here);
     if (std::max(s.constant.missing, s.linear.missing) > 1e-9)  // rounding of an equation that holds: 1e-13
-      lost(at, outside);
-    PathStep step{at, s.constant, s.linear, gram, s.gram, {}, {}};
+      lost(coordinate, outside);
+    PathStep step{coordinate, s.constant, s.linear, gram, s.gram, {}, {}};
     const std::vector<char> now = factor.indicator();
     for (int i = 0; i < n; ++i)
       if (now[i] != before[i])
@@ -96,10 +96,10 @@ void follow_path(ActiveFactor &factor, const ScaledModes &modes, const Loading &
     seen(step);
     before = now;
     gram   = s.gram;
-    if (at >= 1)
+    if (coordinate >= 1)
       return;
     if (!s.gap.allFinite() || !s.nodal.allFinite())
-      lost(at, "no equilibrium");
+      lost(coordinate, "no equilibrium");
 
     // The next zero of a force or a gap; a node settled just now stays as it is while it moves by rounding only.
     std::vector<char> settled(n, 0);
@@ -112,13 +112,13 @@ void follow_path(ActiveFactor &factor, const ScaledModes &modes, const Loading &
       if (side(i, 1) >= 0)
         continue;
       const double zero = -side(i, 0) / side(i, 1);
-      if (zero < next && !(settled[i] && zero <= at + 1e-11)) {
-        next  = std::max(at, zero);
+      if (zero < next && !(settled[i] && zero <= coordinate + 1e-11)) {
+        next  = std::max(coordinate, zero);
         first = i;
       }
     }
     // Not moved: what was tied stays tied, so that the same place is settled for more nodes each time.
-    const std::vector<int> still = next - at <= 1e-13 ? ties : std::vector<int>{};
+    const std::vector<int> still = next - coordinate <= 1e-13 ? ties : std::vector<int>{};
     const double force           = (s.nodal.col(0).cwiseAbs() + next * s.nodal.col(1).cwiseAbs()).maxCoeff();
     ties.clear();
     guess.clear();
@@ -133,11 +133,11 @@ void follow_path(ActiveFactor &factor, const ScaledModes &modes, const Loading &
           guess.push_back(slope < 0 ? !now[i] : now[i]);
         }
       }
-    at             = next;
-    here.motion    = s.constant.motion + at * s.linear.motion;
-    here.resultant = s.constant.resultant + at * s.linear.resultant;
+    coordinate     = next;
+    here.motion    = s.constant.motion + coordinate * s.linear.motion;
+    here.resultant = s.constant.resultant + coordinate * s.linear.resultant;
   }
-  lost(at, "more events than a path of this size can have");
+  lost(coordinate, "more events than a path of this size can have");
 }
 
 Path follow(ActiveSet &solver, const Loading &from, const Loading &to)
@@ -178,17 +178,17 @@ Path follow(ActiveSet &solver, const Loading &from, const Loading &to)
   return path;
 }
 
-PathPoint sample(const Path &path, const double at)
+PathPoint sample(const Path &path, const double point)
 {
-  if (!(at >= 0 && at <= 1) || path.events.empty())
-    throw InputError("continuation: a path is sampled between 0 and 1, not at " + std::to_string(at));
+  if (!(point >= 0 && point <= 1) || path.events.empty())
+    throw InputError("continuation: a path is sampled between 0 and 1, not at " + std::to_string(point));
   std::size_t i = 1;
-  while (i + 1 < path.events.size() && path.events[i].at <= at)
+  while (i + 1 < path.events.size() && path.events[i].at <= point)
     ++i;
   if (path.events.size() == 1)
     return {path.events[0].motion, path.events[0].resultant, path.events[0].stiffness_after};
   const Event &a = path.events[i - 1], &b = path.events[i];
-  const double weight = b.at > a.at ? (at - a.at) / (b.at - a.at) : 1.;
+  const double weight = b.at > a.at ? (point - a.at) / (b.at - a.at) : 1.;
   return {a.motion + weight * (b.motion - a.motion), a.resultant + weight * (b.resultant - a.resultant),
           a.stiffness_after};
 }

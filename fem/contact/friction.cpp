@@ -377,20 +377,20 @@ struct FrictionSolver::Implementation {
     if (nothing_touches)
       s = first_guess(loading);
     Iterate it;
-    int iterations = 1;
-    Sets found     = s;
-    bool done      = newton(found, loading, nullptr, it, iterations);
+    int iterations   = 1;
+    Sets solved_sets = s;
+    bool done        = newton(solved_sets, loading, nullptr, it, iterations);
     if (!done) {
-      const bool slides = std::none_of(found.status.begin(), found.status.end(),
+      const bool slides = std::none_of(solved_sets.status.begin(), solved_sets.status.end(),
                                        [](const Status x) { return x == Status::stick; });
-      found             = s;
-      done              = with_frozen_bounds(found, loading, it, iterations);
+      solved_sets       = s;
+      done              = with_frozen_bounds(solved_sets, loading, it, iterations);
       if (!done)
-        fail(slides || std::none_of(found.status.begin(), found.status.end(),
+        fail(slides || std::none_of(solved_sets.status.begin(), solved_sets.status.end(),
                                     [](const Status x) { return x == Status::stick; }));
     }
     FrictionState out;
-    out.residual      = residual(found, it);
+    out.residual      = residual(solved_sets, it);
     out.iterations    = iterations;
     out.motion        = it.modes.motion.cwiseQuotient(modes.scale);
     out.resultant     = it.modes.resultant.cwiseProduct(modes.scale);
@@ -399,17 +399,17 @@ struct FrictionSolver::Implementation {
     out.gap           = it.opening.head(n).cwiseMax(0);
     out.increment     = -it.opening.tail(n * d);
     for (int i = 0; i < n; ++i) {
-      if (found.status[i] != Status::open)
+      if (solved_sets.status[i] != Status::open)
         out.gap[i] = 0;
-      if (found.status[i] == Status::stick)
+      if (solved_sets.status[i] == Status::stick)
         for (int c = 0; c < d; ++c)
           out.increment[c * n + i] = 0;
     }
     out.slip       = last.slip + out.increment;
     out.stiffness  = contact::tangents(it.gram, modes).stiffness;
-    out.status     = found.status;
+    out.status     = solved_sets.status;
     out.dissipated = out.nodal.tail(n * d).dot(out.increment);
-    sets           = found;
+    sets           = solved_sets;
     last           = out;
     return last;
   }

@@ -48,7 +48,7 @@ double mean_gap(const QuarterGrid &grid, const GapShape &gap, const int column, 
   for (int i = 0; i < 3; ++i)
     for (int j = 0; j < 3; ++j) {
       const double g = gap(x + grid.width / 2 * rule.node[i], z + length(grid, row) / 2 * rule.node[j]);
-      // A rectangle that the edge of the body cuts counts by its middle.
+      // A rectangle that the edge of the body cuts is judged by its middle.
       mean += rule.weight[i] * rule.weight[j] / 4 * (std::isfinite(g) ? g : gap(x, z));
     }
   return mean;
@@ -66,7 +66,7 @@ std::vector<int> rectangles_on_the_body(const QuarterGrid &grid, const GapShape 
 }
 
 // Mean displacement of each rectangle by a unit force on another and, of a quarter, on its image at -z.  The
-// columns are equally wide, so only the distance of two columns counts: entry k, (row, row).
+// columns are equally wide, so only the distance of two columns matters: entry k, (row, row).
 std::vector<Eigen::MatrixXd> flexibility_by_distance(const HalfSpaces &bodies, const QuarterGrid &grid)
 {
   std::vector<Eigen::MatrixXd> table(2 * grid.n_x, Eigen::MatrixXd(n_z(grid), n_z(grid)));
@@ -202,7 +202,7 @@ double smooth_tangent(const double load, const std::function<double(double)> &ap
 
 double HalfSpaceContact::tangent(const double load)
 {
-  return smooth_tangent(load, [&](const double at) { return at_load(at).approach; });
+  return smooth_tangent(load, [&](const double one_load) { return at_load(one_load).approach; });
 }
 
 bool has_singular_end(const HalfSpaces &bodies, const QuarterGrid &grid, const GapShape &gap, const double load)

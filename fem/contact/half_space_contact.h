@@ -6,7 +6,7 @@
 
 // Normal contact of two bodies as half spaces by boundary elements.  theory.md 10
 namespace mill::contact {
-/// Gap of the undeformed bodies, m, at (x, z), m; infinite where there is no body.
+/// Gap of the undeformed bodies, m, at (x, z), m; infinite outside the body.
 using GapShape = std::function<double(double x, double z)>;
 
 /// Rectangles on one quarter, x and z >= 0, of a contact symmetric about x = 0 and z = 0; or on the half x >= 0 of
@@ -47,7 +47,7 @@ struct HalfSpaceState {
   Eigen::VectorXd z;              ///< (n_z) m, middle of each row
   Eigen::VectorXd line_load;      ///< (n_z) N/m, over the whole width
   Eigen::VectorXd half_width;     ///< (n_z) m, by fit_pressure; NaN where too few rectangles touch
-  Eigen::VectorXd peak_pressure;  ///< (n_z) Pa, by fit_pressure; of the first rectangle where there is no fit
+  Eigen::VectorXd peak_pressure;  ///< (n_z) Pa, by fit_pressure; of the first rectangle where a fit is not possible
   bool reaches_end = false;       ///< the row at an end of z is loaded
   int n_unknowns   = 0;           ///< rectangles of the grid
   int iterations   = 0;           ///< of the active set

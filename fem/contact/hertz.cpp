@@ -77,9 +77,9 @@ PointContact hertz_point_at(const double approach, const double radius_x, const 
 {
   require_input(approach > 0, "Hertz contact: the approach must be positive");
   // The approach grows with the power 2/3 of the load, so one load gives all others.
-  const double unit = modulus * radius_x * radius_y;
-  const double at   = hertz_point(unit, radius_x, radius_y, modulus).approach;
-  return hertz_point(unit * std::pow(approach / at, 1.5), radius_x, radius_y, modulus);
+  const double unit          = modulus * radius_x * radius_y;
+  const double unit_approach = hertz_point(unit, radius_x, radius_y, modulus).approach;
+  return hertz_point(unit * std::pow(approach / unit_approach, 1.5), radius_x, radius_y, modulus);
 }
 
 HertzLine hertz_line(const double line_load, const double radius, const double modulus)

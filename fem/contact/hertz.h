@@ -45,7 +45,7 @@ double cylinder_approach(double line_load, double radius, double half_width, con
 /// Tangential load below mu times the normal load: the middle of the contact sticks, the rim slips.
 struct PartialSlip {
   double stick;       ///< m, half width or radius of the region that sticks
-  double tangential;  ///< m, tangential approach; NaN for a line contact, which has none of its own
+  double tangential;  ///< m, tangential approach; NaN for a line contact, which has no value of its own
   double stiffness;   ///< N/m, of the first increment, when all of the contact sticks; NaN for a line contact
 };
 

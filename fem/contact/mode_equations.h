@@ -54,7 +54,7 @@ Tangents tangents(const Eigen::MatrixXd &gram, const ScaledModes &modes);
 /// @param S, rhs  of the border; (m, m), (m, 2 k + p)
 /// @param gram    of what is inside, without the candidates
 /// @param start   (m) first guess
-/// @param length  m, of the closing inside: what is below 1e-14 of it is no penetration
+/// @param length  m, of the closing inside: what is below 1e-14 of it is not a penetration
 /// @return (m) active candidates; empty (while m > 0) when no set was found
 std::vector<char> candidates_in_contact(const Eigen::MatrixXd &S, const Eigen::MatrixXd &rhs,
                                         const Eigen::MatrixXd &gram, const ScaledModes &modes,

@@ -146,11 +146,11 @@ Surface placed(const Surface &surface, const Eigen::MatrixXd &turn, const Eigen:
 
 Eigen::MatrixXd nodal_normals(const Surface &surface)
 {
-  Eigen::MatrixXd normals  = Eigen::MatrixXd::Zero(surface.points.rows(), surface.points.cols());
-  const Eigen::MatrixXd at = node_parameters(surface);
+  Eigen::MatrixXd normals        = Eigen::MatrixXd::Zero(surface.points.rows(), surface.points.cols());
+  const Eigen::MatrixXd position = node_parameters(surface);
   for (Eigen::Index f = 0; f < surface.faces.rows(); ++f)
     for (Eigen::Index k = 0; k < surface.faces.cols(); ++k)
-      normals.row(surface.faces(f, k)) += area_vector(surface, f, at.row(k)).transpose();
+      normals.row(surface.faces(f, k)) += area_vector(surface, f, position.row(k)).transpose();
   normals.rowwise().normalize();
   return normals;
 }

@@ -111,10 +111,10 @@ RectangleContact rectangle_contact(const HalfSpaces &bodies, const std::function
   std::vector<double> gaps;
   for (int k = 0; k < grid.n_z; ++k)
     for (int i = 0; i < grid.n_x; ++i) {
-      const Eigen::Vector2d at((i + 0.5) * h_x - (grid.mirror_x ? 0 : grid.half_x),
-                               (k + 0.5) * h_z - (grid.mirror_z ? 0 : grid.half_z));
-      if (const double g = gap(at[0], at[1]); std::isfinite(g)) {
-        place.push_back(at);
+      const Eigen::Vector2d position((i + 0.5) * h_x - (grid.mirror_x ? 0 : grid.half_x),
+                                     (k + 0.5) * h_z - (grid.mirror_z ? 0 : grid.half_z));
+      if (const double g = gap(position[0], position[1]); std::isfinite(g)) {
+        place.push_back(position);
         gaps.push_back(g);
       }
     }

@@ -39,7 +39,7 @@ struct RectangleContact {
 };
 
 /// Unlike materials couple pressure and tangential motion and leave no mirror across the tangential load.
-/// @param gap  m, over x and z; infinite where there is no body
+/// @param gap  m, over x and z; infinite outside the body
 /// @throws InputError  no rectangle with a finite gap
 RectangleContact rectangle_contact(const HalfSpaces &bodies, const std::function<double(double, double)> &gap,
                                    const RectangleGrid &grid, double mu);

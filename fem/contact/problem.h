@@ -9,7 +9,7 @@ namespace mill::contact {
 ///     nodal >= 0 ,   nodal . gap = 0 ,   G^T nodal = resultant
 struct Problem {
   Eigen::MatrixXd C;            ///< (n, n) m/N, symmetric, positive definite
-  Eigen::MatrixXd G;            ///< (n, k) closing of the gap per unit of each motion (1 for m, a lever for rad)
+  Eigen::MatrixXd G;            ///< (n, k) closing of the gap per unit of each motion (1 for m, an arm for rad)
   Eigen::MatrixXd W;            ///< (n, k) gap opened by what balances a unit of each resultant; empty: zero
   Eigen::VectorXd initial_gap;  ///< (n) m
 };

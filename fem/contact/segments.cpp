@@ -161,8 +161,8 @@ void whole_face(const Surface &surface, const Eigen::Index index, FaceRule &out)
       line.push_back({(h + 0.5 + 0.5 * rule.node[i]) / (face.n - 1), 0.5 * rule.weight[i] / (face.n - 1)});
   Points points;
   const auto add = [&](const Vector2 &p, const double weight) {
-    const At at = at_point(face, p);
-    points.add(at, weight * at.normal().norm() * ring(surface, at.x), 0);
+    const At foot = at_point(face, p);
+    points.add(foot, weight * foot.normal().norm() * ring(surface, foot.x), 0);
   };
   for (const auto &[s, ws] : line) {
     if (face.dim == 1)
@@ -194,15 +194,15 @@ double meet(const Face &face, const Vector3 &from, const Nodes &direction)
 {
   double s = 0.5;
   for (int i = 0; i < 30; ++i) {
-    const At at         = at_point(face, Vector2(s, 0));
+    const At foot       = at_point(face, Vector2(s, 0));
     const Shapes shapes = shapes_along(face.n, s);
     Vector3 n = Vector3::Zero(), dn = Vector3::Zero();
     for (int k = 0; k < face.n; ++k) {
       n += shapes.value[k] * direction[k];
       dn += shapes.slope[k] * direction[k];
     }
-    const Vector3 off = at.x - from;
-    const double step = cross(off, n) / (cross(at.first, n) + cross(off, dn));
+    const Vector3 off = foot.x - from;
+    const double step = cross(off, n) / (cross(foot.first, n) + cross(off, dn));
     s -= step;
     if (std::abs(step) < 1e-15 || !(std::abs(s) < 1e3))
       break;
@@ -223,10 +223,10 @@ Eigen::MatrixXd node_parameters(const Surface &surface)
   return out;
 }
 
-Eigen::VectorXd area_vector(const Surface &surface, const Eigen::Index face, const Eigen::VectorXd &at)
+Eigen::VectorXd area_vector(const Surface &surface, const Eigen::Index face, const Eigen::VectorXd &position)
 {
   const Eigen::VectorXd normal =
-      at_point(face_of(surface, face), Vector2(at[0], at.size() > 1 ? at[1] : 0)).normal();
+      at_point(face_of(surface, face), Vector2(position[0], position.size() > 1 ? position[1] : 0)).normal();
   return normal.head(surface.points.cols());
 }
 
@@ -280,16 +280,16 @@ std::vector<FaceRule> line_overlaps(const Surface &slave, const Surface &master,
       for (std::size_t k = 0; k + 1 < ends.size(); ++k)
         for (int i = 0; i < 5; ++i) {
           const double half = 0.5 * (ends[k + 1] - ends[k]), s = ends[k] + half * (1 + gauss.node[i]);
-          const At at = at_point(face, Vector2(s, 0));
-          Vector3 n   = Vector3::Zero();
+          const At foot = at_point(face, Vector2(s, 0));
+          Vector3 n     = Vector3::Zero();
           for (int l = 0; l < face.n; ++l)
-            n += at.value[l] * direction[l];
+            n += foot.value[l] * direction[l];
           n.normalize();
           Nodes fixed;
           fixed.fill(n);
-          const At partner    = at_point(other, Vector2(std::clamp(meet(other, at.x, fixed), 0., 1.), 0));
-          const double weight = half * gauss.weight[i] * at.first.norm() * ring(slave, at.x);
-          points.add(at, weight, (partner.x - at.x).dot(n), partner.value, int(f));
+          const At partner    = at_point(other, Vector2(std::clamp(meet(other, foot.x, fixed), 0., 1.), 0));
+          const double weight = half * gauss.weight[i] * foot.first.norm() * ring(slave, foot.x);
+          points.add(foot, weight, (partner.x - foot.x).dot(n), partner.value, int(f));
         }
     }
     points.fill(2, master.faces, out[e]);
@@ -345,12 +345,12 @@ std::vector<Quarter> quarters(const Surface &surface)
     for (int j = 0; j + 1 < n; ++j)
       for (int i = 0; i + 1 < n; ++i) {
         Quarter q;
-        q.face        = f;
-        q.centre      = Vector2(i + 0.5, j + 0.5) / (n - 1);
-        const auto at = [&](const int a, const int b) -> Vector3 {
+        q.face              = f;
+        q.centre            = Vector2(i + 0.5, j + 0.5) / (n - 1);
+        const auto value_at = [&](const int a, const int b) -> Vector3 {
           return surface.points.row(surface.faces(f, b * n + a));
         };
-        q.corner = {at(i, j), at(i + 1, j), at(i + 1, j + 1), at(i, j + 1)};
+        q.corner = {value_at(i, j), value_at(i + 1, j), value_at(i + 1, j + 1), value_at(i, j + 1)};
         q.middle = 0.25 * (q.corner[0] + q.corner[1] + q.corner[2] + q.corner[3]);
         q.normal = (q.corner[2] - q.corner[0]).cross(q.corner[3] - q.corner[1]).normalized();
         q.size   = 0;
@@ -379,17 +379,17 @@ Vector2 across(const Plane &plane, const Vector3 &v)
 // Point of a face straight above or below `from` along a fixed normal, Newton from a point of the quarter.
 At meet(const Face &face, const Vector3 &from, const Plane &in_plane, Vector2 p)
 {
-  At at = at_point(face, p);
+  At foot = at_point(face, p);
   for (int i = 0; i < 30; ++i) {
-    const Vector3 off = at.x - from;
-    const Vector2 a = across(in_plane, at.first), b = across(in_plane, at.second), c = across(in_plane, off);
+    const Vector3 off = foot.x - from;
+    const Vector2 a = across(in_plane, foot.first), b = across(in_plane, foot.second), c = across(in_plane, off);
     const Vector2 step = Vector2(cross(c, b), cross(a, c)) / cross(a, b);
     p -= step;
-    at = at_point(face, p);
+    foot = at_point(face, p);
     if (step.cwiseAbs().maxCoeff() < 1e-8)  // Newton squares it: the next step is at rounding level
       break;
   }
-  return at;
+  return foot;
 }
 }  // namespace
 
@@ -446,10 +446,10 @@ std::vector<FaceRule> polygon_overlaps(const Surface &slave, const Surface &mast
             const Vector2 p      = common[0] + u * ((1 - v) * a + v * b);
             const double dA      = 0.25 * gauss.weight[i] * gauss.weight[j] * u * twice;
             const Vector3 origin = plane.origin + p[0] * plane.first + p[1] * plane.second;
-            const At at = meet(face, origin, plane, q.centre), partner = meet(other, origin, plane, m.centre);
-            const Vector3 normal = at.normal();
-            points[q.face].add(at, dA * normal.norm() / std::abs(normal.dot(q.normal)),
-                               (partner.x - at.x).dot(q.normal), partner.value, int(m.face));
+            const At foot = meet(face, origin, plane, q.centre), partner = meet(other, origin, plane, m.centre);
+            const Vector3 normal = foot.normal();
+            points[q.face].add(foot, dA * normal.norm() / std::abs(normal.dot(q.normal)),
+                               (partner.x - foot.x).dot(q.normal), partner.value, int(m.face));
           }
       }
     }

@@ -14,7 +14,7 @@ void project_out(Eigen::MatrixXd &rows, const int i)
 }
 
 // Pressing forces with the resultants, and nodes without force until the free motions are determined: each time
-// the one whose lever is most unlike those taken.
+// the one whose arm differs most from those taken.
 Support balanced(const Eigen::MatrixXd &G, const Eigen::VectorXd &resultant)
 {
   Support out          = pressing_support(G, resultant);

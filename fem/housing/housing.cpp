@@ -27,12 +27,12 @@ void add_parts(HousingStatics &out, const MillHousing &h, const ElasticBody &qua
     for (std::size_t q = 0; q < points.size(); ++q) {
       const Eigen::Matrix3d gradient = u * points[q].gradient.transpose();
       const Eigen::Matrix3d strain   = 0.5 * (gradient + gradient.transpose());
-      const Eigen::Vector3d at       = u * points[q].value;
+      const Eigen::Vector3d position = u * points[q].value;
       const double weight            = n_quarters * points[q].weight;
       out.energy[part] += weight * (lambda * strain.trace() * strain.trace() + 2 * mu * strain.squaredNorm());
       out.mass[part] += weight * h.steel.density;
-      moving[part] += weight * h.steel.density * at.squaredNorm();
-      rising[part] += weight * h.steel.density * at[1] * at[1];
+      moving[part] += weight * h.steel.density * position.squaredNorm();
+      rising[part] += weight * h.steel.density * position[1] * position[1];
     }
   });
   for (std::size_t p = 0; p < n_housing_parts; ++p) {

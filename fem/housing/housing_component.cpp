@@ -26,7 +26,7 @@ PartInterface housing_interface(const ElasticBody &quarter)
 }
 
 namespace {
-// Of bending waves of post and beams with elements of these lengths; twice the radius of gyration is what counts.
+// Of bending waves of post and beams with elements of these lengths; twice the radius of gyration is decisive.
 double reach_of(const MillHousing &h, const double along_post, const double along_beam)
 {
   const auto reach = [&](const double element, const double height) {

@@ -19,9 +19,9 @@ Eigen::MatrixXd pressure_map(const ContactPair &pair, const ContactPoint &point)
   return p;
 }
 
-Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &of, const ContactPoint &point)
+Eigen::Matrix<double, 6, 6> joint_stiffness(const ContactPair &contact_pair, const ContactPoint &point)
 {
-  const ContactPair &pair = complete(of);
+  const ContactPair &pair = complete(contact_pair);
   const PatchGrid &g      = pair.grid;
   if (!g.whole || !pair.axis.isZero(0))
     throw std::logic_error("a joint stiffness needs the whole contact between axes that stay straight");

@@ -195,7 +195,7 @@ ContactPair make_pair(const std::string &name, const CondensedRoll &first, const
   moved << 1, 0, -shift, 1;
   pair.problem.W =
       along_stations(link.slave, a.support, n_x) + along_stations(link.master, b.support * moved, n_x);
-  // Multipliers act on each roll by the transposed coupling, and its axis counts at the stations of the pair.
+  // Multipliers act on each roll by the transposed coupling, and its axis is read at the stations of the pair.
   const auto axis_of = [&](const contact::Coupling::Sparse &T, const Eigen::MatrixXd &axis) {
     return along_stations(T, along_stations(T, axis.transpose(), n_x).transpose(), 1);
   };
@@ -351,9 +351,9 @@ ContactPoint solve_load(const ContactPair &pair, const double load, const std::v
   return pair.solved && start.empty() ? pair.solved->point(load, solve) : solve();
 }
 
-ContactCurve sweep(const ContactPair &of, const Eigen::VectorXd &loads, const Progress &progress)
+ContactCurve sweep(const ContactPair &contact_pair, const Eigen::VectorXd &loads, const Progress &progress)
 {
-  const ContactPair &pair = complete(of);
+  const ContactPair &pair = complete(contact_pair);
   const Eigen::Index n    = loads.size();
   ContactCurve curve;
   curve.name      = pair.name;
@@ -409,7 +409,9 @@ BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point)
   const Eigen::VectorXd d_motion = point.state.compliance * along;
   const Eigen::VectorXd away     = axis_motion(pair, point.state.nodal, point.state.resultant),
                         d_away   = axis_motion(pair, d_nodal, along);
-  const auto at = [](const Eigen::VectorXd &v, const int k) { return v.size() > k ? v[k] : 0; };  // a slab has one
+  const auto value_at            = [](const Eigen::VectorXd &v, const int k) {
+    return v.size() > k ? v[k] : 0;
+  };  // a slab has one
   BarrelProfile out;
   out.load = point.load;
   out.z    = grid.z;
@@ -422,9 +424,9 @@ BarrelProfile barrel_profile(const ContactPair &pair, const ContactPoint &point)
     const double tilt            = grid.whole ? point.state.motion[1] * grid.z[k] : 0;
     const double turn            = grid.whole ? d_motion[1] * grid.z[k] : 0;
     out.line_load[k]             = pair.axial_mirror * point.state.nodal(row).sum() / w[k];
-    out.approach[k]              = point.state.motion[0] + tilt - at(away, k);
-    out.tangent[k]       = pair.axial_mirror * d_nodal(row).sum() / w[k] / (d_motion[0] + turn - at(d_away, k));
-    out.half_width[k]    = section.half_width;
+    out.approach[k]              = point.state.motion[0] + tilt - value_at(away, k);
+    out.tangent[k]    = pair.axial_mirror * d_nodal(row).sum() / w[k] / (d_motion[0] + turn - value_at(d_away, k));
+    out.half_width[k] = section.half_width;
     out.peak_pressure[k] = section.peak;
   }
   return out;

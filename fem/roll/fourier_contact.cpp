@@ -214,9 +214,9 @@ Eigen::VectorXd axis_motion(const FourierPair &pair, const Linear &x)
 
 // Linear complementarity problem of one Newton step by exchange of stations.
 Linear solve_step(const FourierPair &pair, const FourierDrive &loading, const Linearised &linear,
-                  const Eigen::VectorXd &at, const Eigen::VectorXd &imposed, std::vector<char> &touching)
+                  const Eigen::VectorXd &position, const Eigen::VectorXd &imposed, std::vector<char> &touching)
 {
-  const Eigen::VectorXd constant = linear.opened - linear.jacobian * at;
+  const Eigen::VectorXd constant = linear.opened - linear.jacobian * position;
   for (int exchange = 0; exchange < 500; ++exchange) {
     const Linear x            = Bordered(pair, loading, linear, touching).solve(-constant, imposed);
     const Eigen::VectorXd gap = gap_of(pair, constant + linear.jacobian * x.force, x);

@@ -49,7 +49,7 @@ struct FourierOptions {
 /// @param body    quadratic or linear, axisymmetric, groups as mesh_meridian makes them
 /// @param edge    (n + 1) m, increasing from 0 to the end of the group contact
 /// @throws SolverError  matrix not positive definite
-/// @throws InputError   edges outside the contact, or a half width that is no part of the radius
+/// @throws InputError   edges outside the contact, or a half width that is not a part of the radius
 FourierRoll fourier_roll(const SectionBody &body, const RollGeometry &geometry, const Material &material,
                          const Eigen::VectorXd &edge, const FourierOptions &options,
                          const Progress &progress = {});

@@ -147,7 +147,7 @@ HeldRoll whole_on_strip(const CondensedRoll &roll, const double strip_width, con
   const Eigen::MatrixXd by_strip = opposite * strip, axis_by_strip = -held.axis * strip;
   held.support      = by_strip * about_strip;
   held.axis_support = axis_by_strip * about_strip;
-  // Chocks at +- the lever: sum and difference of the two, less what the strip is relieved of.
+  // Chocks at +- the arm: sum and difference of the two, less what the strip is relieved of.
   Eigen::Matrix2d sides, relief;
   sides << 1, 1, 1, -1;
   relief << 1, 1, roll.seat_lever - centre, -roll.seat_lever - centre;

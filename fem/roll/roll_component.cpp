@@ -136,7 +136,7 @@ double roll_reach(const ElasticBody &body, const RollGeometry &g, const Material
 }
 
 namespace {
-// The outside of the eighth: corners of the faces of every group that is no plane of symmetry.
+// The outside of the eighth: corners of the faces of every group that is not a plane of symmetry.
 ComponentSurface outside(const ElasticBody &body, const bool neck, const ComponentBasis &basis)
 {
   ComponentSurface out;
@@ -191,8 +191,8 @@ RollComponent roll_component(const std::string &name, const ElasticBody &body, c
   choice.n_modes         = options.n_modes;
   choice.frequency_limit = options.frequency_limit;
   choice.reach           = roll_reach(body, g, material);
-  ComponentBasis own;
-  ComponentBasis &fields = basis ? *basis : own;
+  ComponentBasis own_basis;
+  ComponentBasis &fields = basis ? *basis : own_basis;
   RollComponent out;
   Component &c = out.component = component_modes(part, interface, choice, &fields);
   c.n_barrel                   = options.n_barrel;

@@ -15,8 +15,8 @@ ContactPoint SolvedLoads::point(const double load, const std::function<ContactPo
 {
   {
     const std::lock_guard lock(access);
-    if (const auto found = at.points.find(load); found != at.points.end())
-      return found->second;
+    if (const auto match = at.points.find(load); match != at.points.end())
+      return match->second;
   }
   ContactPoint point = solve();
   const std::lock_guard lock(access);
@@ -27,8 +27,8 @@ Eigen::MatrixXd SolvedLoads::number(const std::string &name, const std::function
 {
   {
     const std::lock_guard lock(access);
-    if (const auto found = at.numbers.find(name); found != at.numbers.end())
-      return found->second;
+    if (const auto match = at.numbers.find(name); match != at.numbers.end())
+      return match->second;
   }
   Eigen::MatrixXd made = make();
   const std::lock_guard lock(access);

@@ -288,10 +288,10 @@ private:
     const double left = c > 0 ? x[c - 1] : x[c], right = c + 1 < n ? x[c + 1] : x[c], middle = x[c];
     const double R   = roll.radius;
     const auto value = [=](const double phi) {
-      const double at = R * std::sin(phi);
-      if (at <= left || at >= right)
+      const double place = R * std::sin(phi);
+      if (place <= left || place >= right)
         return 0.;
-      return at < middle ? (at - left) / (middle - left) : (right - at) / (right - middle);
+      return place < middle ? (place - left) / (middle - left) : (right - place) / (right - middle);
     };
     Rim::Traction t;
     (by_shear ? t.shear : t.pressure) = value;

@@ -65,6 +65,6 @@ struct Mesher {
 std::map<std::string, int> write_plain(PlainMesh mesh, const std::string &path);
 
 /// Opened at the first call.  One caller at a time: see write_mesh().
-/// @throws SystemError  the library is not beside the program
+/// @throws SystemError  the library is not in the folder of the program
 const Mesher &mesher();
 }  // namespace mill::meshes

@@ -32,7 +32,7 @@ inline double core_radius_of(const RollGeometry &roll)
   return roll.neck_radius > 0 ? roll.neck_radius : 0.6 * roll.radius;
 }
 
-/// x of the place where the outer circle of a section without contact is divided, m: the part above it counts as
+/// x of the place where the outer circle of a section without contact is divided, m: the part above it belongs to
 /// contact, that below as barrel.
 double plain_contact_half_width(double radius);
 }  // namespace mill::meshes

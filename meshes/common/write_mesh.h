@@ -3,7 +3,7 @@
 #include <string>
 
 namespace mill::meshes {
-/// Lets `write` put a mesh (Gmsh 4.1, text) beside `path`, makes sure that all of it is there, and renames: Gmsh
+/// Lets `write` put a mesh (Gmsh 4.1, text) next to `path`, makes sure that all of it is there, and renames: Gmsh
 /// itself does not look whether what it writes arrives.  Gmsh is one global state; here one thread has it at a
 /// time.
 /// @param write  writes the file of that name; returns what kept it from it, or ""

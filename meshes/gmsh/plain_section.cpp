@@ -33,7 +33,7 @@ SectionSurfaces add_plain_section(const RollGeometry &roll, const int elements_p
   const double R = roll.radius, r = core_radius_of(roll), e = elements_per_radius;
   const Graded inner = graded_from_edge(core_depth(roll), R / e), rim = graded_from_edge(R - r, R / e);
   // Elements of each eighth of the circle.  The edge of the neck is an arc, its line inside the barrel a polygon:
-  // the height of the arc over the chord must stay well below the first element beside it.
+  // the height of the arc over the chord must stay well below the first element next to it.
   const double first = std::min(inner.first, rim.first);
   const int sector =
       std::max({2, int(std::lround(0.6 * e)), int(std::ceil(M_PI / 8 * std::sqrt(r / (0.6 * first))))});

@@ -19,10 +19,10 @@ TaggedPoint Sketch::at_angle(const double radius, const double degrees) const
 template <class Add>
 int Sketch::curve(const TaggedPoint &a, const TaggedPoint &b, const int cells, const double ratio, const Add &add)
 {
-  if (const auto found = curves.find({a.tag, b.tag}); found != curves.end())
-    return found->second;
-  if (const auto found = curves.find({b.tag, a.tag}); found != curves.end())
-    return -found->second;
+  if (const auto match = curves.find({a.tag, b.tag}); match != curves.end())
+    return match->second;
+  if (const auto match = curves.find({b.tag, a.tag}); match != curves.end())
+    return -match->second;
   const int tag = add();
   geo::mesh::setTransfiniteCurve(tag, cells + 1, "Progression", ratio);
   return curves[{a.tag, b.tag}] = tag;

@@ -50,21 +50,21 @@ std::vector<Stretch> beam_and_corner(const MillHousing &h, const double beam_hei
     x.back() = flat;
   for (std::size_t i = 0; i + 1 < x.size(); ++i)
     out.push_back({x[i + 1] - x[i], beam_height, [=](const double s) {
-                     const double at = i + 2 == x.size() && s == 1 ? flat : x[i] + s * (x[i + 1] - x[i]);
+                     const double place = i + 2 == x.size() && s == 1 ? flat : x[i] + s * (x[i + 1] - x[i]);
                      return Section{
-                         {at, -beam_height},
-                         {at, 0           }
+                         {place, -beam_height},
+                         {place, 0           }
                      };
                    }});
   const auto arc = [=](const double angle) {  // from below the centre of the fillet towards the post
     return std::array<double, 2>{flat + r * std::sin(angle), r * (1 - std::cos(angle))};
   };
-  const std::array<double, 2> under{flat, -beam_height}, corner{a + b, -beam_height}, beside{a + b, r};
+  const std::array<double, 2> under{flat, -beam_height}, corner{a + b, -beam_height}, next_to_post{a + b, r};
   out.push_back({b + r, beam_height, [=](const double s) {
                    return Section{between(under, corner, s), arc(0.25 * M_PI * s)};
                  }});
   out.push_back({beam_height + r, b, [=](const double s) {
-                   return Section{between(corner, beside, s), arc(0.25 * M_PI * (1 + s))};
+                   return Section{between(corner, next_to_post, s), arc(0.25 * M_PI * (1 + s))};
                  }});
   return out;
 }
@@ -92,10 +92,10 @@ std::vector<Stretch> around_the_window(const MillHousing &h)
   for (std::size_t i = 0; i + 1 < y.size(); ++i)
     if (y[i + 1] - y[i] > 1e-6 * foot)
       out.push_back({y[i + 1] - y[i], h.post_width, [=, low = y[i], high = y[i + 1]](const double s) {
-                       const double at = s == 1 ? high : low + s * (high - low);
+                       const double place = s == 1 ? high : low + s * (high - low);
                        return Section{
-                           {a + h.post_width, at},
-                           {a,                at}
+                           {a + h.post_width, place},
+                           {a,                place}
                        };
                      }});
   for (auto &stretch : upper_half(h))

@@ -55,7 +55,7 @@ double rounded(const double ratio)
   return std::ldexp(std::round(std::ldexp(mantissa, 40)), exponent - 40);
 }
 
-// Lengths in units of the radius.  Rounding then is the same whatever unit or size the roll is given in.
+// Lengths in units of the radius.  Rounding then is the same for every unit and size of the roll.
 RollGeometry by_radius(RollGeometry g)
 {
   const double unit = g.radius;

@@ -89,9 +89,9 @@ StripLines strip_lines(const StripBlock &b)
   if (!(b.exit_thickness > 0 && b.entry_thickness > b.exit_thickness && b.arc_length > 0 && b.outside > 0))
     throw InputError("the mesh of the strip needs an exit thinner than the entry and positive lengths");
   const std::vector<double> arc = arc_lines(b);
-  const int beside              = std::max(1, b.along / 4);
-  const auto inlet              = growing_lines(b.arc_length * (1 - arc[arc.size() - 2]), b.outside, beside);
-  const auto outlet             = growing_lines(b.arc_length * arc[1], b.outside, beside);
+  const int outside_lines       = std::max(1, b.along / 4);
+  const auto inlet  = growing_lines(b.arc_length * (1 - arc[arc.size() - 2]), b.outside, outside_lines);
+  const auto outlet = growing_lines(b.arc_length * arc[1], b.outside, outside_lines);
   return {backwards(inlet), (1 - backwards(arc).array()).matrix(), in_order(outlet),
           Eigen::VectorXd::LinSpaced(b.through + 1, 0, 1)};
 }

@@ -23,6 +23,6 @@ struct StripBlock {
 StripBlock strip_block(const Strip &strip, double roll_radius, int along = 48, int through = 12);
 
 /// The lines of the mesh; the solver places its spines on them itself.
-/// @throws InputError  counts or lengths that make no mesh
+/// @throws InputError  numbers or lengths that make no mesh
 StripLines strip_lines(const StripBlock &block);
 }  // namespace mill::meshes

@@ -27,13 +27,13 @@ struct Point {
   VectorXd imbalance;  ///< (rows Z ring modes) N, roller loads - bending_load
 };
 
-std::string stood_at(const Point &at, const double residual, const std::string &also)
+std::string stood_at(const Point &point, const double residual, const std::string &also)
 {
   std::ostringstream text;
-  const int loaded = int(std::count(at.rollers.on_raceway.begin(), at.rollers.on_raceway.end(), char(1)));
-  text << "inner ring at x " << at.motion[0] * 1e6 << ", y " << at.motion[1] * 1e6 << ", z " << at.motion[2] * 1e6
-       << " um, tilt " << at.motion[3] * 1e3 << " and " << at.motion[4] * 1e3 << " mrad, " << loaded
-       << " rollers loaded, out of balance by " << residual << " of the load" << also;
+  const int loaded = int(std::count(point.rollers.on_raceway.begin(), point.rollers.on_raceway.end(), char(1)));
+  text << "inner ring at x " << point.motion[0] * 1e6 << ", y " << point.motion[1] * 1e6 << ", z "
+       << point.motion[2] * 1e6 << " um, tilt " << point.motion[3] * 1e3 << " and " << point.motion[4] * 1e3
+       << " mrad, " << loaded << " rollers loaded, out of balance by " << residual << " of the load" << also;
   return text.str();
 }
 }  // namespace
@@ -85,17 +85,17 @@ struct BearingAssembly::Implementation {
     const VectorXd wanted = VectorXd::Constant(places.rows, preload * places.rollers);
     RingLoading rest;
     rest.prescribed = {true, true, true, true, true};
-    Point at        = at_motion(Vector5::Zero());
+    Point point     = at_motion(Vector5::Zero());
     for (int i = 0; i < 50; ++i) {
       int iterations          = 0;
-      at                      = equilibrium(rest, at, iterations);
-      const VectorXd short_of = wanted - row.transpose() * at.rollers.load;
+      point                   = equilibrium(rest, point, iterations);
+      const VectorXd short_of = wanted - row.transpose() * point.rollers.load;
       if (short_of.cwiseAbs().maxCoeff() <= 1e-11 * wanted[0])
         return;
-      offset += stiffness(at, row).tangent.ldlt().solve(short_of);
-      evaluate(at, nullptr);
+      offset += stiffness(point, row).tangent.ldlt().solve(short_of);
+      evaluate(point, nullptr);
     }
-    throw no_equilibrium(rest, at, "the offsets of the rows that give the preload were not found");
+    throw no_equilibrium(rest, point, "the offsets of the rows that give the preload were not found");
   }
 
   Index count() const
@@ -104,19 +104,19 @@ struct BearingAssembly::Implementation {
   }
 
   // ---- one point
-  void evaluate(Point &at, const RollerForces *start) const
+  void evaluate(Point &evaluated, const RollerForces *start) const
   {
-    VectorXd approach = places.press * at.motion;
+    VectorXd approach = places.press * evaluated.motion;
     if (ring_modes)
-      at.ring_motion = flexibility * at.bending_load;
+      evaluated.ring_motion = flexibility * evaluated.bending_load;
     for (Index j = 0; j < count(); ++j) {
       approach[j * modes] += offset[j / places.rollers];
       if (ring_modes)
-        approach.segment(j * modes, ring_modes) -= at.ring_motion.segment(j * ring_modes, ring_modes);
+        approach.segment(j * modes, ring_modes) -= evaluated.ring_motion.segment(j * ring_modes, ring_modes);
     }
-    at.rollers   = rollers.forces(approach, start);
-    at.force     = places.press.transpose() * at.rollers.load;
-    at.imbalance = ring_loads(at.rollers.load) - at.bending_load;
+    evaluated.rollers   = rollers.forces(approach, start);
+    evaluated.force     = places.press.transpose() * evaluated.rollers.load;
+    evaluated.imbalance = ring_loads(evaluated.rollers.load) - evaluated.bending_load;
   }
 
   VectorXd ring_loads(const VectorXd &load) const
@@ -127,18 +127,18 @@ struct BearingAssembly::Implementation {
     return out;
   }
 
-  double total(const Point &at) const
+  double total(const Point &evaluated) const
   {
     double sum = 0;
     for (Index j = 0; j < count(); ++j)
-      sum += std::abs(at.rollers.load[j * modes]);
+      sum += std::abs(evaluated.rollers.load[j * modes]);
     return sum;
   }
 
   /// @param press  (rows Z modes, n) approach for a unit of each of n motions
-  BearingStiffness stiffness(const Point &at, const MatrixXd &press) const
+  BearingStiffness stiffness(const Point &evaluated, const MatrixXd &press) const
   {
-    return bearing_stiffness(at.rollers, press, flexibility, at.imbalance);
+    return bearing_stiffness(evaluated.rollers, press, flexibility, evaluated.imbalance);
   }
 
   // ---- Newton
@@ -147,32 +147,32 @@ struct BearingAssembly::Implementation {
     VectorXd bending_load;
   };
 
-  Vector5 unbalanced(const Point &at, const RingLoading &loading) const
+  Vector5 unbalanced(const Point &evaluated, const RingLoading &loading) const
   {
     Vector5 out = Vector5::Zero();
     for (std::size_t i = 0; i < 5; ++i)
       if (!loading.prescribed[i])
-        out[Index(i)] = loading.value[Index(i)] - at.force[Index(i)];
+        out[Index(i)] = loading.value[Index(i)] - evaluated.force[Index(i)];
     return out;
   }
 
   // Slope of the energy along a step: negative while the energy still falls.
-  double slope(const Point &at, const RingLoading &loading, const Step &step) const
+  double slope(const Point &point, const RingLoading &loading, const Step &step) const
   {
-    double sum = -unbalanced(at, loading).dot(step.motion);
+    double sum = -unbalanced(point, loading).dot(step.motion);
     if (ring_modes)
-      sum -= at.imbalance.dot(flexibility * step.bending_load);
+      sum -= point.imbalance.dot(flexibility * step.bending_load);
     return sum;
   }
 
-  double residual(const Point &at, const RingLoading &loading) const
+  double residual(const Point &point, const RingLoading &loading) const
   {
-    Vector5 scaled = unbalanced(at, loading);
+    Vector5 scaled = unbalanced(point, loading);
     scaled.tail<2>() /= radius;
     double worst = scaled.cwiseAbs().maxCoeff();
-    if (at.imbalance.size())
-      worst = std::max(worst, at.imbalance.cwiseAbs().maxCoeff());
-    double scale = total(at);
+    if (point.imbalance.size())
+      worst = std::max(worst, point.imbalance.cwiseAbs().maxCoeff());
+    double scale = total(point);
     for (std::size_t i = 0; i < 5; ++i)
       if (!loading.prescribed[i])
         scale = std::max(scale, std::abs(loading.value[Index(i)]) / (i < 3 ? 1 : radius));
@@ -181,16 +181,16 @@ struct BearingAssembly::Implementation {
 
   // Directions in which nothing resists and nothing pulls are left alone; nothing that resists a pull: a long
   // step, cut to `reach` so that rollers come into contact on the way.
-  Step newton_step(const Point &at, const RingLoading &loading, const BearingStiffness &k,
+  Step newton_step(const Point &point, const RingLoading &loading, const BearingStiffness &k,
                    const double reach) const
   {
     std::vector<Index> free;
     for (std::size_t i = 0; i < 5; ++i)
       if (!loading.prescribed[i])
         free.push_back(Index(i));
-    Step step{Vector5::Zero(), VectorXd::Zero(at.imbalance.size())};
+    Step step{Vector5::Zero(), VectorXd::Zero(point.imbalance.size())};
     if (!free.empty()) {
-      const Vector5 pull = unbalanced(at, loading) + k.press.transpose() * k.solved_bend;
+      const Vector5 pull = unbalanced(point, loading) + k.press.transpose() * k.solved_bend;
       Vector5 lever;
       lever << 1, 1, 1, radius, radius;
       const double size = (k.tangent.diagonal().array() / lever.array().square()).maxCoeff();
@@ -206,7 +206,7 @@ struct BearingAssembly::Implementation {
       step.motion *= cut;
     }
     if (ring_modes)
-      step.bending_load = at.imbalance + ring_loads(k.root * (k.solved * step.motion - k.solved_bend));
+      step.bending_load = point.imbalance + ring_loads(k.root * (k.solved * step.motion - k.solved_bend));
     return step;
   }
 
@@ -242,40 +242,40 @@ struct BearingAssembly::Implementation {
     return to;
   }
 
-  Point equilibrium(const RingLoading &loading, Point at, int &iterations) const
+  Point equilibrium(const RingLoading &loading, Point point, int &iterations) const
   {
     double reach = 20e-6, best = INFINITY;
     for (iterations = 0; iterations < step_limit; ++iterations) {
-      const double off = residual(at, loading);
+      const double off = residual(point, loading);
       // To 1e-13; where the motion's last digit moves more than that (a light load behind a large clearance),
       // until nothing improves.
       if (off <= 1e-13 || (iterations > 3 && off <= 1e-10 && off > 0.5 * best) || (iterations > 20 && off <= 1e-7))
-        return at;
+        return point;
       best = std::min(best, off);
-      if (at.motion.head<3>().norm() > 0.1 * radius)
-        throw no_equilibrium(loading, at,
+      if (point.motion.head<3>().norm() > 0.1 * radius)
+        throw no_equilibrium(loading, point,
                              "the rings moved apart: the load has no counterpart, for instance a single "
                              "row that its own radial load pushes out axially");
-      const Step step = newton_step(at, loading, stiffness(at, places.press), reach);
+      const Step step = newton_step(point, loading, stiffness(point, places.press), reach);
       reach           = std::max(reach, 4 * step.motion.head<3>().norm());
-      at              = along(at, loading, step);
+      point           = along(point, loading, step);
     }
-    throw no_equilibrium(loading, at, "an input that is not a number, or a load far beyond the bearing");
+    throw no_equilibrium(loading, point, "an input that is not a number, or a load far beyond the bearing");
   }
 
   // ---- start
   Point at_motion(const Vector5 &motion) const
   {
-    Point at;
-    at.motion       = motion;
-    at.bending_load = VectorXd::Zero(ring_modes ? count() * ring_modes : 0);
-    evaluate(at, nullptr);
-    return at;
+    Point point;
+    point.motion       = motion;
+    point.bending_load = VectorXd::Zero(ring_modes ? count() * ring_modes : 0);
+    evaluate(point, nullptr);
+    return point;
   }
 
-  bool pressed(const Point &at) const
+  bool pressed(const Point &point) const
   {
-    return std::count(at.rollers.on_raceway.begin(), at.rollers.on_raceway.end(), char(1)) > 0;
+    return std::count(point.rollers.on_raceway.begin(), point.rollers.on_raceway.end(), char(1)) > 0;
   }
 
   // Moved along the load by what clearance and the heaviest roller take (Stribeck), then on until rollers touch.
@@ -295,26 +295,26 @@ struct BearingAssembly::Implementation {
       motion[2] += std::copysign(std::max(roller_approach(model.roller, each) - offset.minCoeff(), 1e-9) / sa,
                                  along_load[2]);
     }
-    Point at        = at_motion(motion);
+    Point point     = at_motion(motion);
     Vector5 towards = along_load;
     towards.tail<2>() /= radius * radius;  // as motions: a turn that moves the rim as a translation would
     const double size = std::max(towards.head<3>().norm(), radius * towards.tail<2>().norm());
-    for (double travel = 1e-6; !pressed(at) && size > 0 && travel < 0.1 * radius; travel *= 2)
-      at = at_motion(motion + travel / size * towards);
-    if (!pressed(at) && size > 0)
-      throw no_equilibrium(loading, at, "no roller is pressed by a motion in the direction of the load");
-    return at;
+    for (double travel = 1e-6; !pressed(point) && size > 0 && travel < 0.1 * radius; travel *= 2)
+      point = at_motion(motion + travel / size * towards);
+    if (!pressed(point) && size > 0)
+      throw no_equilibrium(loading, point, "no roller is pressed by a motion in the direction of the load");
+    return point;
   }
 
   Point warm_start(const RingLoading &loading) const
   {
-    Point at = *last;
+    Point point = *last;
     for (std::size_t i = 0; i < 5; ++i)
       if (loading.prescribed[i])
-        at.motion[Index(i)] = loading.value[Index(i)];
-    const RollerForces before = at.rollers;
-    evaluate(at, &before);
-    return pressed(at) ? at : cold_start(loading);
+        point.motion[Index(i)] = loading.value[Index(i)];
+    const RollerForces before = point.rollers;
+    evaluate(point, &before);
+    return pressed(point) ? point : cold_start(loading);
   }
 
   // A start far off may stall on the rounding of its own large loads: then once more from the load's direction.
@@ -328,28 +328,28 @@ struct BearingAssembly::Implementation {
     return equilibrium(loading, cold_start(loading), iterations);
   }
 
-  SolverError no_equilibrium(const RingLoading &loading, const Point &at, const std::string &cause) const
+  SolverError no_equilibrium(const RingLoading &loading, const Point &point, const std::string &cause) const
   {
     return SolverError(
         {"bearing " + model.bearing.name + ": no equilibrium under " + loading_text(loading),
-         stood_at(at, residual(at, loading), ""), cause,
+         stood_at(point, residual(point, loading), ""), cause,
          "impose the motion of a component that nothing holds, or change load, clearance or preload", ""});
   }
 
   // ---- result
-  AssemblyState state(const Point &at, const RingLoading &loading, const int iterations) const
+  AssemblyState state(const Point &point, const RingLoading &loading, const int iterations) const
   {
     const RollerBearing &b = model.bearing;
     const int R = places.rows, Z = places.rollers;
     AssemblyState s;
-    s.motion      = at.motion;
-    s.load        = at.force;
-    s.tangent     = stiffness(at, places.press).tangent;
+    s.motion      = point.motion;
+    s.load        = point.force;
+    s.tangent     = stiffness(point, places.press).tangent;
     s.azimuth     = places.azimuth;
     s.iterations  = iterations;
-    s.residual    = residual(at, loading);
-    s.slice_load  = at.rollers.slice_load;
-    s.ring_motion = at.ring_motion;
+    s.residual    = residual(point, loading);
+    s.slice_load  = point.rollers.slice_load;
+    s.ring_motion = point.ring_motion;
     for (MatrixXd *table :
          {&s.roller_load, &s.roller_moment, &s.roller_approach, &s.roller_tangent, &s.inner_load, &s.rib_force})
       table->setZero(R, Z);
@@ -358,15 +358,16 @@ struct BearingAssembly::Implementation {
     const double radial                      = s.load.head<2>().norm();
     const Eigen::Vector2d towards =
         radial > 0 ? Eigen::Vector2d(s.load.head<2>() / radial) : Eigen::Vector2d(1, 0);
-    const VectorXd press = places.press * at.motion;
+    const VectorXd press = places.press * point.motion;
     for (int r = 0; r < R; ++r)
       for (int j = 0; j < Z; ++j) {
-        const Index i           = Index(r) * Z + j;
-        const double Q          = at.rollers.slice_load.col(i).sum();
-        s.roller_load(r, j)     = Q;
-        s.roller_moment(r, j)   = at.rollers.slice_load.col(i).dot(model.roller.position);
-        s.roller_approach(r, j) = press[i * modes] + offset[r] - (ring_modes ? at.ring_motion[i * ring_modes] : 0);
-        s.roller_tangent(r, j)  = at.rollers.slope(0, i * modes);
+        const Index i         = Index(r) * Z + j;
+        const double Q        = point.rollers.slice_load.col(i).sum();
+        s.roller_load(r, j)   = Q;
+        s.roller_moment(r, j) = point.rollers.slice_load.col(i).dot(model.roller.position);
+        s.roller_approach(r, j) =
+            press[i * modes] + offset[r] - (ring_modes ? point.ring_motion[i * ring_modes] : 0);
+        s.roller_tangent(r, j)        = point.rollers.slope(0, i * modes);
         const RollerTriangle triangle = roller_triangle(b, Q, model.centrifugal_force);
         s.inner_load(r, j)            = triangle.cone;
         s.rib_force(r, j)             = triangle.rib;
@@ -377,7 +378,7 @@ struct BearingAssembly::Implementation {
     const double heaviest = s.roller_load.maxCoeff();
     for (Index i = 0; i < count(); ++i)
       s.loaded_rollers[i / Z] +=
-          at.rollers.on_raceway[std::size_t(i)] && carries(s.roller_load(i / Z, i % Z), heaviest);
+          point.rollers.on_raceway[std::size_t(i)] && carries(s.roller_load(i / Z, i % Z), heaviest);
     // A load that is only rounding, as of an axial load on a full ring, has no direction and no shares.
     if (radial > 1e-9 * s.roller_load.sum())
       s.row_share = s.row_radial / radial;
@@ -389,15 +390,15 @@ struct BearingAssembly::Implementation {
     if (!loading.value.allFinite())
       throw InputError("bearing." + model.bearing.name + ": a load or motion that is not a number");
     int iterations = 0;
-    Point at       = from_any_start(loading, iterations);
+    Point point    = from_any_start(loading, iterations);
     const bool all_imposed =
         std::all_of(loading.prescribed.begin(), loading.prescribed.end(), [](bool imposed) { return imposed; });
-    if (!all_imposed && !pressed(at))
-      throw no_equilibrium(loading, at,
+    if (!all_imposed && !pressed(point))
+      throw no_equilibrium(loading, point,
                            "no roller carries load: without load a bearing with clearance is loose and has "
                            "no stiffness");
-    const AssemblyState out = state(at, loading, iterations);
-    last                    = std::move(at);
+    const AssemblyState out = state(point, loading, iterations);
+    last                    = std::move(point);
     return out;
   }
 };

@@ -32,7 +32,7 @@ ReferenceLife reference_life(const RollerBearing &bearing, const AssemblyState &
 double fatigue_load_limit(double static_rating, double pitch_diameter);
 
 /// a_ISO of a radial roller bearing, ISO 281, (5.39): at least 0.1, at most 50.
-/// @param viscosity_ratio  kappa, 0.1 .. 4; outside it counts as the end
+/// @param viscosity_ratio  kappa, 0.1 .. 4; outside it the end is used
 /// @param contamination    e_C, 0 .. 1
 /// @param load_ratio       C_u over the equivalent load
 double life_factor(double viscosity_ratio, double contamination, double load_ratio);

@@ -17,7 +17,7 @@ struct RigidRings {
   Eigen::VectorXd
       lever;  ///< (rows) m, radial travel of a row's raceways, seen along their normal, for a unit tilt
   Eigen::VectorXd azimuth;  ///< (rollers) rad
-  bool rows_equal;          ///< no tilt: one row is computed and counts for all
+  bool rows_equal;          ///< no tilt: one row is computed and stands for all
 };
 
 // z - R s tan(alpha): the row's distance, and the axial motion of its rim.
@@ -113,9 +113,9 @@ double equilibrium(const RigidRings &rings, const double load)
       high   = beyond(rings, load);
   double x   = high;
   for (int i = 0; i < 200; ++i) {
-    const RadialForce at           = bearing_force(rings, x);
-    (at.force > load ? high : low) = x;
-    double next                    = x - (at.force - load) / at.stiffness;
+    const RadialForce roller_state           = bearing_force(rings, x);
+    (roller_state.force > load ? high : low) = x;
+    double next                              = x - (roller_state.force - load) / roller_state.stiffness;
     if (!(next > low && next < high))
       next = (low + high) / 2;
     if (std::abs(next - x) <= 4e-16 * high || next == low || next == high)
@@ -169,7 +169,7 @@ void require_load(const RollerBearing &b, const double load)
   text << "bearing." << b.name << ": radial load " << load / 1e3 << " kN; ";
   if (diametral_clearance(b) > 0 && preloaded_roller(b) == 0)
     text << "with a clearance of " << diametral_clearance(b) * 1e6
-         << " um no roller is loaded without load, so there is no stiffness";
+         << " um no roller is loaded without load, so a stiffness does not exist";
   else
     text << "the stiffness of rollers grows with load from zero, so a positive load is needed";
   throw InputError(text.str());

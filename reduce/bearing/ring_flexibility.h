@@ -4,7 +4,7 @@
 
 namespace mill::bearing {
 /// Flexibility of rings, neck and chock as the rollers feel it, beyond the piece of raceway that the law of one
-/// roller counts itself.  theory.md 15
+/// roller contains itself.  theory.md 15
 ///
 /// Loads and displacements of a roller on its line are along the raceway's normal and described by Legendre
 /// polynomials P_a(2x/L), a < modes.  With N_a = sum_k P_a(x_k) q_k the load density is q(x) = sum_a (2a+1)/L N_a
@@ -34,7 +34,7 @@ Eigen::MatrixXd flexibility_at(const RingFlexibility &rings, const Eigen::Vector
 RingFlexibility stiffer(RingFlexibility rings, double factor);
 
 /// `fine` with the surroundings of the cup exchanged: fine + (other - companion) in the first `harmonics` orders,
-/// in which a chock is told from a round housing.  Shorter waves do not reach it.
+/// in which a chock differs from a round housing.  Shorter waves do not reach it.
 /// @param companion  the bodies of `fine` on the meshes of `other`
 /// @throws InputError  another number of rows or modes; fewer than `harmonics` orders
 RingFlexibility with_surroundings_of(RingFlexibility fine, const RingFlexibility &companion,

@@ -75,7 +75,7 @@ const char *ring_name(const RingSection &s)
   return s.inner ? "cone" : "cup";
 }
 
-// Rows beside one another within the width, and raceways within the ring.
+// Rows next to each other within the width, and raceways within the ring.
 void require_inside(const RollerBearing &b, const RingSection &s)
 {
   const double half = 0.5 * s.length * s.raceways[0].along[1];
@@ -96,7 +96,7 @@ void require_inside(const RollerBearing &b, const RingSection &s)
     refuse(b, "the raceway of the ", ring_name(s), " reaches diameter ", 2 * (s.inner ? r - rise : r + rise) / mm,
            " mm, ", s.inner ? "inside the bore of " : "outside the outside diameter of ", 2 * s.seat_radius / mm,
            " mm; check roller_diameter, pitch_diameter, roller_length and cup_angle");
-  // Thinner than a tenth of the roller it is no ring any more, and no mesh follows it.
+  // Thinner than a tenth of the roller it is not a ring any more, and no mesh follows it.
   if (wall < 0.1 * b.roller_diameter)
     refuse(b, "the ", ring_name(s), " has only ", wall / mm,
            " mm left at the thin end of a raceway, less than a tenth "
@@ -131,7 +131,7 @@ Housing housing(const RollerBearing &b)
     return h;
   }
   if (b.chock != "block" && b.chock != "round")
-    refuse(b, "chock = \"", b.chock, "\" is none of block, round, rigid");
+    refuse(b, "chock = \"", b.chock, "\" must be one of block, round, rigid");
   h.kind          = b.chock == "round" ? Housing::Kind::round : Housing::Kind::block;
   h.radius        = 0.5 * std::min(b.chock_width, b.chock_height);
   h.half_length   = 0.5 * b.chock_length;

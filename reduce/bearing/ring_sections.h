@@ -3,7 +3,7 @@
 #include "core/model/roller_bearing.h"
 
 namespace mill::bearing {
-/// What the law of one roller already counts of the rings.
+/// Deformation of the rings that the law of one roller already contains.
 struct RacewayDatum {
   double depth_inner = not_given;  ///< m, of the cone's raceway in the law of one roller; absent: wall at mid-row
   double depth_outer = not_given;  ///< m, of the cup's; absent: wall at mid-row
@@ -19,6 +19,6 @@ struct RacewayDatum {
 ///                     bearing or with a dimension missing; a land that does not fit; says which and by how much
 RingSections ring_sections(const RollerBearing &bearing, const RacewayDatum &datum = {});
 
-/// m, wall of a ring at mid-row, along the normal of the raceway: the depth that the law of one roller counts.
+/// m, wall of a ring at mid-row, along the normal of the raceway: the depth that the law of one roller contains.
 double ring_wall(const RingSection &section);
 }  // namespace mill::bearing

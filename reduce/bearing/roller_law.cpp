@@ -27,7 +27,7 @@ double plane_flexibility(const RollerBearing &b, const double line_load, const R
 {
   const double load = line_load * b.roller_length;
   return (elastic_roller(b, load, depth.inner).approach + elastic_roller(b, load, depth.outer).approach) /
-         (2 * line_load);  // each call counts both contacts at one depth, and depth enters by its logarithm
+         (2 * line_load);  // each call takes both contacts at one depth, and depth enters by its logarithm
 }
 
 /// Newton inside a bracket: the load never falls with the approach.
@@ -40,9 +40,9 @@ double bracketed_approach(const RollerLaw &law, const double load)
   }
   double d = high;
   for (int i = 0; i < 200; ++i) {
-    const RollerLoad at           = roller_load(law, d, 0);
-    (at.load > load ? high : low) = d;
-    double next                   = d - (at.load - load) / at.stiffness;
+    const RollerLoad roller_state           = roller_load(law, d, 0);
+    (roller_state.load > load ? high : low) = d;
+    double next                             = d - (roller_state.load - load) / roller_state.stiffness;
     if (!(next >= low && next <= high))
       next = (low + high) / 2;
     if (std::abs(next - d) <= 1e-14 * high)
@@ -116,10 +116,10 @@ RollerLaw elastic_law(const RollerBearing &b, const RingWalls &depth)
 
 RollerLoad roller_load(const RollerLaw &law, const double approach, const double tilt)
 {
-  const auto n        = law.position.size();
-  const VectorXd d    = (approach + std::tan(tilt) * law.position.array()).matrix();  // (5.5)
-  const SliceLoads at = slice_loads(law, d, VectorXd::Ones(n));
-  return {at.load.sum(), at.slope.sum()};
+  const auto n           = law.position.size();
+  const VectorXd d       = (approach + std::tan(tilt) * law.position.array()).matrix();  // (5.5)
+  const SliceLoads loads = slice_loads(law, d, VectorXd::Ones(n));
+  return {loads.load.sum(), loads.slope.sum()};
 }
 
 double roller_approach(const RollerLaw &law, const double load)
@@ -132,8 +132,8 @@ double roller_approach(const RollerLaw &law, const double load)
   double d =
       law.drop.maxCoeff() + std::pow(load / (law.lamina_constant * double(law.drop.size())), 1 / lamina_exponent);
   for (int i = 0; i < 100; ++i) {
-    const RollerLoad at = roller_load(law, d, 0);
-    const double step   = (at.load - load) / at.stiffness;
+    const RollerLoad roller_state = roller_load(law, d, 0);
+    const double step             = (roller_state.load - load) / roller_state.stiffness;
     d -= step;
     if (std::abs(step) <= 1e-15 * d)
       break;

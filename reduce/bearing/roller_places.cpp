@@ -37,7 +37,7 @@ RollerPlaces roller_places(const RollerBearing &b, const double cage_angle, cons
       const double lever       = places.z[r] * ca - R * places.hand[r] * sa;  // (p x n), about x: -s, about y: +c
       const Eigen::Index first = Eigen::Index(r * b.rollers_per_row + j) * modes;
       places.press.row(first) << ca * c, ca * s, places.hand[r] * sa, -lever * s, lever * c;
-      // Along the line the lever grows by one metre for each metre, whatever the angle: (t x n) = (-s, c).
+      // Along the line the arm grows by one metre for each metre, for any angle: (t x n) = (-s, c).
       places.press.row(first + 1) << 0, 0, 0, -b.roller_length / 2 * s, b.roller_length / 2 * c;
     }
   return places;

@@ -21,11 +21,12 @@ RollerForces RollerSet::forces(const VectorXd &approach, const RollerForces *sta
   for (Index j = 0; j < rollers; ++j) {
     const VectorXd d = shape_ * approach.segment(j * m, m);
     if ((d - law_.drop).maxCoeff() > 0) {
-      const bool warm     = start && start->slice_load.col(j).maxCoeff() > 0;
-      const SliceLoads at = slice_loads(law_, d, shape_, warm ? VectorXd(start->slice_load.col(j)) : VectorXd());
-      if (at.load.sum() > least_) {
-        const MatrixXd K               = shape_.transpose() * at.slope;
-        out.slice_load.col(j)          = at.load;
+      const bool warm = start && start->slice_load.col(j).maxCoeff() > 0;
+      const SliceLoads loads =
+          slice_loads(law_, d, shape_, warm ? VectorXd(start->slice_load.col(j)) : VectorXd());
+      if (loads.load.sum() > least_) {
+        const MatrixXd K               = shape_.transpose() * loads.slope;
+        out.slice_load.col(j)          = loads.load;
         out.slope.middleCols(j * m, m) = (K + K.transpose()) / 2;
         out.on_raceway[std::size_t(j)] = 1;
       }

@@ -266,17 +266,17 @@ RollerLaw with_limits(RollerLaw law)
     throw InputError("roller: the influence of the slices is not positive definite");
   // Slope kappa (ln(p_ref/p) - 1) of the local term: the slice's own part takes at most 0.7 of the least
   // flexibility, the shared part 0.8 of what that leaves, mode by mode.
-  const double own   = -0.7 * least;
-  const MatrixXd F   = sharing(n);
-  MatrixXd remaining = A;
-  remaining.diagonal().array() += own;
+  const double own_value = -0.7 * least;
+  const MatrixXd F       = sharing(n);
+  MatrixXd remaining     = A;
+  remaining.diagonal().array() += own_value;
   const MatrixXd L = remaining.llt().matrixL();
   const MatrixXd G = L.triangularView<Eigen::Lower>().solve(F);  // least of  x' remaining x / x' F F x
   const double share =
       1 / Eigen::SelfAdjointEigenSolver<MatrixXd>(MatrixXd(G * G.transpose()), Eigen::EigenvaluesOnly)
               .eigenvalues()[n - 1];
-  law.separate_line_load = law.reference_line_load * std::exp(-own / law.kappa - 1);
-  law.shared_line_load   = law.reference_line_load * std::exp((-own + 0.8 * share) / law.kappa - 1);
+  law.separate_line_load = law.reference_line_load * std::exp(-own_value / law.kappa - 1);
+  law.shared_line_load   = law.reference_line_load * std::exp((-own_value + 0.8 * share) / law.kappa - 1);
   return law;
 }
 

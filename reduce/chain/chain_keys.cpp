@@ -24,8 +24,8 @@ Keys housing_keys(const MillHousing &housing, const bool mass)
   const Keys shape =
       keys_in("housing", "thickness post_width window_width window_height upper_beam_height lower_beam_height "
                          "fillet_radius foot_height screw_pad seat_pad youngs_modulus");
-  const auto of_rolls = [](const double own, const char *key) {
-    return std::isnan(own) ? Keys{std::string("steel.") + key} : Keys{};
+  const auto of_rolls = [](const double given_by_roll, const char *key) {
+    return std::isnan(given_by_roll) ? Keys{std::string("steel.") + key} : Keys{};
   };
   return joined(shape, of_rolls(housing.modulus, "youngs_modulus"), Keys{"steel.poisson_ratio"},
                 mass ? joined(Keys{"housing.density"}, of_rolls(housing.density, "density")) : Keys{});
@@ -38,7 +38,7 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
     if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
                                     key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
       return housing_keys(stand.housing, key.find("_mass") != std::string::npos);
-    // A backup bearing that counts its chock has put it out of the chain.
+    // A backup bearing that contains its chock has taken it out of the chain.
     if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||
         (key == "frame.lower_chock_stiffness" && std::isinf(stand.frame.lower_chock_stiffness)))
       return {};

@@ -34,7 +34,7 @@ Plane half_frame(const MillHousing &h, const FrameChoice &choice)
 {
   const double axis = 0.5 * (h.window_width + h.post_width), low = -0.5 * h.lower_beam_height,
                high         = h.window_height + 0.5 * h.upper_beam_height,
-               beside       = 0.5 * choice.rigid_corner * h.post_width;
+               rigid_corner = 0.5 * choice.rigid_corner * h.post_width;
   const double lower_corner = 0.5 * choice.rigid_corner * h.lower_beam_height,
                upper_corner = 0.5 * choice.rigid_corner * h.upper_beam_height;
   Plane p;
@@ -57,10 +57,10 @@ Plane half_frame(const MillHousing &h, const FrameChoice &choice)
     p.member.push_back(m);
   };
   add(0, lower_beam, h.lower_beam_height, 0, 0, -force / (0.5 * h.seat_pad));
-  add(1, lower_beam, h.lower_beam_height, 0, beside, 0);
+  add(1, lower_beam, h.lower_beam_height, 0, rigid_corner, 0);
   add(2, lower_post, h.post_width, lower_corner, 0, 0);
   add(3, upper_post, h.post_width, 0, upper_corner, 0);
-  add(4, upper_beam, h.upper_beam_height, beside, 0, 0);
+  add(4, upper_beam, h.upper_beam_height, rigid_corner, 0, 0);
   add(5, upper_beam, h.upper_beam_height, 0, 0, -force / (0.5 * h.screw_pad));
   return p;
 }
@@ -91,11 +91,11 @@ struct Beam {
   {
     Matrix6 T = Matrix6::Zero();
     for (const int end : {0, 1}) {
-      const int at = 3 * end;
-      T.block<1, 2>(at, at) << along[0], along[1];
-      T.block<1, 2>(at + 1, at) << -along[1], along[0];
-      T(at + 1, at + 2) = end == 0 ? member.rigid[0] : -member.rigid[1];
-      T(at + 2, at + 2) = 1;
+      const int place = 3 * end;
+      T.block<1, 2>(place, place) << along[0], along[1];
+      T.block<1, 2>(place + 1, place) << -along[1], along[0];
+      T(place + 1, place + 2) = end == 0 ? member.rigid[0] : -member.rigid[1];
+      T(place + 2, place + 2) = 1;
     }
     return T;
   }
@@ -110,10 +110,10 @@ struct Beam {
         6 * l, (4 + phi) * l * l, -6 * l, (2 - phi) * l * l,  //
         -12, -6 * l, 12, -6 * l,                              //
         6 * l, (2 - phi) * l * l, -6 * l, (4 + phi) * l * l;
-    const int at[] = {1, 2, 4, 5};
+    const int place[] = {1, 2, 4, 5};
     for (int i = 0; i < 4; ++i)
       for (int j = 0; j < 4; ++j)
-        k(at[i], at[j]) = f * b(i, j);
+        k(place[i], place[j]) = f * b(i, j);
     return k;
   }
   Vector6 load(const double q) const

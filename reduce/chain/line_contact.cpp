@@ -10,7 +10,7 @@ void require_positive(const CylinderPair &pair, const double load)
   if (!(pair.diameter1 > 0 && pair.diameter2 > 0 && pair.length > 0))
     throw InputError("line contact: both diameters and the contact length must be positive");
   if (!(load > 0))
-    throw InputError("line contact: the load must be positive; without load there is no contact and no stiffness");
+    throw InputError("line contact: the load must be positive; without load neither contact nor stiffness exists");
 }
 
 /// 2 (1 - nu^2) / (pi E), 1/Pa: the compliance every law below is proportional to, (3.1)

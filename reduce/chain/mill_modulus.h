@@ -13,7 +13,7 @@ struct PathPart {
   std::string name;                      ///< "K3", "K4.flattening"
   double tangent = 0;                    ///< N/m, at the rolling force
   double secant  = 0;                    ///< N/m, from zero force to the rolling force
-  double error   = not_given;            ///< -, relative, of the tangent; NaN: nobody says
+  double error   = not_given;            ///< -, relative, of the tangent; NaN: not stated
   std::vector<std::string> error_lacks;  ///< what would say it; empty: the part itself
 };
 

@@ -13,7 +13,7 @@ bool is_one_sided(const Roll &roll);
 
 /// Extra distance of two cylinders whose axes cross at mid-length by `angle` (rad) and pass each other at `offset`
 /// (m), measured from their distance at mid-length without offset.  Along the barrel the contact follows the line
-/// that joins the axes, so that only the distance of the axes counts.  theory.md (2.13)
+/// that joins the axes, so that only the distance of the axes matters.  theory.md (2.13)
 /// @param between  m, sum of the two radii
 double crossing_gap(double between, double angle, double offset, double z);
 }  // namespace mill::reduce

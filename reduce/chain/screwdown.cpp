@@ -53,7 +53,7 @@ public:
   {
     problems.push_back({{}, message, {}});
   }
-  // `having` is no spring without `missing`.
+  // `having` is not a spring without `missing`.
   void needs(const Length &having, const Length &missing, const char *why)
   {
     if (given(drawing.*having.value) && !given(drawing.*missing.value))

@@ -22,7 +22,7 @@ struct SeriesSprings {
 /// A mass or stiffness of the frame that may be off.
 struct FrameValue {
   double Frame::*member;
-  double error;               ///< -, relative; NaN: nobody says
+  double error;               ///< -, relative; NaN: not stated
   std::string tolerance_key;  ///< that would say it, "frame.piston_mass_tolerance"
 };
 
@@ -38,8 +38,8 @@ SeriesSprings series_springs(const Frame &frame, const PathSprings &path);
 /// @param K1, K7  N/m, of the chain, where given; NaN: the frame's own series
 Frame with_masses_at_the_chain(Frame frame, double K1 = not_given, double K7 = not_given);
 
-/// A frame whose parts between M1 and M2 (or M6 and M5) nobody has drawn, since K2 (K6) is given: those that are
-/// NaN share evenly what the given spring leaves beside the known parts, bearing and bending of the roll, (34.2).
+/// A frame whose parts between M1 and M2 (or M6 and M5) are not drawn, since K2 (K6) is given: those that are
+/// NaN share evenly what the given spring leaves after the known parts, bearing and bending of the roll, (34.2).
 /// @param K2, K6  N/m, of the chain, where given; NaN: the frame is complete there
 /// @throws InputError  the given spring is stiffer than the parts behind it alone
 Frame with_given_springs(Frame frame, const PathSprings &path, double K2, double K6);

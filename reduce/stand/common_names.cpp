@@ -11,9 +11,9 @@ namespace {
 /// Modes of all models under one number each, joined to groups of one mode.
 class CommonModes {
 public:
-  explicit CommonModes(const std::vector<std::size_t> &counts)
+  explicit CommonModes(const std::vector<std::size_t> &mode_numbers)
   {
-    for (const std::size_t n : counts) {
+    for (const std::size_t n : mode_numbers) {
       first.push_back(model_of.size());
       model_of.insert(model_of.end(), n, first.size() - 1);
     }
@@ -37,8 +37,8 @@ public:
   /// Model and mode that gives the name: of the most detailed model of the group.
   std::pair<std::size_t, std::size_t> leader(const std::size_t model, const std::size_t mode) const
   {
-    const std::size_t own = group[number(model, mode)];
-    const auto lead       = std::size_t(std::find(group.begin(), group.end(), own) - group.begin());
+    const std::size_t own_group = group[number(model, mode)];
+    const auto lead             = std::size_t(std::find(group.begin(), group.end(), own_group) - group.begin());
     return {model_of[lead], lead - first[model_of[lead]]};
   }
 
@@ -49,10 +49,10 @@ private:
 CommonModes common_modes(const std::vector<const StandWithModes *> &stands,
                          const std::vector<ModelLikeness> &likeness)
 {
-  std::vector<std::size_t> counts;
+  std::vector<std::size_t> mode_numbers;
   for (const StandWithModes *stand : stands)
-    counts.push_back(std::size_t(stand->modes.frequency.size()));
-  CommonModes common(counts);
+    mode_numbers.push_back(std::size_t(stand->modes.frequency.size()));
+  CommonModes common(mode_numbers);
   struct Link {
     double mac;
     std::size_t a, b;

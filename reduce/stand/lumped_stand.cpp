@@ -16,7 +16,7 @@ namespace {
 /// M1..M6, then K1..K7.
 using ChainValues = std::array<double, 13>;
 
-/// What the chain is made of beside the drawing.  N/m
+/// What the chain needs in addition to the drawing.  N/m
 struct ChainNumbers {
   double K3 = 0, K4 = 0, K5 = 0, K_Zy_upper = 0, K_Zy_lower = 0;
   double K_ZW = not_given, K1 = not_given, K7 = not_given;  ///< given ones; absent: from the drawing
@@ -104,7 +104,7 @@ ChainValues chain_values(const FourHigh &stand, const ChainNumbers &n, const Rol
 
 /// An input of the chain that may be off.
 struct UncertainInput {
-  double error;  ///< -, relative; NaN: nobody says
+  double error;  ///< -, relative; NaN: not stated
   Keys lacks;    ///< what would say it
   std::function<void(FourHigh &, ChainNumbers &, double)> scale;
 };
@@ -168,7 +168,7 @@ std::string mass_method(const std::size_t i, const std::string &reference)
   return "kinetic energy of the static shape, " + reference + " reference";
 }
 
-/// The other reference beside the chosen one: how much the choice of the reference point moves a mass.
+/// The other reference compared with the chosen one: how much the choice of the reference point moves a mass.
 Check other_reference(const std::size_t i, const std::string &chosen, const ChainValues &other)
 {
   const std::string name = chosen == "mean" ? "mid-span" : "mean";
@@ -193,13 +193,13 @@ void add_shapes(LumpedStand &result, const FourHigh &stand, const Reduced &r)
 }
 
 Parameter computed_parameter(const double value, const char *unit, const std::string &method,
-                             const OperatingPoint &at, const Keys &keys)
+                             const OperatingPoint &working_point, const Keys &keys)
 {
   Parameter p;
   p.value  = value;
   p.unit   = unit;
   p.method = method;
-  p.at     = at;
+  p.at     = working_point;
   p.inputs = keys;
   return p;
 }
@@ -211,7 +211,7 @@ Parameter damper(const FourHigh &stand)
   return given_or(stand, "C", none);
 }
 
-/// K_ZW as the chain has it, with the other model of the roll beside it.
+/// K_ZW as the chain has it, compared with the other model of the roll.
 Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &rolls)
 {
   const std::string &reference = stand.dynamics.mass_reference;
@@ -238,17 +238,17 @@ Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &
 }
 
 /// What the rolls' model is sure to: a coarser mesh of solid rolls, or solid rolls instead of beams.
-void add_roll_errors(ChainErrors &errors, const ChainValues &values, const ChainValues &beside,
+void add_roll_errors(ChainErrors &errors, const ChainValues &values, const ChainValues &other_model,
                      const ChainValues &coarse, const SolidRolls &solid, const bool is_solid)
 {
   for (std::size_t v = 0; v < values.size(); ++v)
     if (values[v] > 0)
-      errors.error[v] +=
-          is_solid ? mesh_pair_error(values[v], coarse[v], solid.gain)
-                   : std::abs(beside[v] / values[v] - 1) + mesh_pair_error(beside[v], coarse[v], solid.gain);
+      errors.error[v] += is_solid ? mesh_pair_error(values[v], coarse[v], solid.gain)
+                                  : std::abs(other_model[v] / values[v] - 1) +
+                                        mesh_pair_error(other_model[v], coarse[v], solid.gain);
 }
 
-void stand_beside(Parameter &p, const double beams, const bool solid)
+void add_other_model(Parameter &p, const double beams, const bool solid)
 {
   p.checks.push_back({solid ? name_of(CheckId::stepped_beams) : "rolls by finite elements (22.13)", beams, ""});
 }
@@ -287,7 +287,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   uncertain.push_back(spring(&ChainNumbers::K_Zy_lower, "K_Zy_lower", result.K_Zy_lower));
   if (!inputs.solid || stand.given.count("K_ZW"))  // else by the change of all shapes together
     uncertain.push_back(spring(&ChainNumbers::K_ZW_factor, "K_ZW", result.K_ZW));
-  const auto fills = [&](const std::string &name) {  // a given spring that represents parts nobody drew
+  const auto fills = [&](const std::string &name) {  // a given spring that represents parts that are not drawn
     const Frame &f = stand.frame;
     return name == "K2" ? std::isnan(f.oil_column_stiffness) || std::isnan(f.cylinder_body_stiffness) ||
                               std::isnan(f.upper_chock_stiffness)
@@ -304,11 +304,11 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   const ChainValues other  = chain_values(stand, n, rolls, reference == "mean" ? "mid" : "mean");
   ChainErrors errors =
       stated == StatedErrors::propagated ? propagated_errors(stand, n, rolls, uncertain) : no_errors();
-  ChainValues beside = values;
+  ChainValues other_model = values;
   if (const SolidRolls &r = inputs.solid) {
-    beside             = chain_values(stand, n, rolls_of(!solid), reference);
+    other_model        = chain_values(stand, n, rolls_of(!solid), reference);
     const Rolls coarse = solids(stand, *r.coarse_backup_roll, *r.coarse_work_roll);
-    add_roll_errors(errors, values, beside, chain_values(stand, n, coarse, reference), r, solid);
+    add_roll_errors(errors, values, other_model, chain_values(stand, n, coarse, reference), r, solid);
   }
   auto keys = chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs,
                           given_springs(stand), stand.housing.present()},
@@ -331,7 +331,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
     if (!frame) {
       mass.checks.push_back(other_reference(i, reference, other));
       if (inputs.solid)
-        stand_beside(mass, beside[i], solid);
+        add_other_model(mass, other_model[i], solid);
     }
     model.M[i] = given_or(stand, "M" + std::to_string(i + 1), mass);
   }
@@ -341,7 +341,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
              computed_parameter(values[6 + i], "N/m", "series springs", frame ? OperatingPoint() : at, keys[6 + i]),
              6 + i);
     if (inputs.solid && (i == 1 || i == 5))
-      stand_beside(p, beside[6 + i], solid);
+      add_other_model(p, other_model[6 + i], solid);
     model.K[i] = given_or(stand, "K" + std::to_string(i + 1), p);
   }
   model.K[2] = K3;

@@ -31,7 +31,7 @@ struct ChainInputs {
   Parameter K_Zy_lower;                 ///< both bearings of the lower backup roll together, tangent
   std::array<Parameter, 4> Kzc;         ///< one bearing: upper backup, upper work, lower work, lower backup
   std::array<Parameter, 4> Kzc_across;  ///< the same across the load
-  SolidRolls solid;   ///< without them the closed forms stand in, whatever backup_roll.bending_model says
+  SolidRolls solid;   ///< without them the closed forms are used, also against backup_roll.bending_model
   OperatingPoint at;  ///< working load, "976.2 kN"
 };
 
@@ -52,7 +52,7 @@ template <class Io, class Inputs> void each_spring(Io &&io, Inputs &inputs)
   }
 }
 
-/// All numbers of the chain by their names, in the order of the results; stiffnesses of bearings that nobody knows
+/// All numbers of the chain by their names, in the order of the results; stiffnesses of bearings that are not known
 /// are left out.  A member that is added to the model and not named here does not compile.
 template <class Io> void each_number(Io &&io, const LumpedModel &model)
 {
@@ -84,7 +84,7 @@ struct LumpedStand {
   RollShape f2_upper, f2_lower;      ///< backup roll, mid-length to bearing centre
 };
 
-/// Error estimates of the chain's numbers: nobody asks for those of a case that was changed to see what moves.
+/// Error estimates of the chain's numbers: they are not needed for a case that was changed to see what moves.
 enum class StatedErrors { propagated, none };
 
 /// Masses and springs of the six-mass chain.  theory.md 4

@@ -163,12 +163,12 @@ std::vector<MassBreakdown> model_breakdown(const FourHigh &stand, const StandMod
   const Eigen::VectorXd y  = static_displacement(path);
   const SixMasses six      = six_masses(model, riders_of(stand), reference);
   const StandShapes shapes = stand_shapes(model);
-  const auto at            = [&](const std::string &name) {
-    const auto found =
+  const auto result_at     = [&](const std::string &name) {
+    const auto match =
         std::find_if(path.points.begin(), path.points.end(), [&](const StandPoint &p) { return p.name == name; });
-    if (found == path.points.end())
+    if (match == path.points.end())
       throw InputError("stand model \"" + model.name + "\" has no point \"" + name + "\"");
-    return std::abs(found->row.dot(y));
+    return std::abs(match->row.dot(y));
   };
   Displacements d;
   const RollShape *f1[2] = {&shapes.f1_upper, &shapes.f1_lower}, *f2[2] = {&shapes.f2_upper, &shapes.f2_lower};
@@ -179,13 +179,13 @@ std::vector<MassBreakdown> model_breakdown(const FourHigh &stand, const StandMod
     d.f2[side]         = [=](double x) { return value_at(*f2[side], x, h2); };
     d.reference1[side] = std::abs(six.displacement[side == 0 ? 2 : 3]);
     d.reference2[side] = std::abs(six.displacement[side == 0 ? 1 : 4]);
-    d.seat1[side]      = at(side_name[side] + " work roll seat");
-    d.seat2[side]      = at(side_name[side] + " backup roll seat");
-    d.chock[side]      = at(side_name[side] + " backup chock");
+    d.seat1[side]      = result_at(side_name[side] + " work roll seat");
+    d.seat2[side]      = result_at(side_name[side] + " backup roll seat");
+    d.chock[side]      = result_at(side_name[side] + " backup chock");
   }
-  d.frame[0] = at("upper frame");
-  d.frame[1] = at("lower frame");
-  d.cylinder = at("cylinder");
+  d.frame[0] = result_at("upper frame");
+  d.frame[1] = result_at("lower frame");
+  d.cylinder = result_at("cylinder");
   d.edge     = stand.strip.width / 2;
 
   std::vector<PartMass> upper = upper_frame_parts(stand.frame), lower = lower_frame_parts(stand.frame);

@@ -56,7 +56,7 @@ Reduction prepare(const StandWithModes &stand, const std::vector<Candidate> &can
 
 struct Score {
   MassesRow row;
-  double sum = std::numeric_limits<double>::infinity();  ///< -, of errors; a missing mode counts 1
+  double sum = std::numeric_limits<double>::infinity();  ///< -, of errors; a missing mode adds 1
 };
 
 void judge(Score &score, const Eigen::MatrixXd &mac, const Eigen::VectorXd &reduced, const Eigen::VectorXd &full)

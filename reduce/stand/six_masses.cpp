@@ -35,17 +35,17 @@ double loaded_mean(const StandModel &stand, const std::string &foundation, const
   for (const Connection &c : stand.connections) {
     if (c.name != foundation)
       continue;
-    Eigen::VectorXd own = y;
+    Eigen::VectorXd shape_vector = y;
     for (Eigen::Index i = 0; i < y.size(); ++i)
       if (stand.parts[std::size_t(stand.part_of[std::size_t(i)])] != part)
-        own[i] = 0;
+        shape_vector[i] = 0;
     const Eigen::VectorXd force = c.stiffness.cwiseProduct(c.rows * y);
-    return std::copysign(force.dot(c.rows * own) / force.sum(), otherwise);
+    return std::copysign(force.dot(c.rows * shape_vector) / force.sum(), otherwise);
   }
   return otherwise;
 }
 
-/// Place of the chain that the energy of unknown i counts for.
+/// Place of the chain to which the energy of unknown i belongs.
 int place_of_unknown(const StandModel &stand, const Eigen::Index i)
 {
   const int place = place_of_part(stand.parts[std::size_t(stand.part_of[std::size_t(i)])]);
@@ -139,12 +139,12 @@ SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, 
     moving[5] += (1 - upper_share) * energy;
   }
   for (const Rider &rider : riders) {
-    const auto at = std::find_if(path.points.begin(), path.points.end(),
-                                 [&](const StandPoint &p) { return p.name == rider.point; });
-    if (at == path.points.end())
+    const auto match = std::find_if(path.points.begin(), path.points.end(),
+                                    [&](const StandPoint &p) { return p.name == rider.point; });
+    if (match == path.points.end())
       throw InputError("stand model \"" + stand.name + "\" has no point \"" + rider.point + "\" for the " +
                        rider.name);
-    const double energy = rider.mass * std::pow(at->row.dot(y), 2);
+    const double energy = rider.mass * std::pow(match->row.dot(y), 2);
     moving[std::size_t(rider.from)] -= energy;
     moving[std::size_t(rider.to)] += energy;
   }
@@ -166,7 +166,7 @@ LumpedModel with_six_masses(LumpedModel chain, const SixMasses &values, const st
   for (std::size_t i = 0; i < 6; ++i)
     set(chain.M[i], values.M[i]);
   for (std::size_t i = 0; i < 7; ++i)
-    if (i != 3)  // the bite is no part of the stand
+    if (i != 3)  // the bite does not belong to the stand
       set(chain.K[i], values.K[i]);
   return chain;
 }

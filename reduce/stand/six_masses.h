@@ -42,7 +42,7 @@ StandModel load_path(const StandModel &stand);
 /// returns its own numbers.
 /// @param reference  "mid": rolls at mid-length; "mean": backup rolls by the mean under their contact load
 /// @throws InputError  a part that is not held; points that are not in the order of the chain
-/// @param upper_share  -, of a housing's kinetic energy that counts for M1, the rest for M6; NaN: by its interface
+/// @param upper_share  -, of a housing's kinetic energy that belongs to M1, the rest for M6; NaN: by its interface
 SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders = {},
                      const std::string &reference = "mid", double upper_share = not_given);
 

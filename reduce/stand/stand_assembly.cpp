@@ -138,11 +138,11 @@ void add_path(Assembly &a, Eigen::VectorXd start, const Eigen::VectorXd &end,
 
 Eigen::Index interface_of(const Component &housing, const std::string &name)
 {
-  const auto found = std::find(housing.interface.begin(), housing.interface.end(), name);
-  if (found == housing.interface.end())
+  const auto match = std::find(housing.interface.begin(), housing.interface.end(), name);
+  if (match == housing.interface.end())
     throw InputError("component \"" + housing.name +
                      "\" cannot be the housing: it has no interface displacement \"" + name + "\"");
-  return found - housing.interface.begin();
+  return match - housing.interface.begin();
 }
 
 double lower_seat_stiffness(const Frame &f)
@@ -346,9 +346,9 @@ int place_of_part(const std::string &part)
     p["housing"]               = -1;
     return p;
   }();
-  const auto found = place.find(part);
-  if (found == place.end())
+  const auto match = place.find(part);
+  if (match == place.end())
     throw InputError("part \"" + part + "\" has no place in the chain of six masses");
-  return found->second;
+  return match->second;
 }
 }  // namespace mill::reduce

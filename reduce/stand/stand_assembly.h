@@ -9,7 +9,7 @@ namespace mill {
 struct FourHigh;
 }
 namespace mill::reduce {
-/// What a stand needs beside its drawing: springs at the working load and the reduced frame.  Whole stand unless
+/// What a stand needs in addition to its drawing: springs at the working load and the reduced frame.  Whole stand unless
 /// it says otherwise.
 struct StandSprings {
   double K1         = 0;          ///< N/m, ground to upper frame (closed frame: lower to upper frame)

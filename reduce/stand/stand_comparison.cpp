@@ -37,10 +37,10 @@ Eigen::RowVectorXd row_at(const StandLine &line, const double z)
 template <class Named>
 const Named &named(const std::vector<Named> &all, const std::string &name, const std::string &stand)
 {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Named &n) { return n.name == name; });
-  if (found == all.end())
+  const auto match = std::find_if(all.begin(), all.end(), [&](const Named &n) { return n.name == name; });
+  if (match == all.end())
     throw InputError("stand model \"" + stand + "\" has no \"" + name + "\" to compare with");
-  return *found;
+  return *match;
 }
 
 /// (n_beam, n_other): what the unknowns of a stand of beams would be in another model of the same stand.
@@ -120,7 +120,7 @@ Eigen::MatrixXd mac_with_chain(const StandWithModes &stand, const StandWithModes
 
 Eigen::MatrixXd mac_between(const StandWithModes &other, const StandWithModes &beam)
 {
-  // A mass that a beam carries counts with its own displacement, which another model may know apart from the
+  // A mass that a beam carries has its own displacement, which another model may know apart from the
   // seat's.
   const auto &carried  = beam.model.carried;
   const Eigen::Index n = beam.model.M.rows(), c = Eigen::Index(carried.size());
@@ -174,19 +174,19 @@ ChainVerdict chain_verdict(const StandWithModes &detailed, const StandWithModes 
   double worst_right = 0;
   std::vector<std::string> shown, wrong, missing;
   for (const ModePair &pair : verdict.pairs) {
-    const std::string own = hertz(f[pair.mode]);
+    const std::string frequency_text = hertz(f[pair.mode]);
     if (pair.other < 0) {
       verdict.missing.push_back(f[pair.mode]);
-      missing.push_back(own + " Hz (" + movers(detailed, pair.mode) + ")");
+      missing.push_back(frequency_text + " Hz (" + movers(detailed, pair.mode) + ")");
       continue;
     }
     const double chain_frequency = chain.modes.frequency[pair.other], error = chain_frequency / f[pair.mode] - 1;
     if (std::abs(error) <= right_frequency) {
-      shown.push_back(own);
+      shown.push_back(frequency_text);
       worst_right = std::max(worst_right, std::abs(error));
     } else
-      wrong.push_back(own + " Hz (six masses: " + hertz(chain_frequency) + " Hz, " + (error > 0 ? "+" : "") +
-                      percent(error) + ")");
+      wrong.push_back(frequency_text + " Hz (six masses: " + hertz(chain_frequency) + " Hz, " +
+                      (error > 0 ? "+" : "") + percent(error) + ")");
   }
   const std::string range = " below " + hertz(limit) + " Hz";
   auto &say               = verdict.sentences;
@@ -194,7 +194,7 @@ ChainVerdict chain_verdict(const StandWithModes &detailed, const StandWithModes 
     say.push_back(title + " has no mode" + range + ".");
     return verdict;
   }
-  say.push_back(shown.empty() ? "Six masses are right to 5 % for none of the " + std::to_string(below) +
+  say.push_back(shown.empty() ? "Six masses are right to 5 % for no mode of the " + std::to_string(below) +
                                     " modes of " + title + range + "."
                               : "Six masses are right to " + percent(worst_right) + " for " +
                                     std::to_string(shown.size()) + " of the " + std::to_string(below) +

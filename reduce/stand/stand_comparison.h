@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace mill::reduce {
-/// Relative error of a frequency up to which a mode counts as shown rightly.
+/// Relative error of a frequency up to which a mode is shown rightly.
 inline constexpr double right_frequency = 0.05;
 
 /// A stand model with its modes.
@@ -31,7 +31,7 @@ Eigen::MatrixXd mac_with_chain(const StandWithModes &stand, const StandWithModes
 
 /// (modes of other, modes of beam): modal assurance between two detailed stands; `other` is read at the nodes of
 /// the beam stand (axes and points of the same name) and weighted with the beam stand's mass; what the beams carry
-/// counts with its own displacement.  theory.md (22.19)
+/// has its own displacement.  theory.md (22.19)
 /// @throws InputError  a line or point of `beam` that `other` lacks
 Eigen::MatrixXd mac_between(const StandWithModes &other, const StandWithModes &beam);
 

@@ -34,6 +34,6 @@ Eigen::MatrixXd static_solution(const StandModel &stand, const Eigen::MatrixXd &
 /// (p, n): rows of the first p points.
 Eigen::MatrixXd point_rows(const StandModel &stand, Eigen::Index p);
 
-/// The stand without one of its connections (none of that name: unchanged).
+/// The stand without one of its connections (no connection of that name: unchanged).
 StandModel without(StandModel stand, const std::string &connection);
 }  // namespace mill::reduce

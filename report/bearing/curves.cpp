@@ -65,17 +65,17 @@ std::string force_over_displacement(const Table &curve)
 std::string stiffness_over_load(const Table &curve, const std::vector<Mark> &loads)
 {
   Plot plot;
-  const bool beside = values_of(curve, {"standard_tangent", "kN/mm"}).size() > 0;
-  plot.title        = "Radial stiffness over load";
-  plot.width        = beside ? 660 : 360;
-  plot.height       = beside ? 360 : 330;
-  plot.x            = {"radial load of one bearing", "kN", Scale::logarithmic};
-  plot.y            = {"stiffness Kzc", "kN/mm"};
-  const auto add    = [&](const char *column, const char *label, const Pen pen, const bool markers = false) {
+  const bool with_standard = values_of(curve, {"standard_tangent", "kN/mm"}).size() > 0;
+  plot.title               = "Radial stiffness over load";
+  plot.width               = with_standard ? 660 : 360;
+  plot.height              = with_standard ? 360 : 330;
+  plot.x                   = {"radial load of one bearing", "kN", Scale::logarithmic};
+  plot.y                   = {"stiffness Kzc", "kN/mm"};
+  const auto add = [&](const char *column, const char *label, const Pen pen, const bool markers = false) {
     add_line(plot, curve, {"load", "kN"}, {column, "kN/mm"}, label, pen, markers);
   };
-  add("tangent", beside ? "tangent, this run" : "tangent", Pen::dark, true);
-  add("secant", beside ? "secant, this run" : "secant", beside ? Pen::dark_dashed : Pen::dashed);
+  add("tangent", with_standard ? "tangent, this run" : "tangent", Pen::dark, true);
+  add("secant", with_standard ? "secant, this run" : "secant", with_standard ? Pen::dark_dashed : Pen::dashed);
   add("rigid_tangent", "tangent, the same with rigid rings", Pen::warm);
   add("rigid_secant", "secant, the same with rigid rings", Pen::warm_dashed);
   add("standard_tangent", "tangent, standard, rigid rings", Pen::pale);

@@ -7,7 +7,8 @@
 
 // What the section of one bearing consists of.  Every function takes what is stored and leaves out the rest.
 namespace mill::report {
-/// Names "Kzc", "Kzc1" .. "Kzc4" of the results that belong to this bearing, told by the keys they were made from.
+/// Names "Kzc", "Kzc1" .. "Kzc4" of the results that belong to this bearing, identified by the keys they were made
+/// from.
 std::vector<std::string> results_of_bearing(const Run &run, const std::string &bearing);
 
 /// Its working loads, kN, with these names; equal loads are one mark.
@@ -35,11 +36,11 @@ std::string heaviest_roller_sentence(const Table &rollers);
 std::vector<std::string> roller_law_drawings(const Table &law, const std::vector<Mark> &heaviest);
 std::vector<std::string> roller_tilt_drawings(const Table &tilt);
 
-/// Computed per-roller stiffnesses beside the published ones and the two factors that lead from a roller to the
-/// bearing.  Nothing without curves/bearing-NAME-published.csv.
+/// Computed per-roller stiffnesses compared with the published ones and the two factors that lead from a roller to
+/// the bearing.  Nothing without curves/bearing-NAME-published.csv.
 void published_comparison(Page &page, const Run &run, const std::string &bearing);
 
-/// An oil film over load and speed, and its pressure; false and nothing when the bearing is none.
+/// An oil film over load and speed, and its pressure; false and nothing for another bearing.
 bool oil_film_figures(Page &page, const Run &run, const std::string &bearing);
 
 /// Motion of a mass on the bearing: response/bearing-NAME.csv and its spectrum.  Nothing without.

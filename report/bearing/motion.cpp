@@ -162,16 +162,15 @@ void bearing_motion(Page &page, const Run &run, const std::string &bearing)
         {last_moments(*table), orbit(*table)},
         "The last " + fixed(1e3 * close_up, 0) +
             " ms. The force of the bearing points to its middle, so that across the load it is softer than "
-            "along it, and a motion in one direction stays in it; where the path is no line, both are "
-            "driven.");
+            "along it, and a motion in one direction stays in it; where the path is not a line, both are driven.");
   } else
     page.absent("Histories of the mass on the bearing are", "response/bearing-" + bearing + ".csv");
   if (lines)
     page.figure(
         {spectrum(run, *lines, bearing, "acceleration", "Acceleration along the driving force", "g/\u221aHz"),
          spectrum(run, *lines, bearing, "force", "Force of the bearing", "N/\u221aHz")},
-        "Spectra, with the natural frequency of small motions. The line of the driving force stands beside "
-        "its multiples: they come from the curve of the bearing, which is no straight line.");
+        "Spectra, with the natural frequency of small motions. The driving force has one line; its multiples come "
+        "from the curve of the bearing, which is not straight.");
   else
     page.absent("Spectra of the mass on the bearing are", curve_path(curve::bearing_spectrum, bearing) + ".csv");
 }

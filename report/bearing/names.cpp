@@ -8,7 +8,7 @@ struct Place {
   const char *begin, *end;  // how the name goes on after "Kzc." and how it ends; empty: any
   int group;
 };
-// The first that fits counts.
+// The first entry that matches is taken.
 const Place places[] = {
     {"motion.",        "",       4},
     {"load_that_fits", "",       3},

@@ -140,15 +140,15 @@ std::string heaviest_roller_sentence(const Table &rollers)
   int row = 0;
   for (int r = 1; r <= 4; ++r) {
     const Eigen::VectorXd load = values_of(rollers, {"row" + std::to_string(r), "kN"});
-    Eigen::Index at = 0, nearest = 0;
-    if (load.size() == 0 || load.size() != angle.size() || load.maxCoeff(&at) <= heaviest)
+    Eigen::Index index = 0, nearest = 0;
+    if (load.size() == 0 || load.size() != angle.size() || load.maxCoeff(&index) <= heaviest)
       continue;
     const Eigen::VectorXd from =
         angle.unaryExpr([](const double a) { return std::abs(std::remainder(a, double(2 * EIGEN_PI))); });
     from.minCoeff(&nearest);
-    heaviest = load[at];
+    heaviest = load[index];
     below    = load[nearest];
-    off      = from[at];
+    off      = from[index];
     row      = r;
   }
   if (row == 0)
@@ -160,8 +160,7 @@ std::string heaviest_roller_sentence(const Table &rollers)
     return "<b>On the load line:</b> " + carries + "there, as between rigid rings.";
   return "<b>Off the load line:</b> " + carries + fixed(off * 180 / EIGEN_PI, 1) +
          "\u00b0 off it, while the roller on it carries " + significant(below, 4) +
-         "\u00a0kN. The cup bends with its chock and hands the load to both sides: round the ring the load has "
-         "the "
-         "shape of an M.";
+         "\u00a0kN. The cup bends with its chock and passes the load to both sides: around the ring the load has "
+         "the shape of an M.";
 }
 }  // namespace mill::report

@@ -78,10 +78,10 @@ std::string row_lines(const Compared &c)
   return lines;
 }
 
-std::string caption(const Compared &c, const double rollers, const double sum, const std::string &at)
+std::string caption(const Compared &c, const double rollers, const double sum, const std::string &where)
 {
   std::string text =
-      "Published stiffnesses beside this run" + (at.empty() ? "" : " at " + escaped(at)) +
+      "Published stiffnesses compared with this run" + (where.empty() ? "" : " at " + escaped(where)) +
       ", each with how far the computed one is from it; on the right the roller load at which the law of this run "
       "takes the published value.";
   if (rollers > 0 && sum > 0) {
@@ -93,7 +93,7 @@ std::string caption(const Compared &c, const double rollers, const double sum, c
       text += ", which is " + percent(sum * rollers / 5 / c.total - 1) + " from the published total of " +
               significant(c.total, 4) + "\u00a0kN/mm";
     text += ". Five is the usual number for the heaviest roller of a bearing with clearance, "
-            "Q<sub>max</sub> = 5F/(iZ); it holds neither contact angle nor clearance of this one.";
+            "Q<sub>max</sub> = 5F/(iZ); it includes neither the contact angle nor the clearance of this bearing.";
   }
   return text;
 }
@@ -128,11 +128,11 @@ void published_comparison(Page &page, const Run &run, const std::string &bearing
   }
   body +=
       line("the bearing: published total, assembled here", c.total, c.assembled_secant, c.assembled_tangent, true);
-  const Result *at = run.find(result + ".tangent");
+  const Result *working_point = run.find(result + ".tangent");
   page.table("<table><thead><tr><th></th><th>published [kN/mm]</th><th>heaviest roller [kN]</th><th>secant "
              "[kN/mm]</th><th>tangent [kN/mm]</th><th>secant fits at [kN]</th><th>tangent fits at "
              "[kN]</th></tr></thead>\n<tbody>\n" +
                  body + "</tbody></table>\n",
-             caption(c, rollers, sum, at ? at->at : ""));
+             caption(c, rollers, sum, working_point ? working_point->at : ""));
 }
 }  // namespace mill::report

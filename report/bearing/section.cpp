@@ -10,13 +10,13 @@
 
 namespace mill::report {
 namespace {
-// A run that compares models has more to show than one by the standard alone; then what is missing is said.
+// A run that compares models has more to show than one by the standard alone; missing parts are then named.
 bool is_compared(const Run &run, const std::string &bearing)
 {
   return run.manifest.kind == "bearing" || stored_curve(run, curve::bearing_law, bearing);
 }
 
-// Which rows lean which way decides what a tilt does: said, and whether anybody has confirmed it.
+// The arrangement of the rows decides the effect of a tilt; the text also states whether the case gives it.
 std::string arrangement_sentence(const BearingInfo &info)
 {
   const double rows = info("rows"), angle = info("cup_angle");
@@ -62,10 +62,10 @@ void stiffness(Page &page, const Run &run, const std::string &bearing)
   if (compared && curve)
     page.figure(
         {force_over_displacement(*curve), stiffness_over_load(*curve, marks)},
-        "One bearing (a roll has two) over its radial load. The <b>tangent</b> (solid) is what a vibrating "
-        "mill feels, the <b>secant</b> (dashed) is load over displacement from the concentric position, "
-        "clearance included. Between this run and the same with rigid rings lies what rings, neck and chock "
-        "deflect; between that and the standard lies the law of one roller.");
+        "One bearing (a roll has two) over its radial load. The <b>tangent</b> (solid) is the stiffness for "
+        "vibration, the <b>secant</b> (dashed) is load over displacement from the concentric position, "
+        "clearance included. The difference between this run and the same with rigid rings is the deflection of "
+        "rings, neck and chock; the difference between that and the standard is the law of one roller.");
   std::vector<std::string> drawings;
   if (!compared && curve)
     drawings.push_back(stiffness_over_load(*curve, marks));
@@ -111,19 +111,18 @@ void rollers(Page &page, const Run &run, const std::string &bearing)
     if (const Result *load = run.find(name + ".roller_max"); load && heaviest.empty())
       heaviest.push_back({1e-3 * load->value, "heaviest roller, " + name});
   if (const Table *law = stored_curve(run, curve::bearing_law, bearing))
-    page.figure(
-        roller_law_drawings(*law, heaviest),
-        "One roller pressed between its raceways, both contacts in series. The contact elements count the "
-        "raceways to the backs of the rings; the standard and Palmgren do not say what they count, and in the "
-        "plane-strain form no slice knows of its neighbours. All have the profile of the roller, which makes the "
-        "tangent step where slices or rows of elements come into contact.");
+    page.figure(roller_law_drawings(*law, heaviest),
+                "One roller pressed between its raceways, both contacts in series. The contact elements include "
+                "the raceways up to the backs of the rings; the standard and Palmgren do not state what they "
+                "include, and in the plane-strain form each slice is independent of its neighbours. All have the "
+                "profile of the roller, which makes the "
+                "tangent step where slices or rows of elements come into contact.");
   else if (run.manifest.kind == "bearing")
     page.absent("The laws of one roller are", curve_path(curve::bearing_law, bearing) + ".csv");
   if (const Table *tilt = stored_curve(run, curve::bearing_tilt, bearing))
     if (const auto drawings = roller_tilt_drawings(*tilt); !drawings.empty())
-      page.figure(drawings,
-                  "The heaviest roller tilted at a fixed approach: what slices without a common body make "
-                  "of it beside the contact elements they stand for.");
+      page.figure(drawings, "The heaviest roller tilted at a fixed approach: independent slices compared with the "
+                            "contact elements that they replace.");
   std::vector<std::string> maps;
   for (const auto &[raceway, kind] :
        {std::pair("inner", &curve::bearing_pressure_inner), std::pair("outer", &curve::bearing_pressure_outer)})
@@ -144,7 +143,7 @@ void cage(Page &page, const Run &run, const std::string &bearing)
   page.figure(
       {cage_variation(*table)},
       "Radial stiffness at the working load while the cage turns by one roller pitch: " + cage_sentence(*table) +
-          ". With this the bearing shakes the roll at its roller-pass frequency, even on perfect parts.");
+          ". This variation excites the roll at the roller-pass frequency, even with perfect parts.");
 }
 
 void one_bearing(Page &page, const Run &run, const std::string &bearing)
@@ -165,7 +164,7 @@ void one_bearing(Page &page, const Run &run, const std::string &bearing)
 void bearing_section(Page &page, const Run &run)
 {
   auto bearings = items_of(run, curve::bearing);
-  for (const std::string &name : items_of(run, curve::bearing_rows))  // without a radial load there is no curve
+  for (const std::string &name : items_of(run, curve::bearing_rows))  // without a radial load no curve exists
     if (std::find(bearings.begin(), bearings.end(), name) == bearings.end())
       bearings.push_back(name);
   const bool wanted = run.manifest.kind == "four-high" || run.manifest.kind == "bearing";

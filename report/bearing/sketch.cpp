@@ -39,7 +39,7 @@ bool read(const BearingInfo &bearing, Size &size)
 
 // One row: the roller between the raceways that follow it.  Hand +1 carries towards +z: its contact normal points
 // outwards and to +z, so the small end is there.
-void draw_row(Svg &svg, const Section &at, const Size &s, const double z, const double hand,
+void draw_row(Svg &svg, const Section &section, const Size &s, const double z, const double hand,
               const double half_pitch)
 {
   const double axis = s.angle - s.cone / 2;  // of the roller
@@ -49,7 +49,7 @@ void draw_row(Svg &svg, const Section &at, const Size &s, const double z, const 
     const double dr     = -along * std::sin(axis) + side * radius * std::cos(axis);
     return Vector2d(z + hand * dz, s.pitch / 2 + dr);
   };
-  const auto px          = [&](const Vector2d &p) { return at(p[0], p[1]); };
+  const auto px          = [&](const Vector2d &p) { return section(p[0], p[1]); };
   const double half      = s.length / 2;
   const Vector2d big_out = corner(-half, 1), small_out = corner(half, 1), big_in = corner(-half, -1),
                  small_in = corner(half, -1);
@@ -58,17 +58,17 @@ void draw_row(Svg &svg, const Section &at, const Size &s, const double z, const 
   const auto raceway = [&](const Vector2d &big, const Vector2d &small, const double back) {
     const double slope = (small[1] - big[1]) / (small[0] - big[0]), middle = 0.5 * (small[1] + big[1]);
     const double left = middle - slope * reach, right = middle + slope * reach;
-    svg.polyline({at(z - half_pitch, back), at(z - half_pitch, left), at(z - reach, left), at(z + reach, right),
-                  at(z + half_pitch, right), at(z + half_pitch, back)},
+    svg.polyline({section(z - half_pitch, back), section(z - half_pitch, left), section(z - reach, left),
+                  section(z + reach, right), section(z + half_pitch, right), section(z + half_pitch, back)},
                  "ring-steel", true);
   };
   raceway(big_out, small_out, s.outside / 2);
   raceway(big_in, small_in, s.bore / 2);
   svg.polyline({px(big_out), px(small_out), px(small_in), px(big_in)}, "roller", true);
-  const Vector2d a = at(z - hand * 0.62 * s.length * std::cos(axis),
-                        s.pitch / 2 + 0.62 * s.length * std::sin(axis)),
-                 b = at(z + hand * 0.62 * s.length * std::cos(axis),
-                        s.pitch / 2 - 0.62 * s.length * std::sin(axis));
+  const Vector2d a = section(z - hand * 0.62 * s.length * std::cos(axis),
+                             s.pitch / 2 + 0.62 * s.length * std::sin(axis)),
+                 b = section(z + hand * 0.62 * s.length * std::cos(axis),
+                             s.pitch / 2 - 0.62 * s.length * std::sin(axis));
   svg.line(a[0], a[1], b[0], b[1], "centreline");
 }
 
@@ -84,32 +84,32 @@ std::string along_the_axis(const BearingInfo &bearing, const Size &s)
 {
   const double tall = 0.5 * (s.outside - s.bore), scale = std::min(540 / s.width, 150 / tall);  // px/mm
   const double neck = 34, chock = 40;                                                           // px, cut off
-  const Section at{scale, 320, 96 + scale * s.outside / 2};
+  const Section section{scale, 320, 96 + scale * s.outside / 2};
   Svg svg(640, 96 + scale * tall + 110, "section along the axis of the bearing, lengths in mm");
   svg.text(20, 15, "Along the axis", "title");
-  const double left = at.z0 - scale * s.width / 2, right = at.z0 + scale * s.width / 2;
-  const double outer = at(0, s.outside / 2)[1], inner = at(0, s.bore / 2)[1];
+  const double left = section.z0 - scale * s.width / 2, right = section.z0 + scale * s.width / 2;
+  const double outer = section(0, s.outside / 2)[1], inner = section(0, s.bore / 2)[1];
   svg.rect(left - 12, outer - chock, right - left + 24, chock, "steel");
-  svg.text(at.z0, outer - chock / 2 + 4, "chock", "t", Anchor::middle);
+  svg.text(section.z0, outer - chock / 2 + 4, "chock", "t", Anchor::middle);
   svg.rect(left - 30, inner, right - left + 60, neck, "steel");
-  svg.text(at.z0, inner + neck / 2 + 4, "roll neck", "t", Anchor::middle);
+  svg.text(section.z0, inner + neck / 2 + 4, "roll neck", "t", Anchor::middle);
   const double pitch = s.width / s.rows;
   for (int row = 0; row < s.rows; ++row) {
     const double hand =
         bearing.hands.empty() || bearing.hands[std::size_t(row) % bearing.hands.size()] == '+' ? 1 : -1;
-    draw_row(svg, at, s, (row + 0.5) * pitch - s.width / 2, hand, pitch / 2);
-    svg.text(at((row + 0.5) * pitch - s.width / 2, 0)[0], outer - chock - 8, "row " + std::to_string(row + 1), "t",
-             Anchor::middle);
+    draw_row(svg, section, s, (row + 0.5) * pitch - s.width / 2, hand, pitch / 2);
+    svg.text(section((row + 0.5) * pitch - s.width / 2, 0)[0], outer - chock - 8, "row " + std::to_string(row + 1),
+             "t", Anchor::middle);
   }
   draw_dimension(svg, left, right, inner + neck + 24, "width " + significant(s.width, 6));
   svg.text(left - 6, outer + 4, "\u2300 " + significant(s.outside, 4), "t halo", Anchor::end);
   svg.text(left - 6, inner + 4, "\u2300 " + significant(s.bore, 4), "t halo", Anchor::end);
-  svg.text(at.z0, inner + neck + 48,
+  svg.text(section.z0, inner + neck + 48,
            std::to_string(s.rows) + " \u00d7 " + std::to_string(s.rollers) + " rollers " +
                significant(s.length, 4) + " \u00d7 \u2300 " + significant(s.roller, 4) + ", cup angle " +
                fixed(s.angle * 180 / EIGEN_PI, 2) + "\u00b0",
            "t", Anchor::middle);
-  svg.text(at.z0, inner + neck + 68, "lengths [mm], to scale", "axis", Anchor::middle);
+  svg.text(section.z0, inner + neck + 68, "lengths [mm], to scale", "axis", Anchor::middle);
   return svg.str();
 }
 
@@ -145,8 +145,8 @@ std::string across_the_axis(const BearingInfo &bearing, const Size &s)
     };
   for (const auto &[from, to] : feet) {
     svg.line(x + scale * from, bottom + 3, x + scale * to, bottom + 3, "spring");
-    for (double at = x + scale * from; at < x + scale * to - 8; at += 24)
-      svg.line(at, bottom + 12, at + 9, bottom + 3, "dimension");
+    for (double position = x + scale * from; position < x + scale * to - 8; position += 24)
+      svg.line(position, bottom + 12, position + 9, bottom + 3, "dimension");
   }
   svg.line(x, y - 26, x, y + 16, "arrow");
   svg.polyline(

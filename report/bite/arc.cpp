@@ -124,9 +124,9 @@ const Table *bite_table(const Run &run, const BitePass &pass, const std::string 
 double neutral_point(const Table &arc)
 {
   const VectorXd x = values_of(arc, {"x", "m"}), slip = values_of(arc, {"slip", "-"});
-  double found = std::nan("");
+  double result = std::nan("");
   if (slip.size() != x.size())
-    return found;
+    return result;
   // Where the strip is at rest against the roll the computed slip changes sign within rounding.
   const double noise = slip.size() > 0 ? 1e-9 * slip.cwiseAbs().maxCoeff() : 0;
   Index last         = -1;
@@ -134,13 +134,13 @@ double neutral_point(const Table &arc)
     if (!(std::abs(slip[i]) > noise))
       continue;
     if (last >= 0 && slip[i] * slip[last] < 0) {
-      if (std::isfinite(found))
+      if (std::isfinite(result))
         return std::nan("");
-      found = x[last] - slip[last] * (x[i] - x[last]) / (slip[i] - slip[last]);
+      result = x[last] - slip[last] * (x[i] - x[last]) / (slip[i] - slip[last]);
     }
     last = i;
   }
-  return found;
+  return result;
 }
 
 std::string bite_pressure(const Run &run, const BitePass &pass)

@@ -21,10 +21,10 @@ const Input inputs[] = {
 // Single points of the finite elements on the curve of the slab theory.
 void add_points(Plot &plot, const Table &table, const Column &x, const Column &y, const std::string &label)
 {
-  const VectorXd at = values_of(table, x), all = values_of(table, y);
-  if (at.size() == 0 || all.size() != at.size())
+  const VectorXd positions = values_of(table, x), all = values_of(table, y);
+  if (positions.size() == 0 || all.size() != positions.size())
     return;
-  Line points{label, at, all, Pen::warm, true};
+  Line points{label, positions, all, Pen::warm, true};
   points.joined = false;
   plot.lines.push_back(points);
 }
@@ -125,14 +125,15 @@ std::string bite_aspect(const Run &run, const std::vector<BitePass> &passes)
            Pen::dark, true);
   add_line(plot, *table, {"arc_over_thickness", "-"}, {"ratio_orowan", "-"}, "over Orowan, inhomogeneous",
            Pen::dashed, true);
-  const VectorXd at = values_of(*table, {"arc_over_thickness", "-"});
-  if (plot.lines.empty() || at.size() < 2)
+  const VectorXd positions = values_of(*table, {"arc_over_thickness", "-"});
+  if (plot.lines.empty() || positions.size() < 2)
     return "";
-  plot.lines.push_back({"equal", Eigen::Vector2d(at.minCoeff(), at.maxCoeff()), Eigen::Vector2d(1, 1), Pen::pale});
+  plot.lines.push_back(
+      {"equal", Eigen::Vector2d(positions.minCoeff(), positions.maxCoeff()), Eigen::Vector2d(1, 1), Pen::pale});
   for (const BitePass &pass : passes)
     for (const std::string &model : {std::string("karman"), std::string("fe")})
       if (const Table *arc = bite_table(run, pass, model))
-        if (const double a = aspect_of(*arc); a > at.minCoeff() && a < at.maxCoeff()) {
+        if (const double a = aspect_of(*arc); a > positions.minCoeff() && a < positions.maxCoeff()) {
           plot.marks.push_back({a, pass.name});
           break;
         }

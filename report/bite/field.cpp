@@ -59,9 +59,9 @@ double top_of(const MatrixXd &value)
       sorted.push_back(v);
   if (sorted.empty())
     return 0;
-  const auto at = sorted.begin() + std::ptrdiff_t(0.98 * double(sorted.size() - 1));
-  std::nth_element(sorted.begin(), at, sorted.end());
-  return *at;
+  const auto position = sorted.begin() + std::ptrdiff_t(0.98 * double(sorted.size() - 1));
+  std::nth_element(sorted.begin(), position, sorted.end());
+  return *position;
 }
 }  // namespace
 
@@ -77,9 +77,11 @@ std::string bite_field(const Table &table, const std::string &column)
     return "";
   const double width = 1000, height = 230, left = 64, right = width - 110, above = 26, below = height - 44;
   const double x0 = f.x.minCoeff(), x1 = f.x.maxCoeff(), y1 = f.y.maxCoeff();
-  const auto to_x = [&](const double x) { return left + (x - x0) / (x1 - x0) * (right - left); };
-  const auto to_y = [&](const double y) { return below - y / y1 * (below - above); };
-  const auto at = [&](const Index i, const Index j) { return Eigen::Vector2d(to_x(f.x(i, j)), to_y(f.y(i, j))); };
+  const auto to_x     = [&](const double x) { return left + (x - x0) / (x1 - x0) * (right - left); };
+  const auto to_y     = [&](const double y) { return below - y / y1 * (below - above); };
+  const auto point_at = [&](const Index i, const Index j) {
+    return Eigen::Vector2d(to_x(f.x(i, j)), to_y(f.y(i, j)));
+  };
   const auto step = [&](const Index i, const Index j) {
     const double v = 0.25 * (f.value(i, j) + f.value(i + 1, j) + f.value(i, j + 1) + f.value(i + 1, j + 1));
     return std::isfinite(v) ? std::clamp(int(steps * v / top), 0, steps - 1) : -1;
@@ -94,11 +96,11 @@ std::string bite_field(const Table &table, const std::string &column)
       if (step(i, j) >= 0) {
         std::vector<Eigen::Vector2d> outline;
         for (Index k = i; k <= end; ++k)
-          outline.push_back(at(k, j));
+          outline.push_back(point_at(k, j));
         // One row too high, where the next one is drawn over it: no hairline shows between the rows.
         const Index above_it = std::min(j + 2, f.x.cols() - 1);
         for (Index k = end; k >= i; --k)
-          outline.push_back(at(k, above_it));
+          outline.push_back(point_at(k, above_it));
         svg.polyline(outline, "heat h" + std::to_string(step(i, j)), true);
       }
       i = end;

@@ -74,7 +74,7 @@ std::string fit_table(const Run &run)
     body += "<tr><th scope=\"row\">" + escaped(meaning_of(number->name)) + "<small>" + escaped(number->name) +
             "</small></th>" + cell(significant(shown.value) + (sign.empty() ? "" : "\u00a0" + sign)) +
             (std::isfinite(low) ? cell(significant(unit * low) + " \u2026 " + significant(unit * high))
-                                : "<td>kept: the measured values do not tell it</td>") +
+                                : "<td>kept: the measured values do not identify it</td>") +
             cell(number->checks.empty() ? "\u2013" : significant(unit * number->checks.front().value)) + "</tr>\n";
   }
   return body.empty() ? ""

@@ -30,7 +30,7 @@ void along_the_arc(Page &page, const Run &run, const BitePass &pass)
       std::string("The strip enters slower than the roll and leaves faster; the value at the exit is the forward "
                   "slip; lines as above.") +
           (roll ? " Middle: roll and strip, heights stretched. Right: how far the surface of the loaded roll lies "
-                  "off the circle it was ground to, both hung at the same smallest gap; a circle of another "
+                  "off the circle it was ground to, both drawn with the same smallest gap; a circle of another "
                   "radius would be a parabola here."
                 : ""));
 }
@@ -52,12 +52,11 @@ void field(Page &page, const Run &run, const BitePass &pass)
 void models(Page &page, const Run &run, const BitePass &pass)
 {
   if (const std::string table = bite_model_table(run, pass); !table.empty())
-    page.table(table,
-               "One pass by every model that applies to it; in brackets how far each is from the " +
-                   std::string(has_elements(pass) ? "finite elements" : "first") +
-                   ". Sims' theory has friction that sticks everywhere and knows no coefficient. The slope "
-                   "is taken with the arc held. A model that refuses the pass is missing here; what it said "
-                   "stands among the assumptions.");
+    page.table(table, "One pass by every model that applies to it; in brackets how far each is from the " +
+                          std::string(has_elements(pass) ? "finite elements" : "first") +
+                          ". Sims' theory assumes sticking friction everywhere and has no coefficient. The slope "
+                          "is taken with the arc held. A model that refuses the pass is not listed; its message "
+                          "is among the assumptions.");
   if (const std::string table = bite_breakdown_table(run, pass); !table.empty())
     page.table(table, "Where the force comes from, one assumption dropped at a time.");
 }
@@ -77,14 +76,14 @@ void fit(Page &page, const Run &run)
   page.heading("Friction and flow stress from measured values");
   page.table(
       fit_table(run),
-      "What the measured values of all passes say together. The intervals hold the standard deviations of the "
+      "Numbers fitted to the measured values of all passes. The intervals hold the standard deviations of the "
       "measurement, the other numbers following; an error of the model, or of a thickness, is not in them. "
       "Bite and K4 of this run are those of the fitted strip.");
   page.figure(
       {fit_region(run)},
       "Inside the closed line lie 95 % of the pairs of friction and flow stress that the measured values allow "
       "together. On each other line one measured value alone is met (its tangent at the fit, six values at most): "
-      "where all lines run nearly parallel the values tell <b>one number</b> only, and the region is long.");
+      "where all lines run nearly parallel the values identify <b>one number</b> only, and the region is long.");
   if (const std::string table = fit_residuals(run); !table.empty())
     page.table(table, "How far the fitted model is from every measured value; two in three lie within one, one in "
                       "twenty beyond two.");
@@ -107,8 +106,7 @@ void stiffness(Page &page, const Run &run)
   page.figure(
       {k4_map(run)},
       "How stiff the bite is over reduction and friction together. Darker is stiffer: thin passes with much "
-      "friction "
-      "hold the rolls hardest. At the lower right the neutral point leaves the arc and no pass exists.");
+      "friction are the stiffest. At the lower right the neutral point leaves the arc and no pass exists.");
 }
 }  // namespace
 
@@ -125,10 +123,10 @@ void bite_section(Page &page, const Run &run)
   stiffness(page, run);
   page.figure(
       {bite_aspect(run, passes)},
-      "Where finite elements and slab theories part, bites of one angle and growing slenderness. <b>Above 1</b> "
+      "Where finite elements and slab theories differ: bites of one angle and growing slenderness. <b>Above 1</b> "
       "the finite elements need more force: a thick slab is only pressed in at its surfaces, as by a punch, "
-      "which no slab theory knows. <b>Below 1</b> they need less: shear at the surface helps the strip to "
-      "yield, which the homogeneous theory leaves out and Orowan's counts in part. Long thin bites with little "
+      "which no slab theory contains. <b>Below 1</b> they need less: shear at the surface helps the strip to "
+      "yield, which the homogeneous theory leaves out and Orowan's includes in part. Long thin bites with little "
       "friction agree.");
 }
 }  // namespace mill::report

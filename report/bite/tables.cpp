@@ -96,7 +96,7 @@ std::string bite_breakdown_table(const Run &run, const BitePass &pass)
   if (force("karman") != force("karman-rigid"))
     add("the roll flattens (Hitchcock's circle)", force("karman"));
   add("stress changes over the thickness (Orowan)", force("orowan"));
-  add("all else the finite elements know: shear through the strip, its ends, the free shape of the roll",
+  add("all other effects in the finite elements: shear through the strip, its ends, the free shape of the roll",
       force("fe"));
   if (steps.size() < 2)
     return "";
@@ -147,8 +147,8 @@ std::string k4_table(const Run &run)
     if (!result)
       continue;
     body += std::string("<tr><th scope=\"row\"><code>K4.") + entry.quantity + "</code><small>" + entry.what +
-            "</small></th>" + cell(significant(1e-6 * result->value)) + "<td>" + accuracy_cell(*result) +
-            "</td><td>" + escaped(short_source(result->source)) + "</td></tr>\n";
+            "</small></th>" + cell(known_digits(1e-6 * result->value, result->error_estimate)) + "<td>" +
+            accuracy_cell(*result) + "</td><td>" + escaped(short_source(result->source)) + "</td></tr>\n";
   }
   return body.empty() ? "" : table_of("<th>name</th><th>value [kN/mm]</th><th>accuracy</th><th>source</th>", body);
 }
@@ -159,26 +159,24 @@ std::string k4_relation(const Run &run)
                path = k4(run, "path_plateau");
   if (!std::isfinite(slope))
     return "";
-  std::string text =
-      "Four stiffnesses go by the name K4, and they differ by orders of magnitude. The <b>plastic "
-      "slope</b>, " +
-      in_kN_per_mm(slope) +
-      ", is no elasticity: a gap that opens by a micrometre reduces the strip less and so meets less "
-      "force, which on small motions acts like a spring";
+  std::string text = "Four stiffnesses are called K4, and they differ by orders of magnitude. The <b>plastic "
+                     "slope</b>, " +
+                     in_kN_per_mm(slope) +
+                     ", is not an elastic stiffness: when the gap opens by a micrometre, the strip is reduced "
+                     "less and the force falls, which acts like a spring on small motions";
   if (std::isfinite(flat))
     text += ". The <b>flattening</b>, " + in_kN_per_mm(flat) + " for one roll, is elastic and " +
             significant(flat / slope, 3) + " times as stiff";
   if (std::isfinite(combined))
     text += "; in <b>series</b> with two of them the slope becomes " + in_kN_per_mm(combined) + " (" +
             percent(combined / slope - 1) +
-            "), which is what a disturbance of the strip meets between the work "
-            "rolls";
+            "), which acts between the work rolls against a disturbance of the strip";
   text += ".";
   if (std::isfinite(path)) {
     text += " The <b>path plateau</b>, " + in_kN_per_mm(path) +
             ", divides the force of one node by the displacement of that node. With half the element length the "
-            "force of a node halves and its displacement stays: it belongs to a mesh and not to a mill, and it "
-            "is given here because published values are of that kind";
+            "force of a node halves and its displacement stays: it is a property of the mesh, not of the mill, "
+            "and is given here because published values are of that kind";
     const Result *result = run.find(result_name({family::bite_spring, "path_plateau"}));
     for (const Check &check : result->checks)
       if (std::isfinite(check.value) && check.value > 0)
@@ -186,7 +184,7 @@ std::string k4_relation(const Run &run)
     text += ".";
   }
   return text +
-         " A <b>measured</b> rolling force already holds the reaction of the strip: with one, K4 in the chain "
+         " A <b>measured</b> rolling force already includes the reaction of the strip: with one, K4 in the chain "
          "is zero.";
 }
 }  // namespace mill::report

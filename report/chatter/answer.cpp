@@ -73,7 +73,7 @@ std::string what_moves_it(const ChatterCondition &c)
       text += (text.empty() ? "" : "; ") + (all[i].name.empty() ? all[i].key : all[i].name) + " (" +
               change(all[i].lowered.critical_speed) + " when 10\u00a0% lower, " +
               change(all[i].raised.critical_speed) + " when 10\u00a0% higher)";
-  return text.empty() ? "" : "What moves the limit most: " + text + ".";
+  return text.empty() ? "" : "Inputs with the largest effect on the limit: " + text + ".";
 }
 
 // "18.20 .. 18.21 m/s", with what found no crossing.
@@ -100,10 +100,10 @@ std::string how_sure(const ChatterCondition &c)
     if (all.size() > 1)
       text += (text.empty() ? "" : ". ") + what + ": " + spread(all);
   };
-  add("How sure that is: critical speed by the " + std::to_string(c.schemes.size()) + " linearisations",
+  add("How certain this is: critical speed by the " + std::to_string(c.schemes.size()) + " linearisations",
       c.schemes);
-  add(text.empty() ? "How sure that is: critical speed by other readings of the stand"
-                   : "By the " + std::to_string(c.variants.size()) + " readings of the stand",
+  add(text.empty() ? "How certain this is: critical speed by other variants of the stand"
+                   : "By the " + std::to_string(c.variants.size()) + " variants of the stand",
       c.variants);
   add("By the models of the stand", c.structures);
   for (const ChatterPublished &entry : c.published)

@@ -224,7 +224,7 @@ std::string tandem_growth(const Run &run, const ChatterTandem &tandem, const Cur
       !std::isfinite(finite_extent(plot.lines[0].y).low))
     return "";
   add_line(plot, *table, speed, {"growth_without_delay", "1/s"}, "tension alone", Pen::warm_dashed);
-  add_line(plot, *table, speed, {"growth_alone", "1/s"}, "stands alone", Pen::dotted);
+  add_line(plot, *table, speed, {"growth_alone", "1/s"}, "single stands", Pen::dotted);
   add_zero(plot, plot.lines[0].x.minCoeff(), plot.lines[0].x.maxCoeff());
   if (std::isfinite(tandem.critical_speed))
     plot.marks.push_back({tandem.critical_speed, "critical " + fixed(tandem.critical_speed, 2)});

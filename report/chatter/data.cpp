@@ -12,7 +12,7 @@ namespace mill::report {
 namespace {
 namespace fs = std::filesystem;
 
-// Reads the record in a file; when that is none, `problems` says so.
+// Reads the record in a file; a file that is not one is reported in `problems`.
 template <class Record> std::optional<Record> stored(const fs::path &path, std::vector<std::string> &problems)
 {
   try {
@@ -55,11 +55,11 @@ bool ChatterData::empty() const
 ChatterData read_chatter(const Run &run)
 {
   ChatterData data;
-  std::map<std::string, ChatterCondition> found;  // by slug
+  std::map<std::string, ChatterCondition> collected;  // by slug
   for (const auto &[path, table] : run.tables)
     if (const auto name = curve_name(path);
         name && std::string(name->kind->family) == family::chatter && name->item != tandem_item)
-      found[name->item] = {};
+      collected[name->item] = {};
   std::error_code none;
   const std::string start = "chatter-";
   for (const fs::directory_entry &file : fs::directory_iterator(fs::path(run.directory) / "curves", none)) {
@@ -69,10 +69,10 @@ ChatterData read_chatter(const Run &run)
     if (stem == "chatter-tandem")
       data.tandem = stored<ChatterTandem>(file.path(), data.problems);
     else if (const auto condition = stored<ChatterCondition>(file.path(), data.problems))
-      found[stem.substr(start.size())] = *condition;
+      collected[stem.substr(start.size())] = *condition;
   }
   std::sort(data.problems.begin(), data.problems.end());
-  for (auto &[slug, condition] : found) {
+  for (auto &[slug, condition] : collected) {
     condition.slug = slug;
     if (condition.name.empty())
       condition.name = slug;

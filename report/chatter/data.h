@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-// What a run stored about chatter: curves/chatter-*.json and the names of the tables beside them.
+// What a run stored about chatter: curves/chatter-*.json and the names of the tables next to them.
 namespace mill::report {
 struct ChatterData {
   std::vector<ChatterCondition> conditions;
@@ -16,7 +16,7 @@ struct ChatterData {
   bool empty() const;  ///< nothing about chatter is stored
 };
 
-/// Reads curves/chatter-*.json and looks which tables lie beside them; a condition without its JSON is one that
+/// Reads curves/chatter-*.json and looks which tables lie next to them; a condition without its JSON is one that
 /// has tables only.  Conditions come in the order of the results chatter.<condition>.*, the others after them by
 /// name. Never throws.
 ChatterData read_chatter(const Run &run);

@@ -124,9 +124,10 @@ Line envelope_of(const Line &gap, const double growth)
 {
   const Eigen::Index half = gap.y.size() / 2;
   Eigen::Index peak;
-  const double size = gap.y.tail(gap.y.size() - half).cwiseAbs().maxCoeff(&peak);
-  const double at   = gap.x[half + peak];
-  return {"amplitude by the eigenvalue", gap.x, size * (growth * (gap.x.array() - at)).exp().matrix(), Pen::warm};
+  const double size     = gap.y.tail(gap.y.size() - half).cwiseAbs().maxCoeff(&peak);
+  const double position = gap.x[half + peak];
+  return {"amplitude by the eigenvalue", gap.x, size * (growth * (gap.x.array() - position)).exp().matrix(),
+          Pen::warm};
 }
 }  // namespace
 
@@ -255,8 +256,8 @@ std::vector<Mark> first_events(const LimitCycleInfo &cycle)
   std::map<std::string, double> first;
   for (const ChatterEventInfo &event : cycle.events)
     if (std::isfinite(event.time) && !event.what.empty())
-      if (const auto [found, is_new] = first.emplace(event.what, event.time); !is_new)
-        found->second = std::min(found->second, event.time);
+      if (const auto [entry, is_new] = first.emplace(event.what, event.time); !is_new)
+        entry->second = std::min(entry->second, event.time);
   std::vector<Mark> marks;
   for (const auto &[what, time] : first)
     marks.push_back({time, what});

@@ -28,7 +28,7 @@ constexpr OtherAxis axes[] = {
     {"viscosity", "viscosity of the oil",     "mPa s", "Speed and viscosity"},
 };
 
-// Speed runs fastest; a table that is no such grid draws nothing.
+// Speed runs fastest; a table that is not such a grid draws nothing.
 std::optional<Grid> grid_of(const Table &table, const OtherAxis &axis)
 {
   const VectorXd v = values_of(table, {"speed", "m/s"}), y = values_of(table, {axis.key, axis.unit}),
@@ -102,7 +102,7 @@ struct Frame {
 constexpr double seam = 0.6;  // px by which a row reaches under the one below it, so that no paper shows between
 
 // Neighbours of one step along the speed are drawn as one.
-void draw_cells(Svg &svg, const Grid &grid, const Limits &limits, const Frame &at)
+void draw_cells(Svg &svg, const Grid &grid, const Limits &limits, const Frame &frame)
 {
   const VectorXd x = cell_borders(grid.speed), y = cell_borders(grid.other);
   const auto step = [&](const Eigen::Index i, const Eigen::Index j) {
@@ -115,29 +115,31 @@ void draw_cells(Svg &svg, const Grid &grid, const Limits &limits, const Frame &a
       while (end < n && step(end, j) == step(i, j))
         ++end;
       if (step(i, j) >= 0)
-        svg.rect(at.x(x[i]), at.y(y[j + 1]), at.x(x[end]) - at.x(x[i]), at.y(y[j]) - at.y(y[j + 1]) + seam,
-                 "growth s" + std::to_string(step(i, j)));
+        svg.rect(frame.x(x[i]), frame.y(y[j + 1]), frame.x(x[end]) - frame.x(x[i]),
+                 frame.y(y[j]) - frame.y(y[j + 1]) + seam, "growth s" + std::to_string(step(i, j)));
       i = end;
     }
 }
 
-void draw_axes(Svg &svg, const Frame &at, const OtherAxis &axis)
+void draw_axes(Svg &svg, const Frame &frame, const OtherAxis &axis)
 {
-  svg.rect(at.left, at.top, at.right - at.left, at.bottom - at.top, "frame");
-  const Ticks along = linear_ticks(at.x_low, at.x_high, 6), across = linear_ticks(at.y_low, at.y_high, 6);
+  svg.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top, "frame");
+  const Ticks along  = linear_ticks(frame.x_low, frame.x_high, 6),
+              across = linear_ticks(frame.y_low, frame.y_high, 6);
   for (std::size_t i = 0; i < along.at.size(); ++i)
-    svg.text(at.x(along.at[i]), at.bottom + 16, along.labels[i], "t tx", Anchor::middle);
+    svg.text(frame.x(along.at[i]), frame.bottom + 16, along.labels[i], "t tx", Anchor::middle);
   for (std::size_t i = 0; i < across.at.size(); ++i)
-    svg.text(at.left - 6, at.y(across.at[i]) + 4, across.labels[i], "t ty", Anchor::end);
-  svg.text((at.left + at.right) / 2, at.bottom + 34, "roll speed [m/s]", "axis", Anchor::middle);
-  svg.upright_text(14, (at.top + at.bottom) / 2, std::string(axis.quantity) + " [" + axis.unit + "]", "axis");
+    svg.text(frame.left - 6, frame.y(across.at[i]) + 4, across.labels[i], "t ty", Anchor::end);
+  svg.text((frame.left + frame.right) / 2, frame.bottom + 34, "roll speed [m/s]", "axis", Anchor::middle);
+  svg.upright_text(14, (frame.top + frame.bottom) / 2, std::string(axis.quantity) + " [" + axis.unit + "]",
+                   "axis");
 }
 
-void draw_scale(Svg &svg, const Frame &at, const Limits &limits)
+void draw_scale(Svg &svg, const Frame &frame, const Limits &limits)
 {
   constexpr double cell = 18;
-  const double x = at.right + 14, chatters = at.top + 20, stable = chatters + 8 + sides * cell + 20;
-  svg.text(x, at.top + 2, "growth rate [1/s]", "axis");
+  const double x = frame.right + 14, chatters = frame.top + 20, stable = chatters + 8 + sides * cell + 20;
+  svg.text(x, frame.top + 2, "growth rate [1/s]", "axis");
   svg.text(x, chatters, "chatters", "small");
   svg.text(x, stable, "stable", "small");
   for (int s = 0; s < 2 * sides; ++s) {
@@ -148,7 +150,7 @@ void draw_scale(Svg &svg, const Frame &at, const Limits &limits)
   svg.text(x, stable + 6 + sides * cell + 22, "blank: no steady bite", "small");
 }
 
-void draw_boundary(Svg &svg, const Table &table, const OtherAxis &axis, const Frame &at)
+void draw_boundary(Svg &svg, const Table &table, const OtherAxis &axis, const Frame &frame)
 {
   const VectorXd y = values_of(table, {axis.key, axis.unit}), v = values_of(table, {"critical_speed", "m/s"});
   std::vector<Eigen::Vector2d> stroke;
@@ -158,25 +160,25 @@ void draw_boundary(Svg &svg, const Table &table, const OtherAxis &axis, const Fr
     stroke.clear();
   };
   for (Eigen::Index i = 0; i < std::min(y.size(), v.size()); ++i)
-    if (at.holds(v[i], y[i]))
-      stroke.emplace_back(at.x(v[i]), at.y(y[i]));
+    if (frame.holds(v[i], y[i]))
+      stroke.emplace_back(frame.x(v[i]), frame.y(y[i]));
     else
       finish();
   finish();
 }
 
-void draw_working_point(Svg &svg, const ChatterCondition &condition, const OtherAxis &axis, const Frame &at)
+void draw_working_point(Svg &svg, const ChatterCondition &condition, const OtherAxis &axis, const Frame &frame)
 {
   const std::string key = axis.key;
   const double other    = key == "tension" ? 100 : key == "reduction" ? condition.reduction : condition.viscosity;
-  if (at.holds(condition.speed, other)) {
-    const double x = at.x(condition.speed), y = at.y(other);
-    const bool left = x + 9 + text_width("works here", 11) > at.right;
+  if (frame.holds(condition.speed, other)) {
+    const double x = frame.x(condition.speed), y = frame.y(other);
+    const bool left = x + 9 + text_width("works here", 11) > frame.right;
     svg.circle(x, y, 5, "point");
     svg.text(x + (left ? -9 : 9), y + 4, "works here", "flag halo", left ? Anchor::end : Anchor::start);
-  } else if (condition.speed >= at.x_low && condition.speed <= at.x_high) {
-    svg.line(at.x(condition.speed), at.top, at.x(condition.speed), at.bottom, "mark");
-    svg.text(at.x(condition.speed), at.top - 6, "working speed", "flag", Anchor::middle);
+  } else if (condition.speed >= frame.x_low && condition.speed <= frame.x_high) {
+    svg.line(frame.x(condition.speed), frame.top, frame.x(condition.speed), frame.bottom, "mark");
+    svg.text(frame.x(condition.speed), frame.top - 6, "working speed", "flag", Anchor::middle);
   }
 }
 }  // namespace
@@ -189,23 +191,23 @@ std::string chatter_map(const Run &run, const ChatterCondition &condition, const
   const std::optional<Grid> grid = table && axis != std::end(axes) ? grid_of(*table, *axis) : std::nullopt;
   if (!grid)
     return "";
-  const Frame at{64,
-                 380,
-                 40,
-                 290,
-                 grid->speed[0],
-                 grid->speed[grid->speed.size() - 1],
-                 grid->other[0],
-                 grid->other[grid->other.size() - 1]};
+  const Frame frame{64,
+                    380,
+                    40,
+                    290,
+                    grid->speed[0],
+                    grid->speed[grid->speed.size() - 1],
+                    grid->other[0],
+                    grid->other[grid->other.size() - 1]};
   Svg svg(510, 334, std::string("growth rate over roll speed and ") + axis->quantity);
   svg.text(34, 15, axis->title, "title");
   const Limits limits = limits_of(*grid);
-  draw_cells(svg, *grid, limits, at);
+  draw_cells(svg, *grid, limits, frame);
   if (const Table *boundary = stored_curve(run, curve::chatter_boundary, condition.slug, quantity))
-    draw_boundary(svg, *boundary, *axis, at);
-  draw_axes(svg, at, *axis);
-  draw_scale(svg, at, limits);
-  draw_working_point(svg, condition, *axis, at);
+    draw_boundary(svg, *boundary, *axis, frame);
+  draw_axes(svg, frame, *axis);
+  draw_scale(svg, frame, limits);
+  draw_working_point(svg, condition, *axis, frame);
   return svg.str();
 }
 }  // namespace mill::report

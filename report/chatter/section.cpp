@@ -68,21 +68,22 @@ void histories(Page &page, const Run &run, const ChatterCondition &condition)
   const std::string hint = "<span class=\"zoom-hint\"> Drag to zoom, shift and drag to move, double click to see "
                            "all.</span>";
   if (const std::string drawings = chatter_histories(run, condition); !drawings.empty())
-    page.figure(
-        {drawings},
-        "The gap after a small push of both work rolls, linear motion. The first swings, in which the other modes "
-        "die, are cut. " +
-            std::string(std::isfinite(condition.critical.speed)
-                            ? "Below the critical speed it dies away, at it it lasts, above it grows. "
-                            : "") +
-            "The orange line is the amplitude by the eigenvalue." + hint);
+    page.figure({drawings}, "The gap after a small push of both work rolls, linear motion. The first periods, in "
+                            "which the other modes decay, are not shown. " +
+                                std::string(std::isfinite(condition.critical.speed)
+                                                ? "Below the critical speed the vibration decays, at the critical "
+                                                  "speed it persists, above it grows. "
+                                                : "") +
+                                "The orange line is the amplitude by the eigenvalue." + hint);
   page.figure(
       {chatter_phasors(condition.phases), chatter_shape(condition.phases.shape, "Critical mode at the stand")},
-      "The critical mode. Left: who leads and who follows; angles run counterclockwise, a positive one is ahead "
+      "The critical mode. Left: which quantity leads and which follows; angles run counterclockwise, a positive "
+      "one is ahead "
       "of "
       "the gap. The force is largest where the gap is smallest. <b>Back tension that lags behind the gap</b> is "
-      "low while the gap opens; low tension means a high force, which then pushes the rolls the way they already "
-      "go and feeds the vibration. Right: which part of the stand vibrates; blue bodies move away from the strip "
+      "low while the gap opens; low tension means a high force, which pushes the rolls in the direction in which "
+      "they already move and so feeds the vibration. Right: which part of the stand vibrates; blue bodies move "
+      "away from the strip "
       "while the gap opens, orange ones towards it." +
           (std::isfinite(condition.phases.ratio)
                ? " The upper work roll moves " + significant(condition.phases.ratio, 3) +
@@ -106,14 +107,14 @@ void limit_cycle(Page &page, const Run &run, const ChatterCondition &condition)
     says += " The run ended early: " + escaped(cycle.stopped) + ".";
   if (!cycle.limited_by.empty())
     says += " What limits it: " + escaped(cycle.limited_by) + ".";
-  page.figure({drawings},
-              "Chatter in full: the whole nonlinear bite, strip that can go slack, rolls that can part. Force and "
-              "tensions are totals." +
-                  says + "<span class=\"zoom-hint\"> Drag to zoom.</span>");
+  page.figure(
+      {drawings},
+      "Fully developed chatter: nonlinear bite, strip that can go slack, rolls that can separate. Force and "
+      "tensions are totals." +
+          says + "<span class=\"zoom-hint\"> Drag to zoom.</span>");
   page.figure(
       chatter_cycle_periods(run, condition),
-      "The end of that record. A tension that stands at zero belongs to a strip that hangs slack for a part of "
-      "every period.");
+      "The end of that record. A tension of zero means that the strip is slack during a part of every period.");
   page.table(chatter_event_table(cycle), cycle.events.size() < 200
                                              ? "Events of the nonlinear motion."
                                              : "Events of the nonlinear motion, the first " +
@@ -124,25 +125,22 @@ void what_moves_it(Page &page, const ChatterCondition &condition)
 {
   page.figure(
       {tornado_of_speed(condition)},
-      "What moves the critical speed, the strongest first: each input alone is taken 10&nbsp;% lower and "
-      "10&nbsp;% "
-      "higher and everything is computed again. A bar to the right means more speed before it chatters. The slope "
+      "Inputs that move the critical speed, the strongest first: each input alone is taken 10&nbsp;% lower and "
+      "10&nbsp;% higher, and everything is recomputed. A bar to the right means a higher critical speed. The "
+      "slope "
       "is exact and holds for small changes; a row marked as bent or curved has unequal bars, or two that point "
       "to one side, and its slope "
       "says nothing about larger changes.");
   page.figure({tornado_of_friction(condition)},
-              "What moves the friction in the bite at the working speed, in the same way.");
+              "Inputs that move the friction in the bite at the working speed, in the same way.");
 }
 
 void trust(Page &page, const ChatterCondition &condition)
 {
-  page.table(
-      chatter_scheme_table(condition),
-      "How the bite is made linear decides how the film follows the vibration. The same stand, the same steady "
-      "state.");
-  page.table(chatter_variant_table(condition),
-             "Other readings of the data of the stand. Phases are against the gap.");
-  page.table(chatter_conclusion_table(condition), "Which conclusions these readings share.");
+  page.table(chatter_scheme_table(condition), "The linearisation of the bite decides how the film follows the "
+                                              "vibration. Stand and steady state are the same.");
+  page.table(chatter_variant_table(condition), "Variants of the data of the stand. Phases are against the gap.");
+  page.table(chatter_conclusion_table(condition), "Conclusions that these variants share.");
   page.table(chatter_structure_table(condition),
              "The stand by models of growing detail, through the same coupling to the bite.");
 }
@@ -164,12 +162,11 @@ void short_condition(Page &page, const Run &run, const ChatterCondition &conditi
 {
   page.heading("Condition " + condition.name);
   answer_box(page, chatter_answer(condition));
-  page.figure(
-      {chatter_growth(run, condition, 510), chatter_map(run, condition, "reduction")},
-      "Growth rate over the speed, and over speed and reduction. Its other tables and records lie beside those of "
-      "the first condition as <code>curves/chatter-" +
-          escaped(condition.slug) + "-*</code> and <code>response/chatter-" + escaped(condition.slug) +
-          "-*</code>.");
+  page.figure({chatter_growth(run, condition, 510), chatter_map(run, condition, "reduction")},
+              "Growth rate over the speed, and over speed and reduction. Its other tables and records are stored "
+              "with those of the first condition as <code>curves/chatter-" +
+                  escaped(condition.slug) + "-*</code> and <code>response/chatter-" + escaped(condition.slug) +
+                  "-*</code>.");
 }
 
 void tandem(Page &page, const Run &run, const std::optional<ChatterTandem> &stored)
@@ -207,22 +204,21 @@ void chatter_section(Page &page, const Run &run, const ChatterData &data)
     page.html("<p class=\"absent\">" + escaped(problem) + "</p>");
   if (data.conditions.empty() && data.problems.empty() && !data.tandem)
     page.absent("Figures on chatter are", "curves/chatter-*");
-  page.table(
-      chatter_summary_table(data.conditions),
-      "All conditions. Working over critical: negative is below the critical speed. In brackets how far this "
-      "run "
-      "is from the value beside it.");
+  page.table(chatter_summary_table(data.conditions),
+             "All conditions. Working over critical: negative is below the critical speed. In brackets: the "
+             "deviation of this run from that value.");
   for (std::size_t i = 0; i < data.conditions.size(); ++i)
     if (i == 0)
       whole_condition(page, run, data.conditions[i]);
     else
       short_condition(page, run, data.conditions[i]);
   tandem(page, run, data.tandem);
-  if (const std::string beside = chatter_published_table(data.conditions); !beside.empty()) {
-    page.heading("Beside published and measured values");
-    page.table(beside,
-               "In brackets how far this run is from each. A note says where an input was chosen so that a "
-               "value agrees: such agreement is no evidence for the model.");
+  if (const std::string table = chatter_published_table(data.conditions); !table.empty()) {
+    page.heading("Compared with published and measured values");
+    page.table(
+        table,
+        "In brackets: the deviation of this run from each value. A note says where an input was chosen so that a "
+        "value agrees: such agreement is not evidence for the model.");
   }
 }
 }  // namespace mill::report

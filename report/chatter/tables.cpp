@@ -26,7 +26,7 @@ const ChatterPublished *published_of(const ChatterCondition &condition, const st
 }
 
 // Another value of the critical speed and how far this run is from it.
-std::string beside(const double here, const double other)
+std::string compared_cell(const double here, const double other)
 {
   return cell(std::isfinite(other) ? speed_text(other) + deviation_note(here, other) : "\u2013");
 }
@@ -57,8 +57,8 @@ std::string chatter_summary_table(const std::vector<ChatterCondition> &condition
     const std::string speed       = std::isfinite(c.critical.speed) ? speed_text(c.critical.speed)
                                                                     : verdict_in_words(c.critical.verdict, not_given);
     body += named_row(c.name, "<td>" + at_work + "</td>" + cell("<b>" + escaped(speed) + "</b>") +
-                                  beside(c.critical.speed, other ? other->published : not_given) +
-                                  beside(c.critical.speed, other ? other->measured : not_given) +
+                                  compared_cell(c.critical.speed, other ? other->published : not_given) +
+                                  compared_cell(c.critical.speed, other ? other->measured : not_given) +
                                   cell(fixed(c.critical.frequency, 1)) + cell(speed_text(c.speed)) +
                                   cell(percent(c.speed / c.critical.speed - 1)) + cell(significant(growth, 3)));
   }
@@ -196,7 +196,7 @@ std::string chatter_tandem_table(const ChatterTandem &tandem)
                 cell("<b>" + speed_text(all) + "</b>") + cell(fixed(tandem.frequency, 1)) +
                     in_plain_words(tandem.verdict.empty() ? "" : verdict_in_words(tandem.verdict, all)));
   body += other("tension shared alone", tandem.without_delay,
-                "the thickness that a stand leaves is forgotten on the way to the next");
+                "without the thickness that travels from stand to stand");
   for (const ChatterVariantInfo &stand : tandem.single)
     body += named_row("stand " + stand.name + " alone",
                       cell(std::isfinite(stand.critical_speed)

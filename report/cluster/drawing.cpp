@@ -61,7 +61,7 @@ bool complete(const ClusterRecord &record, const ClusterPassRecord &pass)
                      [&](const ClusterSupportRecord &s) { return known(s.roll); });
 }
 
-// What is written beside the drawing about a point of it.
+// Text next to the drawing about a point of it.
 struct PointLabel {
   double x, y;  // px
   std::string text, classes;
@@ -139,13 +139,13 @@ std::string stack_drawing(const ClusterRecord &record, const ClusterPassRecord &
     largest = std::max(largest, load.force);
   std::vector<PointLabel> labels;
   for (std::size_t i = 0; i < record.contacts.size(); ++i) {
-    const Eigen::Vector2d at = touching_point(record, record.contacts[i]);
-    const double force       = pass.contacts[i].force;
-    svg.circle(x(at.x()), v.y(at.y()), 2 + 5 * std::sqrt(std::max(0., force) / largest),
+    const Eigen::Vector2d point = touching_point(record, record.contacts[i]);
+    const double force          = pass.contacts[i].force;
+    svg.circle(x(point.x()), v.y(point.y()), 2 + 5 * std::sqrt(std::max(0., force) / largest),
                force > 0 ? "dot warm" : "point");
-    labels.push_back({x(at.x()), v.y(at.y()),
+    labels.push_back({x(point.x()), v.y(point.y()),
                       record.contacts[i].name + "  " + (force > 0 ? in_kilonewton(force) : "open"), "t",
-                      at.x() < record.rolls[0].x - 1e-9});
+                      point.x() < record.rolls[0].x - 1e-9});
   }
   for (std::size_t i = 0; i < record.supports.size() && i < pass.supports.size(); ++i) {
     const ClusterRollRecord &r = record.rolls[std::size_t(record.supports[i].roll)];

@@ -19,7 +19,7 @@ std::string stack_drawing(const ClusterRecord &record, const ClusterPassRecord &
 std::string moving_modes(const ClusterRecord &record, const ClusterPassRecord &pass);
 
 std::string contact_table(const ClusterRecord &record);
-/// Frequencies of all passes beside the published ones.
+/// Frequencies of all passes and the published ones.
 std::string frequency_table(const ClusterRecord &record);
 /// What every mode of the first pass consists of.
 std::string share_table(const ClusterPassRecord &pass);
@@ -27,7 +27,7 @@ std::string stability_table(const ClusterRecord &record);
 std::string cluster_history_table(const ClusterRecord &record);
 std::string cluster_fit_table(const ClusterRecord &record);
 
-/// The section; nothing when the run is none of a stack.
+/// The section; nothing for a run without a stack.
 class Page;
 void cluster_section(Page &page, const Run &run);
 }  // namespace mill::report

@@ -111,7 +111,7 @@ void modes_part(Page &page, const Run &run, const ClusterRecord &record)
                     "roll, and a red stroke is the way to one extreme.");
   page.table(share_table(record.passes[0]), "Where the energy of every mode is, " +
                                                 escaped(record.passes[0].name) +
-                                                ". The geometric term of a contact takes off from its share.");
+                                                ". The geometric term of a contact reduces its share.");
   if (const Table *table = stored_curve(run, curve::cluster_load))
     page.figure({load_drawing(*table)},
                 "Frequencies over the rolling force, modes by number. Contacts stiffen with the "
@@ -149,11 +149,13 @@ void vibration_part(Page &page, const Run &run, const ClusterRecord &record)
                      " of its force at rest.");
   }
   if (const std::string table = cluster_history_table(record); !table.empty())
-    page.table(table,
-               "Velocity amplitudes at the frequency of the dynamic force, linear response beside the history.");
+    page.table(
+        table,
+        "Velocity amplitudes at the frequency of the dynamic force, linear response compared with the history.");
   if (!backbones.empty())
     page.figure(backbones, "Frequency over amplitude of the modes that bend, free and undamped, " +
-                               escaped(record.passes[0].name) + ". A drop begins where a contact lets go.");
+                               escaped(record.passes[0].name) +
+                               ". The frequency falls from the amplitude at which a contact opens.");
 }
 }  // namespace
 
@@ -191,20 +193,18 @@ void cluster_section(Page &page, const Run &run)
   page.section("stack", "Stack of rolls", Depth::manager);
   if (const std::string drawing = stack_drawing(record, record.passes[0]); !drawing.empty())
     page.figure({drawing}, "The stack to scale with the force in every contact and support, " +
-                               escaped(record.passes[0].name) + ". A dot is the larger the larger its force.");
-  page.table(contact_table(record), "Contacts under every pass. The tangent is what a vibration feels.");
+                               escaped(record.passes[0].name) + ". The size of a dot follows its force.");
+  page.table(contact_table(record), "Contacts under every pass. The tangent is the stiffness for vibration.");
   if (!record.passes[0].modes.empty() && !std::isnan(record.passes[0].least_root)) {
     modes_part(page, run, record);
-    page.table(stability_table(record),
-               "How far the stack is from buckling, and from a roll that leaves its nest. "
-               "The force across acts on the roll at the strip.");
+    page.table(stability_table(record), "How far the stack is from buckling and from an open contact. The "
+                                        "horizontal force acts on the roll at the strip.");
     vibration_part(page, run, record);
   }
   if (const std::string fits = cluster_fit_table(record); !fits.empty()) {
     page.heading("Explanations of the frequencies");
-    page.table(fits,
-               "Variants of the stack fitted to the published frequencies. Of each, how many numbers were chosen "
-               "and for how many frequencies; only the others test it.");
+    page.table(fits, "Variants of the stack fitted to the published frequencies. Each row states how many numbers "
+                     "were fitted to how many frequencies; only the other frequencies test the variant.");
   }
 }
 }  // namespace mill::report

@@ -81,7 +81,7 @@ std::string frequency_table(const ClusterRecord &record)
   std::string head = "<th>motion</th><th>published, Hz</th>", rows;
   for (const ClusterPassRecord &pass : record.passes)
     head += "<th>" + escaped(pass.name) + ", Hz</th>";
-  head += "<th>first pass against print</th>";
+  head += "<th>first pass relative to the published value</th>";
   for (const ClusterPublished &p : record.published) {
     rows += row_head(p.name) + number_cell(p.frequency, 5);
     for (const ClusterPassRecord &pass : record.passes) {
@@ -121,7 +121,7 @@ std::string stability_table(const ClusterRecord &record)
             escaped(pass.leaving_contact.empty() ? "-" : pass.leaving_contact) + "</td></tr>\n";
   }
   return table_of("<th>pass</th><th>force, kN</th><th>buckles at, times the force</th><th>motion</th>"
-                  "<th>guides needed</th><th>a roll leaves its nest at, kN across</th><th>where</th>",
+                  "<th>guides needed</th><th>a contact opens under a horizontal force of, kN</th><th>where</th>",
                   rows);
 }
 
@@ -135,9 +135,9 @@ std::string cluster_history_table(const ClusterRecord &record)
           rows += row_head(pass.name) + number_cell(h.force) + number_cell(h.frequency, 5) + "<td>" +
                   escaped(h.linear[i].name) + "</td>" + number_cell(1e3 * h.linear[i].value) +
                   number_cell(1e3 * h.nonlinear[i].value) + cell(off_by(h.nonlinear[i].value, h.linear[i].value)) +
-                  "</tr>\n";
+                  number_cell(2 * M_PI * h.frequency * h.linear[i].value) + "</tr>\n";
   return table_of("<th>pass</th><th>force, N</th><th>Hz</th><th>roll</th><th>linear, mm/s</th>"
-                  "<th>in time, mm/s</th><th>difference</th>",
+                  "<th>history, mm/s</th><th>difference</th><th>linear, m/s\u00b2</th>",
                   rows);
 }
 
@@ -157,10 +157,10 @@ std::string cluster_fit_table(const ClusterRecord &record)
   for (const ClusterFitRecord &fit : record.fits) {
     const auto fitted = std::count_if(fit.frequencies.begin(), fit.frequencies.end(),
                                       [](const ClusterFitFrequency &f) { return f.fitted; });
-    rows += row_head(fit.variant) + "<td>" + (fit.set.empty() ? "nothing" : escaped(fit.set)) + "</td><td>" +
-            fitted_numbers(fit) + (fit.undetermined.empty() ? "" : "not told: " + escaped(fit.undetermined)) +
-            escaped(fit.refused) + "</td>" +
-            cell(std::to_string(fit.numbers.size()) + " / " + std::to_string(fitted));
+    rows +=
+        row_head(fit.variant) + "<td>" + (fit.set.empty() ? "nothing" : escaped(fit.set)) + "</td><td>" +
+        fitted_numbers(fit) + (fit.undetermined.empty() ? "" : "not identified: " + escaped(fit.undetermined)) +
+        escaped(fit.refused) + "</td>" + cell(std::to_string(fit.numbers.size()) + " / " + std::to_string(fitted));
     for (const std::string &name : names) {
       const auto f = std::find_if(fit.frequencies.begin(), fit.frequencies.end(),
                                   [&](const ClusterFitFrequency &one) { return one.mode == name; });

@@ -52,8 +52,8 @@ Inputs inputs_in(const std::string &resolved)
 
 std::string value_of(const Inputs &inputs, const std::string &key)
 {
-  const auto found = std::find_if(inputs.begin(), inputs.end(), [&](const auto &one) { return one.first == key; });
-  return found == inputs.end() ? "" : found->second;
+  const auto match = std::find_if(inputs.begin(), inputs.end(), [&](const auto &one) { return one.first == key; });
+  return match == inputs.end() ? "" : match->second;
 }
 
 bool states_error(const Result &result)

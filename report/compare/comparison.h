@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-// Runs beside each other: what was changed in the case, what came of it, the same curves on the same axes.
+// Comparison of runs: changed inputs, changed results, the same curves on the same axes.
 namespace mill::report {
 /// One input that the runs do not share.
 struct ChangedInput {
@@ -32,7 +32,10 @@ std::vector<ChangedResult> changed_results(const std::vector<Run> &runs);
 /// @param resolved  (runs) texts of resolved.toml, for what was changed
 std::string comparison_page(const std::vector<Run> &runs, const std::vector<std::string> &resolved);
 
+/// Is this text a page that comparison_page() made?  Then it may be replaced.
+bool is_comparison_page(const std::string &text);
+
 /// Reads the folders and makes the page.
-/// @throws InputError  a folder that is no run
+/// @throws InputError  a folder that is not a run
 std::string comparison_of(const std::vector<std::string> &directories);
 }  // namespace mill::report

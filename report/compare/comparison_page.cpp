@@ -13,6 +13,8 @@
 
 namespace mill::report {
 namespace {
+const char *const page_title = "comparison";
+
 /// A curve that is drawn once for all runs.
 struct SharedCurve {
   const CurveKind *kind;
@@ -30,7 +32,7 @@ const SharedCurve shared_curves[] = {
 
 const Pen run_pens[] = {Pen::dark, Pen::warm, Pen::dashed, Pen::dotted, Pen::chained, Pen::pale};
 
-// Folder names tell runs apart where they are of one case.
+// Folder names distinguish runs of one case.
 std::string label_of(const std::vector<Run> &runs, const std::size_t i)
 {
   std::string name = runs[i].directory;
@@ -139,14 +141,14 @@ std::string comparison_page(const std::vector<Run> &runs, const std::vector<std:
     page.paragraph("The resolved cases are the same.");
   else
     page.table(input_table(runs, inputs), "Keys of <code>resolved.toml</code> that differ, defaults included.");
-  page.section("changes", "What came of it", Depth::manager);
+  page.section("changes", "Results", Depth::manager);
   if (results.empty())
     page.paragraph("Every result that two runs share is the same to 9 digits.");
   else
     page.table(result_table(runs, results),
                "Results that differ from " + escaped(label_of(runs, 0)) +
                    ": modulus, modes and critical speeds, then the others, the largest change first. A change "
-                   "within the sum of both error estimates may be none.");
+                   "within the sum of both error estimates is not significant.");
   if (const auto drawings = drawn_curves(runs); !drawings.empty()) {
     page.section("curves", "The same curves", Depth::engineer);
     page.figure(drawings, "Curves that the runs share, on the same axes.");
@@ -157,7 +159,12 @@ std::string comparison_page(const std::vector<Run> &runs, const std::vector<std:
   const std::string head = "<header><h1>Comparison of " + std::to_string(runs.size()) +
                            " runs</h1></header>\n<p>" + names + "</p>\n<div class=\"verdict ok\"><p>" +
                            verdict_of(inputs, results) + "</p></div>\n";
-  return html_document("comparison", runs.front(), page, head);
+  return html_document(page_title, runs.front(), page, head);
+}
+
+bool is_comparison_page(const std::string &text)
+{
+  return text.substr(0, text.find("<style>")).find(title_element(page_title)) != std::string::npos;
 }
 
 std::string comparison_of(const std::vector<std::string> &directories)

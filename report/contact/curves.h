@@ -31,8 +31,8 @@ ContactCurves contact_curves(const Run &run, const std::string &name);
 /// One of the closed forms of a line contact's secant.
 struct ClosedForm {
   const char *column, *label;
-  Pen beside_curve;   ///< where it stands beside one computed curve
-  Pen beside_slopes;  ///< where tangent and secant are drawn together
+  Pen pen_of_curve;   ///< where it is compared with one computed curve
+  Pen pen_of_slopes;  ///< where tangent and secant are drawn together
 };
 extern const std::array<ClosedForm, 4> closed_secants;
 

@@ -30,7 +30,7 @@ std::string patch_map(const Table &table, const PatchQuantity &what, const std::
   map.height              = height;
   const Eigen::Index rows = z.size() / across;
   const auto pressure     = p.reshaped(across, rows);  // (across, along)
-  // What nothing touches beside the patch is left out but for a margin.
+  // The surface outside of the patch is left out, except for a margin.
   Eigen::Index first = 0, end = across;
   while (first < across && !(pressure.row(first).maxCoeff() > 0))
     ++first;

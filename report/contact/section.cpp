@@ -23,7 +23,7 @@ Line closed_approach(const ContactCurves &contact, const ClosedForm &form)
   const Eigen::VectorXd secant = values_of(*contact.closed, {form.column, per_length ? "N/m\u00b2" : "N/m"});
   if (load.size() == 0 || secant.size() != load.size())
     return {};
-  return {form.label, 1e6 * load.cwiseQuotient(secant), 1e-3 * load, form.beside_curve};
+  return {form.label, 1e6 * load.cwiseQuotient(secant), 1e-3 * load, form.pen_of_curve};
 }
 
 std::string load_approach(const ContactCurves &contact)
@@ -64,7 +64,7 @@ std::string stiffness_over_load(const ContactCurves &contact)
   add(contact.closed, "hertz_tangent", "tangent, Hertz", Pen::warm);
   add(contact.curve, "secant", "secant, this run", Pen::dashed, true);
   for (const ClosedForm &form : closed_secants)
-    add(contact.closed, form.column, std::string("secant, ") + form.label, form.beside_slopes);
+    add(contact.closed, form.column, std::string("secant, ") + form.label, form.pen_of_slopes);
   for (const WorkingLoad &working : contact.loads)
     plot.marks.push_back({working.load, working.name});
   return svg_plot(plot);
@@ -93,10 +93,9 @@ std::string band_caption(const bool plane_strain)
              "they assume and in the body that carries it; the half space replaces the larger roll by a body "
              "without a far side. ") +
          (plane_strain
-              ? "The cylinders of this case are long, as Hertz assumes: his form, axis to axis, is the one to "
-                "be met."
-              : "None of them is exact here: all leave out that a barrel has an end and a neck, where load "
-                "and stiffness per length change.");
+              ? "The cylinders of this case are long, as Hertz assumes: his form, axis to axis, is the reference."
+              : "No closed form is exact here: they all leave out the ends and necks of a barrel, where load and "
+                "stiffness per length change.");
 }
 
 // Why the secant lies where it does in the band: what belongs to the section and what to the barrel ends.
@@ -111,11 +110,10 @@ std::string why_in_band(const Run &run, const std::string &name)
   if (!(closed > 0) || !(section > 0))
     return "";
   if (std::abs(section / closed - 1) > 0.05)
-    return "Profile, tilt or an off-centre force leaves this contact no line contact of even load: the closed "
-           "forms show "
-           "how far it is from one, not what it should be.";
+    return "With a profile, a tilt or an off-centre force this is not a line contact under an even load: the "
+           "closed forms show how far it is from one, not which value is right.";
   const auto off = [](const double ratio) { return percent(ratio - 1); };
-  return "Why there: against Johnson's infinitely long rolls the section at mid-length, taken over the whole "
+  return "Reason: compared with Johnson's infinitely long rolls the section at mid-length, taken over the whole "
          "length, has " +
          off(section / closed) +
          ", since a roll that is free to stretch along its axis is not quite in plane strain; barrel ends and "
@@ -151,15 +149,15 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
   page.figure(
       {load_approach(contact), stiffness_over_load(contact)},
       "Left: how far the two roll axes come together under the load; the dots are the solved loads, the "
-      "circles the working loads. Right: the two slopes of that curve. The <b>tangent</b> is what a vibrating "
-      "mill feels, the <b>secant</b> what screwing down feels; both grow only with the logarithm of the load. "
+      "circles the working loads. Right: the two slopes of that curve. The <b>tangent</b> is the stiffness for "
+      "vibration, the <b>secant</b> that for screwing down; both grow only with the logarithm of the load. "
       "Small steps of a computed tangent are rows of the mesh that come into contact." +
           std::string(stored_curve(run, curve::contact_in_stand, name)
                           ? " This run squeezes each roll evenly between two contacts, as the closed forms "
                             "do; dashed, the rolls are held as in the stand and bend as well."
                           : ""));
   if (!contact.closed && name != "space")
-    page.absent("Closed forms beside the contact curve are", curve_path(curve::contact_closed, name) + ".csv");
+    page.absent("Closed forms for the contact curve are", curve_path(curve::contact_closed, name) + ".csv");
   else if (const std::string table = band_table(contact); !table.empty()) {
     page.table(table, band_caption(name == "line"));
     if (const std::string why = why_in_band(run, name); !why.empty())

@@ -18,8 +18,8 @@ Pen pen_of(const std::string &group)
       {"backup-roll bearing", Pen::pale_dashed},
       {"drive",               Pen::warm       }
   };
-  const auto found = pens.find(group);
-  return found == pens.end() ? Pen::pale : found->second;
+  const auto match = pens.find(group);
+  return match == pens.end() ? Pen::pale : match->second;
 }
 
 // Named modes close below each other share the space of their names.
@@ -115,12 +115,11 @@ std::string crossing_table(const CampbellData &data, const std::size_t most)
   for (const CampbellCrossing &c : all) {
     const CampbellMode &mode = data.modes[std::size_t(c.mode)];
     const CampbellLine &line = data.lines[std::size_t(c.line)];
-    rows += "<tr><th scope=\"row\">" + escaped(mode.name) + "</th><td class=\"num\">" + fixed(mode.frequency, 1) +
-            "</td><td>" + escaped(line.name) + "</td><td class=\"num\">" + significant(line.per_turn, 5) +
-            "</td><td class=\"num\"><b>" + significant(c.speed, 4) + "</b></td><td class=\"num\">" +
-            (std::isnan(mode.error_estimate) ? "\u2013"
-                                             : "\u00b1" + significant(100 * mode.error_estimate, 2) + " %") +
-            "</td><td>" + distance_text(c.distance) + "</td></tr>\n";
+    rows += "<tr><th scope=\"row\">" + escaped(mode.name) + "</th><td class=\"num\">" +
+            frequency_text(mode.frequency, mode.error_estimate) + "</td><td>" + escaped(line.name) +
+            "</td><td class=\"num\">" + significant(line.per_turn, 5) + "</td><td class=\"num\"><b>" +
+            known_digits(c.speed, mode.error_estimate) + "</b></td><td class=\"num\">" +
+            accuracy(mode.error_estimate) + "</td><td>" + distance_text(c.distance) + "</td></tr>\n";
   }
   return "<table><thead><tr><th>mode</th><th>frequency [Hz]</th><th>what turns</th><th>per turn [-]</th>"
          "<th>speed [m/s]</th><th>accuracy</th><th>working range</th></tr></thead>\n<tbody>\n" +

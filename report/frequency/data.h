@@ -9,7 +9,7 @@ struct CampbellData : CampbellRecord {
   std::string problem;  ///< why a file that is there cannot be used; empty: nothing wrong
 };
 
-/// Never throws: without the file `stored` is false, with one that is no such JSON `problem` says so.  Crossings
+/// Never throws: without the file `stored` is false, `problem` says when it is not such a JSON.  Crossings
 /// of modes or lines that are not there are left out.
 CampbellData read_campbell(const std::string &run_directory);
 }  // namespace mill::report

@@ -75,11 +75,11 @@ std::string responding_model(const Run &run)
 
 std::vector<std::string> responding_places(const Run &run, const std::string &model)
 {
-  std::vector<std::string> found;
+  std::vector<std::string> texts;
   for (const char *place : force_places)
     if (response_parts(run, model, "bite", place).stored())
-      found.emplace_back(place);
-  return found;
+      texts.emplace_back(place);
+  return texts;
 }
 
 std::string magnitude_drawing(const Run &run, const std::string &model, const std::string &place)
@@ -113,7 +113,7 @@ std::string phase_drawing(const Run &run, const std::string &model, const std::s
   if (parts.stored()) {
     Eigen::VectorXd phase = parts.imag.binaryExpr(
         parts.real, [](const double im, const double re) { return std::atan2(im, re) * 180 / M_PI; });
-    for (Eigen::Index i = 1; i < phase.size(); ++i)  // a turn is no stroke across the drawing
+    for (Eigen::Index i = 1; i < phase.size(); ++i)  // a jump by a full turn is not drawn as a line
       if (std::abs(phase[i] - phase[i - 1]) > 270)
         phase[i - 1] = std::nan("");
     plot.lines.push_back({"", parts.f, phase, Pen::dark});

@@ -30,27 +30,29 @@ std::string peak_rows(const Run &run, const std::vector<std::string> &places)
   for (const bool at_itself : {false, true})
     for (const std::string &place : places) {
       const std::string force = at_itself ? place : "bite";
-      const Result *peak = peak_of(run, force, place, "peak"), *at = peak_of(run, force, place, "frequency");
-      if (!peak || !at)
+      const Result *peak      = peak_of(run, force, place, "peak"),
+                   *frequency = peak_of(run, force, place, "frequency");
+      if (!peak || !frequency)
         continue;
       rows += "<tr><th scope=\"row\">" + escaped(at_itself ? "at the place itself" : "in the bite") + "</th><td>" +
-              escaped(place) + "</td><td class=\"num\"><b>" + significant(1e3 * peak->value, 4) + "</b></td><td>" +
-              accuracy_cell(*peak) + "</td><td class=\"num\"><b>" + fixed(at->value, 1) + "</b></td><td>" +
-              accuracy_cell(*at) + "</td></tr>\n";
+              escaped(place) + "</td><td class=\"num\"><b>" +
+              known_digits(1e3 * peak->value, peak->error_estimate) + "</b></td><td>" + accuracy_cell(*peak) +
+              "</td><td class=\"num\"><b>" + frequency_text(frequency->value, frequency->error_estimate) +
+              "</b></td><td>" + accuracy_cell(*frequency) + "</td></tr>\n";
     }
   return rows;
 }
 
 std::string band_sentence(const Run &run, const std::string &model)
 {
-  const bool drawn      = stored_curve(run, curve::frf_band, model + "-bite") != nullptr;
-  const std::string own = drawn
-                              ? " Between the pale lines lie 95 of 100 stands drawn at random from the errors of "
-                                "springs, masses and mesh, each taken as 1.96 standard deviations."
-                              : "";
-  const Result *peak    = peak_of(run, "bite", "upper work roll", "peak");
+  const bool drawn       = stored_curve(run, curve::frf_band, model + "-bite") != nullptr;
+  const std::string name = drawn
+                               ? " Between the pale lines lie 95 of 100 stands drawn at random from the errors of "
+                                 "springs, masses and mesh, each taken as 1.96 standard deviations."
+                               : "";
+  const Result *peak     = peak_of(run, "bite", "upper work roll", "peak");
   if (!peak || peak->error_lacks.empty())
-    return own;
+    return name;
   std::string list;
   const auto &lacks     = peak->error_lacks;
   const std::size_t few = lacks.size() > most_keys + 1 ? most_keys : lacks.size();
@@ -58,7 +60,7 @@ std::string band_sentence(const Run &run, const std::string &model)
     list += (i == 0 ? "<code>" : ", <code>") + escaped(lacks[i]) + "</code>";
   if (few < lacks.size())
     list += " and " + std::to_string(lacks.size() - few) + " more, listed with the peaks among all results";
-  return own + (drawn ? " <b>Not in the band</b>" : " <b>Without a band</b>") +
+  return name + (drawn ? " <b>Not in the band</b>" : " <b>Without a band</b>") +
          ", since nothing says how far they may be off: " + list + ".";
 }
 
@@ -82,8 +84,8 @@ void responses(Page &page, const Run &run)
                     tapped    = places_drawing(run, model, "Chocks, force at the chock", chocks, true);
   if (!at_chocks.empty())
     page.figure({at_chocks, tapped},
-                "The same at the chocks, where sensors sit: what the bite sends there, and what "
-                "a blow on the chock itself shows. A mode of the rolls that is missing on the "
+                "The same at the chocks, where sensors sit: response to a force in the bite, and to a hammer blow "
+                "on the chock itself. A mode of the rolls that is missing on the "
                 "left cannot be watched from the chocks.");
   page.figure({places_drawing(run, model, "Rolls, force in the bite", rolls, false),
                places_drawing(run, model, "Rolls, force at the roll", rolls, true)},
@@ -100,7 +102,7 @@ void campbell(Page &page, const Run &run)
 {
   const CampbellData data = read_campbell(run.directory);
   if (!data.stored && data.problem.empty()) {
-    page.paragraph("No Campbell diagram: this run knows no rolling speed. Give <code>pass.speed</code> or "
+    page.paragraph("No Campbell diagram: this run has no rolling speed. Give <code>pass.speed</code> or "
                    "<code>campbell.speeds</code>, and the diameters of the rolls where none are drawn.");
     return;
   }
@@ -119,12 +121,11 @@ void campbell(Page &page, const Run &run)
                 "avoid</b>, if what turns there is out of round or damaged." +
                     notes);
   if (const std::string table = crossing_table(data, most_crossings); !table.empty())
-    page.table(table, std::string("Crossings ") +
-                          (std::isfinite(data.working[0]) ? "nearest to the working range" : "by their speed") +
-                          ", at most " + std::to_string(most_crossings) + " of " +
-                          std::to_string(data.crossings.size()) +
-                          "; all of them: <code>campbell.csv</code>. A speed "
-                          "is as sure as the frequency that it belongs to.");
+    page.table(table,
+               std::string("Crossings ") +
+                   (std::isfinite(data.working[0]) ? "nearest to the working range" : "by their speed") +
+                   ", at most " + std::to_string(most_crossings) + " of " + std::to_string(data.crossings.size()) +
+                   "; all of them: <code>campbell.csv</code>. The accuracy of a speed is that of its frequency.");
 }
 }  // namespace
 

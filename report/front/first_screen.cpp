@@ -1,5 +1,5 @@
-// What the page says before anybody scrolls: a verdict, the numbers that a mill is judged by, the stand to scale,
-// and what one has to know about them.
+// The first screen of the page: a verdict, the numbers that a mill is judged by, the stand to scale, and the
+// warnings.
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
 #include "report/marks/figures.h"
@@ -37,7 +37,8 @@ std::string upper_first(std::string text)
 std::string shown(const Result &result, const int digits = 4)
 {
   const Shown value = engineering(result.value, result.unit);
-  return significant(value.value, digits) + (value.unit.empty() ? "" : "\u00a0" + escaped(value.unit));
+  return known_digits(value.value, result.error_estimate, digits) +
+         (value.unit.empty() ? "" : "\u00a0" + escaped(value.unit));
 }
 
 // Chatter ------------------------------------------------------------------------------------------------------
@@ -152,10 +153,9 @@ std::string card(const Result *result, const std::string &label, const std::stri
   const bool acceleration = result->name.find("_g.") != std::string::npos;
   const Shown shown =
       acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
-  const std::string number = acceleration ? g_text(shown.value) : significant(shown.value, 4);
-  std::string small        = std::isfinite(result->error_estimate)
-                                 ? "\u00b1\u00a0" + percent(std::abs(result->error_estimate)).substr(1)
-                                 : "";
+  const std::string number =
+      acceleration ? g_text(shown.value) : known_digits(shown.value, result->error_estimate);
+  std::string small = std::isfinite(result->error_estimate) ? accuracy(result->error_estimate) : "";
   for (const std::string &more : {below, result->at.empty() ? "" : "at " + short_source(result->at)})
     small += (small.empty() || more.empty() ? "" : "; ") + escaped(more);
   return "<div class=\"card" + state + "\" title=\"" + escaped(result->source) + "\"><span>" + escaped(label) +
@@ -184,10 +184,10 @@ std::string chatter_card(const Condition &c)
 std::string chain_cards(const Run &run)
 {
   std::string label;
-  const Result *kiss = run.find(result_name({family::stand, "modulus.kiss"}));
-  std::string all    = card(run.find(result_name({family::stand, "modulus.tangent"})), "mill modulus",
-                         has_value(kiss) ? "rolls touching " + shown(*kiss) : "");
-  const auto limits  = conditions(run);
+  const Result *touching = run.find(result_name({family::stand, "modulus.kiss"}));
+  std::string all        = card(run.find(result_name({family::stand, "modulus.tangent"})), "mill modulus",
+                         has_value(touching) ? "rolls touching " + shown(*touching) : "");
+  const auto limits      = conditions(run);
   if (!limits.empty())
     all += chatter_card(limits.front());
   const auto modes = modes_by_name(run);
@@ -346,32 +346,41 @@ std::string sentence(const Run &run)
   return "";
 }
 
-// Colour is not the only carrier: the first word says the same.
+std::string count_of_warnings(const Run &run)
+{
+  const std::size_t n = run.warnings.size();
+  return n == 0 ? "warnings" : n == 1 ? "1 warning" : std::to_string(n) + " warnings";
+}
+
+// The first word repeats what the colour shows, for readers who do not see colours.
 std::string verdict(const Run &run)
 {
   if (has_failed(run))
     return "<div class=\"verdict failed\"><p><b>Failed.</b> The run ended with status \u201c" +
            escaped(run.status) + "\u201d; what is shown below was finished before.</p></div>\n";
-  const auto limits      = conditions(run);
-  const bool poor        = !limits.empty() && limits.front().chatters();
-  const bool doubt       = run.status == "warnings" || !run.warnings.empty();
-  const std::string said = sentence(run);
-  const std::string word = poor ? "Chatter." : doubt ? "Done, read what is to know." : "Done.";
+  const auto limits         = conditions(run);
+  const bool poor           = !limits.empty() && limits.front().chatters();
+  const bool doubt          = run.status == "warnings" || !run.warnings.empty();
+  const std::string outcome = sentence(run);
+  const std::string word    = poor    ? "Chatter."
+                              : doubt ? "Finished with " + count_of_warnings(run) + "."
+                                      : "Finished.";
   return std::string("<div class=\"verdict ") +
          (poor    ? "failed"
           : doubt ? "warnings"
                   : "ok") +
-         "\"><p><b>" + word + "</b> " + (said.empty() ? "Every stage finished." : said + ".") + "</p></div>\n";
+         "\"><p><b>" + word + "</b> " + (outcome.empty() ? "Every stage finished." : outcome + ".") +
+         "</p></div>\n";
 }
 
-// What is to know ----------------------------------------------------------------------------------------------
+// Warnings -----------------------------------------------------------------------------------------------------
 
 // A warning up to where its explanation begins.
 std::size_t end_of_fact(const std::string &warning)
 {
   for (const char *mark : {"; ", ". "})
-    if (const auto at = warning.find(mark); at != std::string::npos && at > 30)
-      return at;
+    if (const auto position = warning.find(mark); position != std::string::npos && position > 30)
+      return position;
   return warning.size();
 }
 
@@ -405,8 +414,7 @@ std::string costs_most(const EstimateInfo &e)
   const auto most = std::max_element(e.moves.begin(), e.moves.end(), [](const auto &a, const auto &b) {
     return std::abs(a.second) < std::abs(b.second);
   });
-  return most == e.moves.end() ? "\u2013"
-                               : escaped(most->first) + " \u00b1" + percent(std::abs(most->second)).substr(1);
+  return most == e.moves.end() ? "\u2013" : escaped(most->first) + " " + accuracy(most->second);
 }
 
 // Folded: what no drawing gave, by what it costs in accuracy.

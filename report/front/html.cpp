@@ -11,21 +11,21 @@
 
 namespace mill::report {
 namespace {
-// The charts of histories need dygraphs; where the build had none, their static drawings stand alone.
+// The charts of histories need dygraphs; without it only their static drawings are shown.
 std::string scripts()
 {
   using namespace embedded;
-  const std::string own =
+  const std::string name =
       std::string("<script>\n") + page_js + "</script>\n<script>\n" + reading_js + "</script>\n";
   if (!*dygraphs_js)
-    return own;
+    return name;
   return std::string("<style>") + dygraphs_css + "</style>\n<script>\n/*\n" + dygraphs_licence + "*/\n" +
-         dygraphs_js + "\n</script>\n" + own;
+         dygraphs_js + "\n</script>\n" + name;
 }
 
 // Stays in sight: contents, how much is unfolded, light or dark.  The settings need the script and stay hidden
 // without it.
-std::string beside(const Run &run, const Page &page)
+std::string sidebar(const Run &run, const Page &page)
 {
   const auto button = [](const std::string &setting, const std::string &value) {
     return "<button type=\"button\" data-" + setting + "=\"" + value + "\">" + value + "</button>";
@@ -35,7 +35,7 @@ std::string beside(const Run &run, const Page &page)
     depths += button("depth", name_of(depth));
   for (const char *theme : {"light", "dark", "auto"})
     themes += button("theme", theme);
-  return "<nav class=\"beside\">\n<p class=\"program\">millstand " + escaped(run.manifest.version) +
+  return "<nav class=\"sidebar\">\n<p class=\"program\">millstand " + escaped(run.manifest.version) +
          "</p>\n<div class=\"settings\" hidden><fieldset><legend>depth</legend>" + depths +
          "</fieldset><fieldset><legend>page</legend>" + themes + "</fieldset></div>\n" + page.contents() +
          "</nav>\n";
@@ -48,12 +48,17 @@ bool has_chain(const Run &run)
          run.manifest.kind != "chatter" && (run.find("M1") || stored_curve(run, curve::modes));
 }
 
+std::string title_element(const std::string &title)
+{
+  return "<title>" + escaped(title) + " - millstand report</title>";
+}
+
 std::string html_document(const std::string &title, const Run &run, const Page &page, const std::string &head)
 {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
-         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n<title>" +
-         escaped(title) + " - millstand report</title>\n<style>\n" + embedded::page_css +
-         "</style>\n</head>\n<body>\n<div class=\"layout\">\n" + beside(run, page) + "<main>\n" + head +
+         "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n" +
+         title_element(title) + "\n<style>\n" + embedded::page_css +
+         "</style>\n</head>\n<body>\n<div class=\"layout\">\n" + sidebar(run, page) + "<main>\n" + head +
          page.body() + "</main>\n</div>\n" + scripts() + "</body>\n</html>\n";
 }
 

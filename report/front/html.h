@@ -12,6 +12,9 @@ namespace mill::report {
 /// Cost: reading the tables; the page itself takes some 50 ms.
 std::string html_report(const std::string &run_directory);
 
+/// Title of a page as it stands in its head; by it a page of this program is recognised.
+std::string title_element(const std::string &title);
+
 class Page;
 /// A page around sections that are complete: style, contents, scripts.
 /// @param title  of the browser's window

@@ -27,19 +27,17 @@ std::string fact(const std::string &name, const std::string &value)
 std::string what_is_in_short(const Run &run)
 {
   if (has_chain(run))
-    return "What the model runs on. Stiffnesses belong to the whole stand, Kzc to one bearing; a contact counts "
-           "with "
-           "its tangent.";
+    return "What the model runs on. Stiffnesses belong to the whole stand, Kzc to one bearing; for a contact the "
+           "tangent is used.";
   if (run.manifest.kind == "bearing")
     return "One bearing at its working load; tangents belong to small motions about that state.";
   if (run.manifest.kind == "bite")
     return "The strip between the work rolls, by the model that gives K4; derivatives are exact and hold the arc.";
   if (run.manifest.kind == "chatter")
-    return "Every condition at its working speed; a positive growth rate is a stand that chatters.";
+    return "Every condition at its working speed; a positive growth rate means that the stand chatters.";
   if (run.manifest.kind == "cluster")
     return "Every pass: its force, the named natural frequencies about the state at rest, how far it is from "
-           "buckling "
-           "and from a roll that leaves its nest; then what variants of the stack are fitted to.";
+           "buckling and from an open contact; then the numbers that variants of the stack are fitted with.";
   return run.find("contact.space.approach") ? "The contact at its working load."
                                             : "The contact at its working load, stiffnesses per metre of length.";
 }
@@ -84,14 +82,13 @@ std::string what_is_left_out(const Run &run)
   if (run.manifest.kind == "bite")
     return "Plane strain: the strip does not spread, and its edges are not seen. The flow stress is the same at "
            "any "
-           "rate and temperature, friction one law along the whole arc; lubricant and heat are not followed. No "
-           "published experiment stands beside these numbers.";
+           "rate and temperature, friction one law along the whole arc; lubricant and heat are not followed. "
+           "These numbers are not compared with a published experiment.";
   if (run.manifest.kind == "cluster")
     return "Rolls are rigid discs in one plane, their contacts and supports springs of one length: no bending, no "
            "tilt "
            "across the strip, no saddle or housing that moves, no chatter feedback from the strip. The law of a "
-           "support "
-           "is what the case says of it.";
+           "support is taken from the case.";
   if (run.find("contact.space.approach"))
     return "The contact is elastic and smooth, and small against both bodies, each of which is a half space: its "
            "far side, its supports and, beyond the end of a face, its missing half are not seen. Friction acts "
@@ -106,8 +103,8 @@ void summary_section(Page &page, const Run &run, const ModelData &models)
 {
   page.section("summary", "The numbers in short");
   if (const ComparedModel *best = models.detailed()) {
-    std::string text =
-        "The frequencies are those of the <b>" + escaped(best->title) + "</b>; the six masses stand beside them.";
+    std::string text = "The frequencies are those of the <b>" + escaped(best->title) +
+                       "</b>; those of the six masses are listed for comparison.";
     for (std::size_t i = 0; i < std::min<std::size_t>(2, models.answer.size()); ++i)
       text += " " + escaped(models.answer[i]);
     page.paragraph(text);
@@ -139,8 +136,8 @@ void full_results_section(Page &page, const Run &run)
       "aria-label=\"search in the table\"/><button type=\"button\" class=\"copy\">Copy</button><button "
       "type=\"button\" class=\"csv\">CSV</button><output></output></div>\n" +
           full_table(run),
-      "Everything in <code>results.json</code>. A deviation is this run relative to the check "
-      "beside it; accuracy is the run's own estimate." +
+      "Everything in <code>results.json</code>. A deviation is this run relative to that check; accuracy is the "
+      "estimate of the run itself." +
           std::string(std::any_of(run.results.begin(), run.results.end(),
                                   [](const Result &result) { return is_slope_by_one_input(result.name); })
                           ? " Slopes by single inputs are in the charts of the section on chatter and in the file."

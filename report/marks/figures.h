@@ -15,7 +15,7 @@ struct MarksData : MarksRecord {
 /// A folder of `millstand marks`, which holds nothing else.
 bool holds_marks(const Run &run);
 
-/// Never throws: without the file `stored` is false, with one that is no such JSON `problem` says so.
+/// Never throws: without the file `stored` is false, `problem` says when it is not such a JSON.
 MarksData read_marks(const std::string &run_directory);
 
 /// One sentence: spacing, frequency, what it is whole on, the mode nearest to it.
@@ -24,7 +24,7 @@ std::string marks_sentence(const MarksData &data);
 std::string marks_table(const MarksData &data);
 /// Modes against its frequency, with the waves and speeds of every roll next to the one asked for.
 std::string marks_mode_table(const MarksData &data);
-/// Side bands of every roll, and a measured distance beside its rotation.
+/// Side bands of every roll, and a measured distance compared with its rotation.
 std::string side_band_table(const MarksData &data);
 /// Magnification over speed and number of waves around one roll.
 std::string marks_map(const MarksData &data, const MarkMap &map);

@@ -35,7 +35,7 @@ std::string class_of_step(const int step)
 }
 
 // Neighbours of one step along the speed are drawn as one.
-void draw_gain(Svg &svg, const MarkMap &map, const MapFrame &at)
+void draw_gain(Svg &svg, const MarkMap &map, const MapFrame &frame)
 {
   const Eigen::Index n = map.speed.size();
   const double half    = 0.5 * (map.speed[1] - map.speed[0]);
@@ -46,43 +46,44 @@ void draw_gain(Svg &svg, const MarkMap &map, const MapFrame &at)
       while (end < n && step_of_gain(map.gain(end, j)) == step)
         ++end;
       if (step >= 0) {
-        const double x0 = at.x(std::max(at.v_low, map.speed[i] - half)),
-                     x1 = at.x(std::min(at.v_high, map.speed[end - 1] + half));
-        svg.rect(x0, at.y(map.waves[j] + 0.5), x1 - x0, at.y(map.waves[j] - 0.5) - at.y(map.waves[j] + 0.5),
-                 class_of_step(step));
+        const double x0 = frame.x(std::max(frame.v_low, map.speed[i] - half)),
+                     x1 = frame.x(std::min(frame.v_high, map.speed[end - 1] + half));
+        svg.rect(x0, frame.y(map.waves[j] + 0.5), x1 - x0,
+                 frame.y(map.waves[j] - 0.5) - frame.y(map.waves[j] + 0.5), class_of_step(step));
       }
       i = end;
     }
 }
 
-void draw_axes_of_map(Svg &svg, const MapFrame &at)
+void draw_axes_of_map(Svg &svg, const MapFrame &frame)
 {
-  svg.rect(at.left, at.top, at.right - at.left, at.bottom - at.top, "frame");
-  const Ticks along = linear_ticks(at.v_low, at.v_high, 7), across = linear_ticks(at.n_low, at.n_high, 6);
+  svg.rect(frame.left, frame.top, frame.right - frame.left, frame.bottom - frame.top, "frame");
+  const Ticks along  = linear_ticks(frame.v_low, frame.v_high, 7),
+              across = linear_ticks(frame.n_low, frame.n_high, 6);
   for (std::size_t i = 0; i < along.at.size(); ++i)
-    svg.text(at.x(along.at[i]), at.bottom + 16, along.labels[i], "t tx", Anchor::middle);
+    svg.text(frame.x(along.at[i]), frame.bottom + 16, along.labels[i], "t tx", Anchor::middle);
   for (std::size_t i = 0; i < across.at.size(); ++i)
-    svg.text(at.left - 6, at.y(across.at[i]) + 4, across.labels[i], "t ty", Anchor::end);
-  svg.text((at.left + at.right) / 2, at.bottom + 34, "speed of the strip [m/s]", "axis", Anchor::middle);
-  svg.upright_text(14, (at.top + at.bottom) / 2, "waves per turn [-]", "axis");
+    svg.text(frame.left - 6, frame.y(across.at[i]) + 4, across.labels[i], "t ty", Anchor::end);
+  svg.text((frame.left + frame.right) / 2, frame.bottom + 34, "speed of the strip [m/s]", "axis", Anchor::middle);
+  svg.upright_text(14, (frame.top + frame.bottom) / 2, "waves per turn [-]", "axis");
 }
 
 // Names where the line of a mode leaves the map on the right, as far as they find room.
-void draw_names(Svg &svg, const MarksData &data, const double length, const MapFrame &at)
+void draw_names(Svg &svg, const MarksData &data, const double length, const MapFrame &frame)
 {
   double last = INFINITY;
   for (const ModeMarks &mode : data.modes) {
-    const double n = length * mode.frequency / at.v_high;
-    if (!(n > at.n_low && n < at.n_high) || last - at.y(n) < row_space)
+    const double n = length * mode.frequency / frame.v_high;
+    if (!(n > frame.n_low && n < frame.n_high) || last - frame.y(n) < row_space)
       continue;
-    last = at.y(n);
-    svg.text(at.right + 6, last + 4, mode.name + ", " + fixed(mode.frequency, 0) + " Hz", "small");
+    last = frame.y(n);
+    svg.text(frame.right + 6, last + 4, mode.name + ", " + fixed(mode.frequency, 0) + " Hz", "small");
   }
 }
 
-void draw_scale_of_map(Svg &svg, const MapFrame &at)
+void draw_scale_of_map(Svg &svg, const MapFrame &frame)
 {
-  double x = at.left;
+  double x = frame.left;
   svg.text(x, 31, "magnified by [dB]", "axis");
   x += 112;
   for (int s = 0; s < map_steps; ++s) {
@@ -101,20 +102,21 @@ std::string marks_map(const MarksData &data, const MarkMap &map)
       std::find_if(data.rolls.begin(), data.rolls.end(), [&](const RollMarks &r) { return r.roll == map.roll; });
   if (n < 2 || m < 2 || map.gain.rows() != n || map.gain.cols() != m || roll == data.rolls.end())
     return "";
-  const MapFrame at{64, 690, 44, 400, map.speed[0], map.speed[n - 1], map.waves[0] - 0.5, map.waves[m - 1] + 0.5};
-  if (!(at.v_high > at.v_low && at.n_high > at.n_low))
+  const MapFrame frame{
+      64, 690, 44, 400, map.speed[0], map.speed[n - 1], map.waves[0] - 0.5, map.waves[m - 1] + 0.5};
+  if (!(frame.v_high > frame.v_low && frame.n_high > frame.n_low))
     return "";
   Svg svg(900, 444, "magnification over speed and waves around the " + map.roll);
   svg.text(34, 15, "Waves around the " + map.roll, "title");
-  draw_scale_of_map(svg, at);
-  draw_gain(svg, map, at);
-  draw_axes_of_map(svg, at);
+  draw_scale_of_map(svg, frame);
+  draw_gain(svg, map, frame);
+  draw_axes_of_map(svg, frame);
   const MarksQuestion &q = data.question;
-  draw_names(svg, data, M_PI * roll->diameter * (1 + q.forward_slip), at);
-  const double x = at.x(q.speed), y = at.y(roll->per_turn);
-  if (x >= at.left && x <= at.right && y >= at.top && y <= at.bottom) {
-    svg.line(at.left, y, at.right, y, "mark");
-    svg.line(x, at.top, x, at.bottom, "mark");
+  draw_names(svg, data, M_PI * roll->diameter * (1 + q.forward_slip), frame);
+  const double x = frame.x(q.speed), y = frame.y(roll->per_turn);
+  if (x >= frame.left && x <= frame.right && y >= frame.top && y <= frame.bottom) {
+    svg.line(frame.left, y, frame.right, y, "mark");
+    svg.line(x, frame.top, x, frame.bottom, "mark");
     svg.circle(x, y, 5, "point");
     svg.text(x + 9, y - 6, "the marks", "flag halo");
   }

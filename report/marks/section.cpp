@@ -25,8 +25,8 @@ void marks_section(Page &page, const Run &run)
   page.table(
       marks_table(data),
       "The spacing laid around what turns. A number within " + percent(data.question.accuracy).substr(1) +
-          " of a whole one counts as whole; where a spacing taken at random would do so in more than half of "
-          "all cases nothing is told apart, and spacing and diameters have to be known better.");
+          " of a whole one is accepted as whole; where a random spacing would be accepted in more than half of "
+          "all cases the candidates are not distinguishable, and spacing and diameters must be known better.");
   if (const std::string table = marks_mode_table(data); !table.empty())
     page.table(table,
                "Modes " + escaped(data.model) +
@@ -34,8 +34,8 @@ void marks_section(Page &page, const Run &run)
                    "excited by whole waves around a roll at the speeds that follow, next to the one asked for. "
                    "A frequency that stays when the speed changes is a mode, a number of waves that stays is a "
                    "roll.");
-  page.table(side_band_table(data), "Lines that a change once per turn puts beside the frequency of the marks. A "
-                                    "distance of side bands is no spacing of marks.");
+  page.table(side_band_table(data), "Side bands of the frequency of the marks that a change once per turn causes. "
+                                    "The distance of side bands is not the spacing of the marks.");
   for (const MarkMap &map : data.maps)
     if (const std::string drawing = marks_map(data, map); !drawing.empty())
       page.figure({drawing},

@@ -24,7 +24,7 @@ std::string whole_cells(const double turns, const double number, const double wh
          cell(deviation(off)) + cell(fixed(100 * chance, 0) + " %") + "<td>" + escaped(verdict) + "</td>";
 }
 
-// "80 of the control roll", those that are told to be whole.
+// "80 of the control roll", those that are identified as whole.
 std::string whole_ones(const MarksData &data)
 {
   std::string list;
@@ -48,7 +48,7 @@ std::string marks_sentence(const MarksData &data)
                      significant(q.speed, 4) + " m/s are made " + significant(data.frequency, 4) +
                      " times a second";
   const std::string whole = whole_ones(data);
-  text += whole.empty() ? "; no roll and no bearing can be told by a whole number" : "; whole: " + whole;
+  text += whole.empty() ? "; no roll and no bearing is identified by a whole number" : "; whole: " + whole;
   const auto nearest =
       std::min_element(data.modes.begin(), data.modes.end(),
                        [](const ModeMarks &a, const ModeMarks &b) { return std::abs(a.off) < std::abs(b.off); });
@@ -78,7 +78,7 @@ std::string marks_mode_table(const MarksData &data)
     head += "<th>" + escaped(r.roll) + ": waves at [m/s]</th>";
   for (std::size_t m = 0; m < data.modes.size(); ++m) {
     const ModeMarks &mode = data.modes[m];
-    std::string cells     = strong(significant(mode.frequency, 5)) +
+    std::string cells     = strong(known_digits(mode.frequency, mode.error_estimate, 5)) +
                         cell(deviation(mode.off) + (mode.near ? ", near" : "")) + cell(significant(mode.speed, 4));
     for (std::size_t r = 0; r < data.rolls.size(); ++r) {
       std::string pairs;

@@ -52,8 +52,8 @@ std::string masses_chart(const ModelData &data)
   svg.text(right_start, 32, "right", "axis");
   svg.text(missing_start, 32, "missing modes [Hz]", "axis");
   const Ticks ticks = log_ticks(low, high, 6);
-  for (const double at : ticks.minor)
-    svg.line(to_x(at), head_height, to_x(at), bottom, "grid minor");
+  for (const double position : ticks.minor)
+    svg.line(to_x(position), head_height, to_x(position), bottom, "grid minor");
   for (std::size_t i = 0; i < ticks.at.size(); ++i) {
     svg.line(to_x(ticks.at[i]), head_height, to_x(ticks.at[i]), bottom, "grid");
     svg.text(to_x(ticks.at[i]), bottom + 16, ticks.labels[i], "t tx", Anchor::middle);

@@ -33,7 +33,7 @@ std::string kept_chart(const KeptModes &kept, double limit);
 std::string model_table(const ModelData &data);
 /// Every mode of the detailed model below the limit, and what the six masses make of it.
 std::string verdict_table(const ModelData &data);
-/// Modes of the six masses that stand for none of the detailed model's.
+/// Modes of the six masses without a counterpart in the detailed model.
 std::string stray_sentence(const ModelData &data);
 
 /// Mode (from 1) of the table's columns that looks most like mode `row` (from 1) of its rows; 0: none is alike.

@@ -50,9 +50,9 @@ std::vector<LadderColumn> columns_of(const ModelData &data)
 const Partner *partner_of(const ModelData &data, const std::string &model, const int mode)
 {
   for (const ModePartners &pair : data.pairs)
-    if (const auto found = pair.partner.find(model);
-        found != pair.partner.end() && found->second.mode == mode && !(found->second.mac < alike))
-      return &found->second;
+    if (const auto match = pair.partner.find(model);
+        match != pair.partner.end() && match->second.mode == mode && !(match->second.mac < alike))
+      return &match->second;
   return nullptr;
 }
 
@@ -108,27 +108,27 @@ void draw_column(Svg &svg, const ModelData &data, const LadderFrame &frame, cons
            std::to_string(column.model->unknowns) + (column.model->unknowns == 1 ? " unknown" : " unknowns"),
            "t small", Anchor::middle);
   std::vector<int> shown;
-  std::vector<double> at;
+  std::vector<double> positions;
   for (int mode = int(column.model->modes.size()); mode >= 1; --mode)
     if (const double f = column.model->modes[std::size_t(mode - 1)].frequency; frame.holds(f)) {
       shown.push_back(mode);
-      at.push_back(frame.y(f));
+      positions.push_back(frame.y(f));
     }
-  const std::vector<double> labels = spread(at);
+  const std::vector<double> labels = spread(positions);
   for (std::size_t i = 0; i < shown.size(); ++i) {
     const double f = column.model->modes[std::size_t(shown[i] - 1)].frequency, half = step_width / 2;
     const bool joined = is_joined(data, *column.model, shown[i]);
     if (joined)
-      svg.rect(column.x - half, at[i] - 2.5, step_width, 5, "step");
+      svg.rect(column.x - half, positions[i] - 2.5, step_width, 5, "step");
     else
-      svg.rect(column.x - half, at[i] - 2.5, step_width, 5, "step lone");
+      svg.rect(column.x - half, positions[i] - 2.5, step_width, 5, "step lone");
     if (column.side == 0) {  // above its step, or below where the next step is near
-      const bool below = i > 0 && at[i] - at[i - 1] < 20;
-      svg.text(column.x, at[i] + (below ? 15 : -6), fixed(f, 1), "t halo", Anchor::middle);
+      const bool below = i > 0 && positions[i] - positions[i - 1] < 20;
+      svg.text(column.x, positions[i] + (below ? 15 : -6), fixed(f, 1), "t halo", Anchor::middle);
       continue;
     }
     const double end = column.x + column.side * half, text = end + column.side * 26;
-    svg.line(end, at[i], text - column.side * 4, labels[i], "leader");
+    svg.line(end, positions[i], text - column.side * 4, labels[i], "leader");
     svg.text(text, labels[i] + 4, fixed(f, 1), "t halo", column.side < 0 ? Anchor::end : Anchor::start);
   }
 }
@@ -144,13 +144,13 @@ void draw_joins(Svg &svg, const ModelData &data, const LadderFrame &frame, const
 {
   const double side = other.x > chain.x ? 1 : -1;
   for (const ModePartners &pair : data.pairs) {
-    const auto found = pair.partner.find(other.model->name);
-    if (found == pair.partner.end() || found->second.mac < alike || !frame.holds(pair.six_mass) ||
-        !frame.holds(found->second.frequency))
+    const auto match = pair.partner.find(other.model->name);
+    if (match == pair.partner.end() || match->second.mac < alike || !frame.holds(pair.six_mass) ||
+        !frame.holds(match->second.frequency))
       continue;
-    const double error = pair.six_mass / found->second.frequency - 1;
+    const double error = pair.six_mass / match->second.frequency - 1;
     const double x1 = chain.x + side * step_width / 2, x2 = other.x - side * step_width / 2;
-    const double y1 = frame.y(pair.six_mass), y2 = frame.y(found->second.frequency);
+    const double y1 = frame.y(pair.six_mass), y2 = frame.y(match->second.frequency);
     svg.line(x1, y1, x2, y2, std::string("join ") + how_far(error));
     const double t = pair.mode % 2 ? 0.3 : 0.7;  // neighbours keep apart
     svg.text(x1 + t * (x2 - x1), y1 + t * (y2 - y1) + 4, percent(error), "flag halo", Anchor::middle);

@@ -47,7 +47,7 @@ void answer(Page &page, const ModelData &data)
                 "How few masses are enough. The detailed model is reduced to the masses named on the left, "
                 "best choice first; a dot is the worst frequency error among the modes " +
                     below_the_limit(data) +
-                    " that are still shown. A mode counts as right when its frequency is within "
+                    " that are still shown. A mode is accepted as right when its frequency is within "
                     "5&nbsp;%, and as missing when no shape of the reduced model is like it. Read "
                     "downwards until nothing is missing and the dot is as far left as you need.");
   page.html(warning_box(data));
@@ -83,7 +83,7 @@ void frequencies(Page &page, const Run &run, const ModelData &data)
                                         "picture."));
   if (!table.empty())
     page.table(table,
-               "What the six masses are worth, mode by mode of the most detailed model. \u201cLikeness\u201d "
+               "Accuracy of the six masses for each mode of the most detailed model. \u201cLikeness\u201d "
                "is the modal assurance of the two shapes, 1 for equal ones; below " +
                    fixed(alike, 1) +
                    " they are not called the same mode. \u201cWithin reach\u201d is the share of the mode's "
@@ -97,8 +97,8 @@ void likeness(Page &page, const ModelData &data)
   if (const std::string map = mac_map(data); !map.empty())
     page.figure(
         {map},
-        "Modal assurance between two detailed models. One dark cell in every row and column: both "
-        "know the same modes. Two dark cells in one column are a motion that one model has twice, as a chock with "
+        "Modal assurance between two detailed models. One dark cell in every row and column: both have the same "
+        "modes. Two dark cells in one column are a motion that one model has twice, as a chock with "
         "its neck and on its bearing. Two half-dark cells side by side are two modes that lie so close that "
         "each model mixes them in its own way.");
 }
@@ -114,7 +114,7 @@ void shapes(Page &page, const Run &run, const ModelData &data)
         {player},
         "The stand seen along the rolling direction, rolls to scale, motion enlarged and slowed down. Shown "
         "are the extremes of the swing; on the screen it moves. <b>Look at which springs open and "
-        "close</b>: masses that travel together count as one, a roll that bends or a chock that leaves its "
+        "close</b>: masses that move together act as one, a roll that bends or a chock that leaves its "
         "neck is what six masses leave out." +
             std::string(has_roll_sizes(run.manifest.geometry)
                             ? ""
@@ -134,7 +134,7 @@ void convergence(Page &page, const ModelData &data)
     page.figure({chart},
                 "Error of the assembled stand's frequencies when every part keeps only so many of its own modes, "
                 "against the same stand with many. It falls with every mode kept, and fastest for low "
-                "frequencies; where the thick line is below the accuracy you need, more modes buy nothing.");
+                "frequencies; where the thick line is below the accuracy you need, more modes do not help.");
   }
 }
 }  // namespace

@@ -18,8 +18,8 @@ const ModePartners *chain_mode(const ModelData &data, const std::string &model, 
   const ModePartners *best = nullptr;
   double likeness          = 0;
   for (const ModePartners &pair : data.pairs)
-    if (const auto found = pair.partner.find(model); found != pair.partner.end() && found->second.mode == mode)
-      if (const double mac = found->second.mac; !(mac < alike) && (!best || mac > likeness)) {
+    if (const auto match = pair.partner.find(model); match != pair.partner.end() && match->second.mode == mode)
+      if (const double mac = match->second.mac; !(mac < alike) && (!best || mac > likeness)) {
         best     = &pair;
         likeness = mac;
       }
@@ -50,7 +50,7 @@ std::string verdict(const ModePartners *pair, const double frequency)
 }  // namespace
 
 namespace {
-// Shapes that look alike at the places compared are no counterparts when their frequencies are far apart.
+// Shapes that look alike at the places compared are not counterparts when their frequencies are far apart.
 bool near(const MacTable &mac, const Eigen::Index row, const Eigen::Index column)
 {
   if (mac.row_frequency.size() <= row || mac.column_frequency.size() <= column)
@@ -108,7 +108,7 @@ std::string verdict_table(const ModelData &data)
     const ModePartners *pair = chain_mode(data, detailed->name, mode);
     body += "<tr><th scope=\"row\">" + std::to_string(mode) + "</th>" +
             (named ? "<td title=\"" + escaped(shown.decided) + "\">" + escaped(shown.name) + "</td>" : "") +
-            cell("<b>" + fixed(shown.frequency, 1) + "</b>");
+            cell("<b>" + frequency_text(shown.frequency, shown.error_estimate) + "</b>");
     if (second) {
       const double other = other_frequency(data, *detailed, mode);
       body += cell(fixed(other, 1) + (std::isfinite(other) ? " <span class=\"deviation\">(" +
@@ -138,8 +138,8 @@ std::string stray_sentence(const ModelData &data)
     return "";
   std::vector<std::string> strays;
   for (const ModePartners &pair : data.pairs) {
-    const auto found = pair.partner.find(detailed->name);
-    if (found != pair.partner.end() && !(found->second.mac < alike))
+    const auto match = pair.partner.find(detailed->name);
+    if (match != pair.partner.end() && !(match->second.mac < alike))
       continue;
     strays.push_back("mode " + std::to_string(pair.mode) + " (" + fixed(pair.six_mass, 1) + "\u00a0Hz)");
   }
@@ -149,6 +149,6 @@ std::string stray_sentence(const ModelData &data)
   for (std::size_t i = 1; i < strays.size(); ++i)
     all += (i + 1 == strays.size() ? " and " : ", ") + strays[i];
   return "Of the six masses' own modes, " + all + (strays.size() == 1 ? " looks" : " look") +
-         " like no mode of the detailed model: a peak there in a simulated response has none behind it.";
+         " like no mode of the detailed model: a peak there in a simulated response is not a mode of the stand.";
 }
 }  // namespace mill::report

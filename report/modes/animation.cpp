@@ -73,23 +73,22 @@ std::string drawing_element(const ComparedModel &model, const StandDrawing &draw
 
 std::string name_of_mode(const int number, const ModelMode &mode)
 {
-  return std::to_string(number) + " \u00b7 " + fixed(mode.frequency, 1) + " Hz";
+  return std::to_string(number) + " \u00b7 " + frequency_text(mode.frequency, mode.error_estimate) + " Hz";
 }
 
 std::string sentence_of(const ComparedModel &model, const int number, const ModelMode &mode)
 {
   std::string text = "Mode " + std::to_string(number) + " of the model \u201c" + model.title + "\u201d, " +
-                     fixed(mode.frequency, 1) + " Hz.";
+                     frequency_text(mode.frequency, mode.error_estimate) + " Hz" +
+                     (mode.error_estimate > 0 ? " " + accuracy(mode.error_estimate) : "") + ".";
   if (std::isfinite(mode.in_chain))
     text += " " + fixed(100 * mode.in_chain, 0) + " % of the motion is within reach of six masses.";
-  if (mode.error_estimate > 0)
-    text += " By its own estimate the frequency is within " + significant(100 * mode.error_estimate, 2) + " %.";
   return text;
 }
 
 using Shares = std::vector<std::pair<std::string, double>>;  // name, %
 
-// The largest shares first; what is below half a percent says nothing.
+// The largest shares first; shares below half a percent are left out.
 Shares largest(const std::vector<std::string> &names, const Eigen::VectorXd &share)
 {
   Shares all;
@@ -145,8 +144,8 @@ Json model_json(const ComparedModel &model, const StandDrawing &drawing)
 std::string in_script(const Json &json)
 {
   std::string text = json.dump(-1, ' ', false, Json::error_handler_t::replace);
-  for (std::size_t at = text.find('<'); at != std::string::npos; at = text.find('<', at))
-    text.replace(at, 1, "\\u003c");
+  for (std::size_t position = text.find('<'); position != std::string::npos; position = text.find('<', position))
+    text.replace(position, 1, "\\u003c");
   return text;
 }
 

@@ -61,10 +61,10 @@ private:
 int Builder::point(const std::string &name)
 {
   placed_.insert(name);
-  const auto found = std::find(model_.points.begin(), model_.points.end(), name);
-  if (found == model_.points.end())
+  const auto match = std::find(model_.points.begin(), model_.points.end(), name);
+  if (match == model_.points.end())
     return 0;
-  const int index = int(found - model_.points.begin());
+  const int index = int(match - model_.points.begin());
   for (std::size_t i = 1; i < drawing_.displacements.size(); ++i)
     if (drawing_.displacements[i].point == index)
       return int(i);
@@ -288,7 +288,7 @@ void Builder::strip(const DrawnRoll &upper, const DrawnRoll &lower)
   drawing_.shapes.push_back({"strip", true, corners});
 }
 
-// Names stand beside what moves, all in one column.
+// Names stand next to what moves, all in one column.
 void Builder::label(const double y, const std::string &name)
 {
   const double widest = std::max({sizes_.backup.half_total, sizes_.work.half_total, sizes_.backup.seat + 0.24});

@@ -40,7 +40,7 @@ bool has_roll_sizes(const std::map<std::string, double> &geometry)
   for (const char *name :
        {"work_roll_diameter", "work_roll_length", "work_neck_diameter", "work_total_length", "work_bearing_span",
         "backup_diameter", "backup_length", "backup_neck_diameter", "backup_neck_length", "backup_bearing_span"})
-    if (const auto found = geometry.find(name); found == geometry.end() || !(found->second > 0))
+    if (const auto match = geometry.find(name); match == geometry.end() || !(match->second > 0))
       return false;
   return true;
 }

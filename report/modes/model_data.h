@@ -14,7 +14,7 @@ struct ModelData : ModelsRecord {
   const ComparedModel *detailed() const;
 };
 
-/// Reads curves/models.json of a run directory.  Never throws: without the file `stored` is false, with one that
-/// is no such JSON `problem` says so.  Lists of a mode whose length does not fit its model are filled up with NaN.
+/// Reads curves/models.json of a run directory.  Never throws: without the file `stored` is false, `problem` says
+/// when it is not such a JSON.  Lists of a mode whose length does not fit its model are filled up with NaN.
 ModelData read_models(const std::string &run_directory);
 }  // namespace mill::report

@@ -16,9 +16,9 @@ std::string named_mode_table(const Run &run)
     std::string others;
     for (const Check &check : mode.checks)
       others += (others.empty() ? "" : ", ") + check.name + " " + fixed(check.value, 1);
-    body += "<tr><th scope=\"row\">" + escaped(named.name) + "</th><td class=\"num\"><b>" + fixed(mode.value, 1) +
-            "</b></td><td>" + accuracy_cell(mode) + "</td><td>" + escaped(named.why) + "</td><td>" +
-            (others.empty() ? "\u2013" : escaped(others)) + "</td></tr>\n";
+    body += "<tr><th scope=\"row\">" + escaped(named.name) + "</th><td class=\"num\"><b>" +
+            frequency_text(mode.value, mode.error_estimate) + "</b></td><td>" + accuracy_cell(mode) + "</td><td>" +
+            escaped(named.why) + "</td><td>" + (others.empty() ? "\u2013" : escaped(others)) + "</td></tr>\n";
   }
   if (body.empty())
     return "";

@@ -32,8 +32,8 @@ const Eigen::VectorXd *line_of(const ComparedModel &model, const ModelMode &mode
 
 double displacement_of(const ComparedModel &model, const ModelMode &mode, const std::string &name)
 {
-  const auto found = std::find(model.points.begin(), model.points.end(), name);
-  return found == model.points.end() ? std::nan("") : mode.points[found - model.points.begin()];
+  const auto match = std::find(model.points.begin(), model.points.end(), name);
+  return match == model.points.end() ? std::nan("") : mode.points[match - model.points.begin()];
 }
 
 struct Sheet {
@@ -73,8 +73,9 @@ struct Sheet {
 
   void picture(const ModelMode &mode, const int number, const double x, const double top) const
   {
-    svg.text(x, top + 16, std::to_string(number) + " \u00b7 " + fixed(mode.frequency, 1) + " Hz", "t strong",
-             Anchor::middle);
+    svg.text(x, top + 16,
+             std::to_string(number) + " \u00b7 " + frequency_text(mode.frequency, mode.error_estimate) + " Hz",
+             "t strong", Anchor::middle);
     if (std::isfinite(mode.in_chain))
       svg.text(x, top + 31, fixed(100 * mode.in_chain, 0) + " % within reach", "t small", Anchor::middle);
     const double y = top + first_height;

@@ -9,7 +9,7 @@ struct NonlinearData : NonlinearRecord {
   std::string problem;  ///< why a file that is there cannot be used; empty: nothing wrong
 };
 
-/// Never throws: without the file `stored` is false, with one that is no such JSON `problem` says so.
+/// Never throws: without the file `stored` is false, `problem` says when it is not such a JSON.
 /// @param item  the pass as file names have it
 NonlinearData read_nonlinear(const std::string &run_directory, const std::string &item);
 }  // namespace mill::report

@@ -142,8 +142,8 @@ void pass_part(Page &page, const Run &run, const PassInfo &pass, const Nonlinear
   page.paragraph("<b>" + escaped(data.verdict) + "</b>" + scale_sentence(data) + " Model: " + escaped(data.model) +
                  ", springs at rest under " + significant(data.load / 1e3, 4) + " kN.");
   page.table(rolls_table(data),
-             "Levels on the curves of the contacts beside the linear run. The adaptive run holds "
-             "every step's error to 1e-10 of the motion; energy that is missing at its end: " +
+             "Levels on the curves of the contacts compared with the linear run. The adaptive run limits the "
+             "error of every step to 1e-10 of the motion; energy that is missing at its end: " +
                  significant(std::abs(data.balance), 2) + " of the work of the force.");
   page.table(
       springs_table(data),

@@ -1,7 +1,7 @@
 #pragma once
 #include <string>
 
-// Pieces of a table.  What is said to be HTML is taken as it is, the rest is escaped.
+// Pieces of a table.  Arguments named as HTML are taken as they are, the others are escaped.
 namespace mill::report {
 /// A cell of a number, aligned to the right; HTML.
 std::string cell(const std::string &html);
@@ -13,7 +13,7 @@ std::string row_head(const std::string &name);
 /// @param cells  HTML
 std::string named_row(const std::string &name, const std::string &cells);
 
-/// A table of the cells of its head and of its rows, HTML both; empty when there are no rows.
+/// A table of the cells of its head and of its rows, HTML both; empty without rows.
 std::string table_of(const std::string &head, const std::string &rows);
 
 /// " (+3 %)", how far a value is from a reference, small; empty where one of them is not known or the reference is

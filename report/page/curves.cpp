@@ -75,8 +75,9 @@ double factor_between(const std::string &from, const std::string &to)
 
 double quantity_at(const Result &result, const std::string &unit)
 {
-  for (const OperatingPoint::Value &at : result.at_values)
-    if (const double value = at.value * factor_between(at.unit, unit); !std::isnan(value))
+  for (const OperatingPoint::Value &operating_point : result.at_values)
+    if (const double value = operating_point.value * factor_between(operating_point.unit, unit);
+        !std::isnan(value))
       return value;
   return std::numeric_limits<double>::quiet_NaN();
 }
@@ -101,31 +102,31 @@ bool add_line(Plot &plot, const Table &table, const Column &x, const Column &y, 
   return true;
 }
 
-double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, const double at)
+double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, const double position)
 {
   for (Eigen::Index i = 0; i + 1 < std::min(x.size(), y.size()); ++i)
-    if (x[i] <= at && at <= x[i + 1]) {
+    if (x[i] <= position && position <= x[i + 1]) {
       const double share =
-          x[i] > 0 ? std::log(at / x[i]) / std::log(x[i + 1] / x[i]) : (at - x[i]) / (x[i + 1] - x[i]);
+          x[i] > 0 ? std::log(position / x[i]) / std::log(x[i + 1] / x[i]) : (position - x[i]) / (x[i + 1] - x[i]);
       return y[i] + share * (y[i + 1] - y[i]);
     }
   return std::numeric_limits<double>::quiet_NaN();
 }
 
-const Table *stored_curve(const Run &run, const CurveKind &kind, const std::string &item, const std::string &of)
+const Table *stored_curve(const Run &run, const CurveKind &kind, const std::string &item, const std::string &owner)
 {
-  return run.table(curve_path(kind, item, of));
+  return run.table(curve_path(kind, item, owner));
 }
 
 std::vector<StoredCurve> curves_in(const Run &run, const Figure figure, const std::string &family,
                                    const std::string &item)
 {
-  std::vector<StoredCurve> found;
+  std::vector<StoredCurve> collected;
   for (const CurveKind *kind : curve::all)
     if (kind->figure == figure && kind->family == family)
       if (const Table *table = stored_curve(run, *kind, item))
-        found.push_back({kind, table});
-  return found;
+        collected.push_back({kind, table});
+  return collected;
 }
 
 std::vector<std::string> items_of(const Run &run, const CurveKind &kind)

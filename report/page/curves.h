@@ -33,7 +33,7 @@ bool add_line(Plot &plot, const Table &table, const Column &x, const Column &y, 
 
 /// One curve of a run; nullptr when not stored.
 const Table *stored_curve(const Run &run, const CurveKind &kind, const std::string &item = "",
-                          const std::string &of = "");
+                          const std::string &owner = "");
 
 struct StoredCurve {
   const CurveKind *kind;
@@ -55,5 +55,5 @@ void own_figures(Page &page, const Run &run, const std::string &family, const st
 
 /// y at one x, straight between the samples over ln x, exact on a logarithmic curve; NaN outside the samples.
 /// @param x  (n) increasing, > 0
-double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, double at);
+double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, double position);
 }  // namespace mill::report

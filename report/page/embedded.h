@@ -8,5 +8,5 @@ extern const char *const reading_js;  ///< report/page/reading.js
 extern const char
     *const dygraphs_js;  ///< plotting library for zoomable histories; empty when the build found none
 extern const char *const dygraphs_css;      ///< its style; empty likewise
-extern const char *const dygraphs_licence;  ///< report/dygraphs_licence.txt, kept beside the code it belongs to
+extern const char *const dygraphs_licence;  ///< report/dygraphs_licence.txt, kept next to the code it belongs to
 }  // namespace mill::report::embedded

@@ -24,7 +24,7 @@ public:
   void paragraph(const std::string &html);
 
   /// One figure of one or more drawings side by side.  The caption (HTML) says what to see in its first sentence,
-  /// others fold behind it; case name and run id are added, so that a copied figure still tells where it came
+  /// others fold behind it; case name and run id are added, so that a copied figure still shows where it came
   /// from.  Drawings that are empty are left out, and a figure without any.
   void figure(const std::vector<std::string> &drawings, const std::string &caption);
 

@@ -59,7 +59,7 @@
   });
 }());
 
-// Lets the stand swing in the mode that is chosen.  Every shape carries its corners at rest and the displacements that
+// Animates the stand in the chosen mode.  Every shape carries its corners at rest and the displacements that
 // they follow: "x,y,k" or, between two of them, "x,y,k,l,share".
 (function () {
   "use strict";

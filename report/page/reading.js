@@ -3,7 +3,7 @@
   "use strict";
   var root = document.documentElement, ranks = { manager: 0, engineer: 1, expert: 2 };
 
-  // Storage may be refused to a page without a server; the settings then last as long as the page.
+  // A browser may refuse storage to a page without a server; the settings then last as long as the page.
   function kept(key, value) {
     try {
       if (value !== undefined) window.localStorage.setItem("millstand." + key, value);
@@ -75,7 +75,7 @@
   }
 
   document.querySelectorAll(".tools").forEach(function (tools) {
-    var table = tools.parentElement.querySelector("table"), said = tools.querySelector("output");
+    var table = tools.parentElement.querySelector("table"), status = tools.querySelector("output");
     var rows = Array.prototype.slice.call(table.querySelectorAll("tbody tr[data-name]"));
     var head = ["name", "value", "unit", "at", "error_estimate"];
 
@@ -90,7 +90,7 @@
         var text = row.textContent.toLowerCase();
         row.hidden = !words.every(function (word) { return text.indexOf(word) >= 0; });
       });
-      said.textContent = seen().length + " of " + rows.length;
+      status.textContent = seen().length + " of " + rows.length;
     });
     tools.querySelector(".copy").addEventListener("click", function () {
       var text = [head].concat(seen()).map(function (row) { return row.join("\t"); }).join("\n");
@@ -98,7 +98,7 @@
       area.value = text;
       document.body.appendChild(area);
       area.select();
-      said.textContent = document.execCommand("copy") ? "copied" : "the browser refuses to copy";
+      status.textContent = document.execCommand("copy") ? "copied" : "the browser refuses to copy";
       area.remove();
     });
     tools.querySelector(".csv").addEventListener("click", function () {

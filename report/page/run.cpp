@@ -34,7 +34,7 @@ Json parsed(const std::string &path, const std::string &text)
     json::require_flat(text);
     return Json::parse(text);
   } catch (const nlohmann::json::parse_error &error) {
-    throw InputError(place_of_byte(path, text, error.byte), "this is not JSON any more" + remedy);
+    throw InputError(place_of_byte(path, text, error.byte), "this is not JSON" + remedy);
   } catch (const nlohmann::json::exception &) {
     throw InputError(Place{path, 1, 1}, "this holds a number that no computer stores" + remedy);
   } catch (const InputError &error) {
@@ -44,32 +44,32 @@ Json parsed(const std::string &path, const std::string &text)
 
 double number_at(const Json &object, const char *key)
 {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? found->get<double>() : not_stored;
+  const auto match = object.find(key);
+  return match != object.end() && match->is_number() ? match->get<double>() : not_stored;
 }
 
 std::string text_at(const Json &object, const char *key)
 {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+  const auto match = object.find(key);
+  return match != object.end() && match->is_string() ? match->get<std::string>() : "";
 }
 
 bool flag_at(const Json &object, const char *key)
 {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_boolean() && found->get<bool>();
+  const auto match = object.find(key);
+  return match != object.end() && match->is_boolean() && match->get<bool>();
 }
 
 Json object_at(const Json &object, const char *key)
 {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_object() ? *found : Json::object();
+  const auto match = object.find(key);
+  return match != object.end() && match->is_object() ? *match : Json::object();
 }
 
 Json list_at(const Json &object, const char *key)
 {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_array() ? *found : Json::array();
+  const auto match = object.find(key);
+  return match != object.end() && match->is_array() ? *match : Json::array();
 }
 
 std::vector<std::string> texts_at(const Json &object, const char *key)
@@ -93,8 +93,8 @@ Result result_of(const std::string &name, const Json &entry)
                 {},
                 texts_at(entry, "error_lacks"),
                 texts_at(entry, "estimated")};
-  for (const Json &at : list_at(entry, "at_values"))
-    result.at_values.push_back({number_at(at, "value"), text_at(at, "unit")});
+  for (const Json &point : list_at(entry, "at_values"))
+    result.at_values.push_back({number_at(point, "value"), text_at(point, "unit")});
   for (const Json &check : list_at(entry, "checks"))
     result.checks.push_back({text_at(check, "name"), number_at(check, "value"), text_at(check, "note")});
   return result;
@@ -194,7 +194,7 @@ Checksums checksums_of(const Json &manifest)
 // Returns the checksums of the other files; none where the file states none.
 Checksums read_manifest(const std::string &path, Run &run)
 {
-  // Read outside of what follows: a file that the system refuses is no missing one, and no page is without its
+  // Read outside of what follows: a file that the system refuses is not a missing one, and every page has its
   // run.
   const bool there       = std::filesystem::is_regular_file(path);
   const std::string text = there ? read_text(path) : "";
@@ -218,8 +218,8 @@ using Tables = std::map<std::string, Table>;
 // A table that its run still has, or else that of the file.
 Table table_of(const std::string &name, const std::string &path, Tables &at_hand)
 {
-  const auto found = at_hand.find(name);
-  return found != at_hand.end() && reads_back(found->second) ? std::move(found->second) : read_table(path);
+  const auto match = at_hand.find(name);
+  return match != at_hand.end() && reads_back(match->second) ? std::move(match->second) : read_table(path);
 }
 
 void read_tables(const std::string &folder, const Checksums &of_this_run, Tables &at_hand, Run &run)
@@ -244,7 +244,7 @@ void read_tables(const std::string &folder, const Checksums &of_this_run, Tables
   }
 }
 
-// A file whose ending no kind of curve has would count as a contact or a bearing of its own.
+// A file with the ending of no known curve would be taken as another contact or bearing.
 void leave_out_unknown_curves(Run &run)
 {
   std::vector<std::string> items;  // curves/contact-upper
@@ -256,7 +256,7 @@ void leave_out_unknown_curves(Run &run)
         std::any_of(items.begin(), items.end(), [&](const std::string &other) {
           return path.size() > other.size() && path.compare(0, other.size() + 1, other + "-") == 0;
         })) {
-      run.remarks.push_back(path + ".csv is none of the curves that this program knows and is not shown.");
+      run.remarks.push_back(path + ".csv is not a curve that this program knows and is not shown.");
       run.tables.erase(path);
     }
 }
@@ -281,20 +281,20 @@ const Result *Run::find(const std::string &name) const
 
 const Table *Run::table(const std::string &path) const
 {
-  const auto found = tables.find(path);
-  return found == tables.end() ? nullptr : &found->second;
+  const auto match = tables.find(path);
+  return match == tables.end() ? nullptr : &match->second;
 }
 
 double BearingInfo::operator()(const std::string &key) const
 {
-  const auto found = size.find(key);
-  return found == size.end() ? not_stored : found->second;
+  const auto match = size.find(key);
+  return match == size.end() ? not_stored : match->second;
 }
 
 BearingInfo Run::bearing(const std::string &name) const
 {
-  const auto found = manifest.bearings.find(name);
-  return found == manifest.bearings.end() ? BearingInfo{} : found->second;
+  const auto match = manifest.bearings.find(name);
+  return match == manifest.bearings.end() ? BearingInfo{} : match->second;
 }
 
 namespace {
@@ -307,7 +307,7 @@ Run read_folder(const std::string &directory, Tables *at_hand)
   const fs::path folder = directory;
   if (!fs::exists(folder / "results.json"))
     throw InputError(Place{(folder / "results.json").string(), 0, 0},
-                     "there is no results.json in " + directory +
+                     "no results.json in " + directory +
                          "; name the folder that `millstand run` has written, or run the case first");
   const std::string results = (folder / "results.json").string(), manifest = (folder / "run.json").string();
   const std::string run_id  = read_results(results, run);

@@ -16,7 +16,7 @@ struct Result {
   std::string at;                        ///< load or state, "976.2 kN"; empty when it has none
   double error_estimate;                 ///< relative; NaN: none can be stated
   std::vector<std::string> inputs;       ///< keys of the case file
-  std::vector<Check> checks;             ///< independent values beside it
+  std::vector<Check> checks;             ///< independent values to compare it with
   std::vector<std::string> error_lacks;  ///< why none can be stated: inputs whose own error is not known
   std::vector<std::string> estimated           = {};  ///< those of the inputs that are estimates
   std::vector<OperatingPoint::Value> at_values = {};  ///< the numbers of `at`

@@ -9,7 +9,7 @@ namespace mill::report {
 struct ChatterData;
 struct ModelData;
 
-/// What is seen before scrolling: verdict, numbers, stand to scale, at most five facts to know.
+/// What is seen before scrolling: verdict, numbers, stand to scale, at most five warnings.
 std::string first_screen(const Run &run);
 /// Which model the frequencies come from, short table.
 void summary_section(Page &page, const Run &run, const ModelData &models);
@@ -26,7 +26,7 @@ void shape_section(Page &page, const Run &run);    ///< f1, f2 with the supports
 /// Mass breakdown and equivalent masses by every route; nothing when the run compared no models.
 void mass_section(Page &page, const ModelData &data);
 void mode_section(Page &page, const Run &run);  ///< shapes, energy shares, horizontal modes
-/// How few masses are enough: six masses beside detailed models; nothing when the run compared no models.
+/// How few masses are enough: six masses compared with detailed models; nothing when the run compared no models.
 void model_section(Page &page, const Run &run, const ModelData &data);
 /// Accelerance of rolls and chocks, Campbell diagram; nothing when the run stored neither.
 void frequency_section(Page &page, const Run &run);
@@ -44,11 +44,11 @@ void record_section(Page &page, const Run &run);  ///< program, versions, timing
 /// Rolls, chocks, housing and screw-down to scale, as far as the case draws them; empty without the rolls' sizes.
 std::string stand_to_scale(const Run &run);
 
-/// The stand to scale with the spring-mass chain and its numbers beside it; without geometry the chain alone.
+/// The stand to scale with the spring-mass chain and its numbers next to it; without geometry the chain alone.
 std::string stand_sketch(const Run &run);
 
 /// A zoomable chart of a history for the screen: data of a script element that page.js turns into a chart.
-/// Empty when the build found no plotting library: the static drawing then stands alone.
+/// Empty when the build found no plotting library: then only the static drawing is shown.
 /// @param group   charts of one group zoom together
 /// @param title   above the chart; empty: the labels
 /// @param y_axis  "acceleration [g]"

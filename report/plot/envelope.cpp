@@ -11,14 +11,14 @@ struct Extremes {
 
 Extremes extremes(const Eigen::VectorXd &y, const Eigen::Index first, const Eigen::Index end)
 {
-  Extremes found{first, first};
+  Extremes extremes{first, first};
   for (Eigen::Index i = first; i < end; ++i) {
-    if (y[i] < y[found.smallest] || std::isnan(y[found.smallest]))
-      found.smallest = i;
-    if (y[i] > y[found.largest] || std::isnan(y[found.largest]))
-      found.largest = i;
+    if (y[i] < y[extremes.smallest] || std::isnan(y[extremes.smallest]))
+      extremes.smallest = i;
+    if (y[i] > y[extremes.largest] || std::isnan(y[extremes.largest]))
+      extremes.largest = i;
   }
-  return found;
+  return extremes;
 }
 }  // namespace
 

@@ -9,13 +9,13 @@ namespace {
 constexpr int hues = 8;
 }  // namespace
 
-Eigen::VectorXd cell_borders(const Eigen::VectorXd &at)
+Eigen::VectorXd cell_borders(const Eigen::VectorXd &positions)
 {
-  Eigen::VectorXd edge(at.size() + 1);
-  edge[0]         = at[0];
-  edge[at.size()] = at[at.size() - 1];
-  for (Eigen::Index i = 1; i < at.size(); ++i)
-    edge[i] = 0.5 * (at[i - 1] + at[i]);
+  Eigen::VectorXd edge(positions.size() + 1);
+  edge[0]                = positions[0];
+  edge[positions.size()] = positions[positions.size() - 1];
+  for (Eigen::Index i = 1; i < positions.size(); ++i)
+    edge[i] = 0.5 * (positions[i - 1] + positions[i]);
   return edge;
 }
 

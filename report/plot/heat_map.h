@@ -4,7 +4,7 @@
 #include <string>
 
 namespace mill::report {
-/// A quantity over a grid of stations, as coloured cells with a scale beside them.
+/// A quantity over a grid of stations, as coloured cells with a scale next to them.
 struct HeatMap {
   std::string title;
   Axis x, y;

@@ -1,5 +1,6 @@
 #include "report/plot/number.h"
 #include "core/base/short_number.h"
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -75,6 +76,33 @@ std::string significant(const double value, const int digits)
     return fixed(value, digits - 1 - exponent);
   const double last = std::pow(10.0, exponent - digits + 1);
   return fixed(std::round(value / last) * last, 0);
+}
+
+std::string known_digits(const double value, const double relative_error, const int most_digits)
+{
+  const double error = std::abs(value * relative_error);
+  if (!std::isfinite(error) || error == 0)
+    return significant(value, most_digits);
+  const int first  = int(std::floor(std::log10(error)));  // decade of the first digit of the error
+  const int last   = error / std::pow(10.0, first) < 3.55 ? first - 1 : first;
+  const int digits = int(std::floor(std::log10(std::abs(value)))) - last + 1;
+  return significant(value, std::clamp(digits, 1, most_digits));
+}
+
+std::string frequency_text(const double frequency, const double relative_error)
+{
+  if (!std::isfinite(frequency) || frequency == 0)
+    return fixed(frequency, 1);
+  const int one_decimal = int(std::floor(std::log10(std::abs(frequency)))) + 2;
+  return known_digits(frequency, relative_error, std::max(1, one_decimal));
+}
+
+std::string accuracy(const double relative_error)
+{
+  if (!std::isfinite(relative_error))
+    return dash;
+  const double size = 100 * std::abs(relative_error);
+  return "\u00b1" + (size < 5e-4 ? "0" : significant(size, 2)) + "\u00a0%";
 }
 
 std::string percent(const double fraction)

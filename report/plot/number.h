@@ -9,6 +9,19 @@ constexpr double standard_gravity = 9.80665;  ///< m/s2, exact by definition (CG
 /// `digits` significant digits: "40 192", "0.9794", "1.24 × 10⁻⁵" below 1e-3 and from 1e7 on.
 std::string significant(double value, int digits = 4);
 
+/// A value with the digits that its error allows: 60.38 with 0.64 is "60", 39 948.2 with 0.004 is "39 950".  The
+/// last digit printed is the one in which the error has its first digit, or its second where the error begins with
+/// a number below 3.55, the rule of the Particle Data Group.
+/// @param relative_error  of the value; NaN and zero: not known, all `most_digits` are printed
+/// @param most_digits     significant digits at most, >= 1
+std::string known_digits(double value, double relative_error, int most_digits = 4);
+
+/// A frequency in Hz with the digits that its error allows and at most one decimal.
+std::string frequency_text(double frequency, double relative_error);
+
+/// How far a value may be off: accuracy(0.64) = "\u00b164 %", two significant digits; "\u00b10 %" below 5e-6.
+std::string accuracy(double relative_error);
+
 /// Fixed number of decimals: fixed(38.907, 1) = "38.9".
 std::string fixed(double value, int decimals);
 

@@ -159,29 +159,30 @@ std::vector<Flag> arrange(const std::vector<Mark> &marks, const Mapping &to_x, c
 
 Layout layout_of(const Plot &plot)
 {
-  Layout at;
+  Layout layout;
   const Range x = axis_range(plot, true), y = axis_range(plot, false);
-  at.legend          = legend_of(plot);
-  at.right           = plot.width - 14;
-  at.bottom          = plot.height - 40;
-  at.legend_top      = plot.title.empty() ? 4 : 22;
-  const int rows     = arrange(at.legend, plot.width - 60);
-  const double below = at.legend_top + rows * plot_legend_row + 6;
-  at.y_ticks         = ticks_of(plot.y, y, at.bottom - below, 42);
+  layout.legend      = legend_of(plot);
+  layout.right       = plot.width - 14;
+  layout.bottom      = plot.height - 40;
+  layout.legend_top  = plot.title.empty() ? 4 : 22;
+  const int rows     = arrange(layout.legend, plot.width - 60);
+  const double below = layout.legend_top + rows * plot_legend_row + 6;
+  layout.y_ticks     = ticks_of(plot.y, y, layout.bottom - below, 42);
   double widest      = 0;
-  for (const std::string &label : at.y_ticks.labels)
+  for (const std::string &label : layout.y_ticks.labels)
     widest = std::max(widest, text_width(label, plot_font));
-  at.left    = 34 + widest;
-  at.x_ticks = ticks_of(plot.x, x, at.right - at.left, 75);
-  if (!at.x_ticks.labels.empty())  // the last label may stand at the very end of the axis
-    at.right = std::min(at.right, plot.width - 2 - text_width(at.x_ticks.labels.back(), plot_font) / 2);
-  at.to_x       = {plot.x.scale, x, at.left, at.right};
-  at.flags      = arrange(plot.marks, at.to_x, plot.width);
+  layout.left    = 34 + widest;
+  layout.x_ticks = ticks_of(plot.x, x, layout.right - layout.left, 75);
+  if (!layout.x_ticks.labels.empty())  // the last label may stand at the very end of the axis
+    layout.right =
+        std::min(layout.right, plot.width - 2 - text_width(layout.x_ticks.labels.back(), plot_font) / 2);
+  layout.to_x   = {plot.x.scale, x, layout.left, layout.right};
+  layout.flags  = arrange(plot.marks, layout.to_x, plot.width);
   int flag_rows = 0;
-  for (const Flag &flag : at.flags)
+  for (const Flag &flag : layout.flags)
     flag_rows = std::max(flag_rows, flag.row + 1);
-  at.top  = below + flag_rows * plot_mark_row + (flag_rows ? 4 : 0);
-  at.to_y = {plot.y.scale, y, at.bottom, at.top};
-  return at;
+  layout.top  = below + flag_rows * plot_mark_row + (flag_rows ? 4 : 0);
+  layout.to_y = {plot.y.scale, y, layout.bottom, layout.top};
+  return layout;
 }
 }  // namespace mill::report

@@ -21,7 +21,7 @@ struct Range {
 /// A value this axis can show: finite, and positive on a logarithmic one.
 bool drawable(double value, const Axis &axis);
 
-/// Smallest and largest drawable value of all lines, bars and points; empty() when there is none.
+/// Smallest and largest drawable value of all lines, bars and points; empty() without any.
 Range data_range(const Plot &plot, bool of_x);
 
 /// Value to pixel, linear or logarithmic.

@@ -106,9 +106,9 @@ void Svg::text(const double x, const double y, const std::string &content, const
 
 void Svg::upright_text(const double x, const double y, const std::string &content, const std::string &classes)
 {
-  const std::string at = pixel(x) + ' ' + pixel(y);
+  const std::string where = pixel(x) + ' ' + pixel(y);
   body_ += "<text" + class_of(classes) + attribute("x", x) + attribute("y", y) +
-           " text-anchor=\"middle\" transform=\"rotate(-90 " + at + ")\">" + escaped(content) + "</text>\n";
+           " text-anchor=\"middle\" transform=\"rotate(-90 " + where + ")\">" + escaped(content) + "</text>\n";
 }
 
 void Svg::begin_clip(const double x, const double y, const double width, const double height)

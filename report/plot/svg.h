@@ -20,7 +20,7 @@ enum class Anchor { start, middle, end };
 /// page.css: a drawing is part of the page and shares its palette and its print style.
 class Svg {
 public:
-  /// @param description what a reader who cannot see the figure is told (aria-label)
+  /// @param description description for a reader who cannot see the figure (aria-label)
   Svg(double width, double height, const std::string &description);
   /// An attribute of the whole drawing, data-NAME, for page.js.
   void note(const std::string &name, const std::string &value);

@@ -9,35 +9,35 @@
 
 namespace mill::report {
 namespace {
-void draw_axes(Svg &svg, const Plot &plot, const Layout &at)
+void draw_axes(Svg &svg, const Plot &plot, const Layout &layout)
 {
-  for (const double value : at.x_ticks.minor)
-    svg.line(at.to_x(value), at.top, at.to_x(value), at.bottom, "grid minor");
-  for (const double value : at.y_ticks.minor)
-    svg.line(at.left, at.to_y(value), at.right, at.to_y(value), "grid minor");
-  for (std::size_t i = 0; i < at.x_ticks.at.size(); ++i) {
-    const double x = at.to_x(at.x_ticks.at[i]);
+  for (const double value : layout.x_ticks.minor)
+    svg.line(layout.to_x(value), layout.top, layout.to_x(value), layout.bottom, "grid minor");
+  for (const double value : layout.y_ticks.minor)
+    svg.line(layout.left, layout.to_y(value), layout.right, layout.to_y(value), "grid minor");
+  for (std::size_t i = 0; i < layout.x_ticks.at.size(); ++i) {
+    const double x = layout.to_x(layout.x_ticks.at[i]);
     if (plot.x.categories.empty())
-      svg.line(x, at.top, x, at.bottom, "grid");
-    svg.text(x, at.bottom + 16, at.x_ticks.labels[i], "t tx", Anchor::middle);
+      svg.line(x, layout.top, x, layout.bottom, "grid");
+    svg.text(x, layout.bottom + 16, layout.x_ticks.labels[i], "t tx", Anchor::middle);
   }
-  for (std::size_t i = 0; i < at.y_ticks.at.size(); ++i) {
-    const double y = at.to_y(at.y_ticks.at[i]);
-    svg.line(at.left, y, at.right, y, "grid");
-    svg.text(at.left - 6, y + 4, at.y_ticks.labels[i], "t ty", Anchor::end);
+  for (std::size_t i = 0; i < layout.y_ticks.at.size(); ++i) {
+    const double y = layout.to_y(layout.y_ticks.at[i]);
+    svg.line(layout.left, y, layout.right, y, "grid");
+    svg.text(layout.left - 6, y + 4, layout.y_ticks.labels[i], "t ty", Anchor::end);
   }
-  svg.rect(at.left, at.top, at.right - at.left, at.bottom - at.top, "frame");
-  svg.text((at.left + at.right) / 2, at.bottom + 34, plot.x.quantity + " [" + plot.x.unit + "]", "axis",
-           Anchor::middle);
-  svg.upright_text(14, (at.top + at.bottom) / 2, plot.y.quantity + " [" + plot.y.unit + "]", "axis");
+  svg.rect(layout.left, layout.top, layout.right - layout.left, layout.bottom - layout.top, "frame");
+  svg.text((layout.left + layout.right) / 2, layout.bottom + 34, plot.x.quantity + " [" + plot.x.unit + "]",
+           "axis", Anchor::middle);
+  svg.upright_text(14, (layout.top + layout.bottom) / 2, plot.y.quantity + " [" + plot.y.unit + "]", "axis");
 }
 
-void draw_legend(Svg &svg, const Plot &plot, const Layout &at)
+void draw_legend(Svg &svg, const Plot &plot, const Layout &layout)
 {
   if (!plot.title.empty())
     svg.text(34, 15, plot.title, "title");
-  for (const Entry &entry : at.legend) {
-    const double x = 34 + entry.x, y = at.legend_top + (entry.row + 0.5) * plot_legend_row;
+  for (const Entry &entry : layout.legend) {
+    const double x = 34 + entry.x, y = layout.legend_top + (entry.row + 0.5) * plot_legend_row;
     if (entry.bar)
       svg.rect(x, y - 5, 24, 10, "bar " + entry.classes);
     if (entry.joined)
@@ -48,29 +48,29 @@ void draw_legend(Svg &svg, const Plot &plot, const Layout &at)
   }
 }
 
-void draw_flags(Svg &svg, const Layout &at)
+void draw_flags(Svg &svg, const Layout &layout)
 {
-  const auto base = [&](const Flag &flag) { return at.top - 6 - flag.row * plot_mark_row; };
-  for (const Flag &flag : at.flags)
-    svg.line(flag.x, base(flag) + 3, flag.x, at.bottom, "mark");
-  for (const Flag &flag : at.flags) {  // above all lines: that of another mark may pass behind a name
+  const auto base = [&](const Flag &flag) { return layout.top - 6 - flag.row * plot_mark_row; };
+  for (const Flag &flag : layout.flags)
+    svg.line(flag.x, base(flag) + 3, flag.x, layout.bottom, "mark");
+  for (const Flag &flag : layout.flags) {  // above all lines: that of another mark may pass behind a name
     svg.text((flag.left + flag.right) / 2, base(flag), flag.mark->label, "flag", Anchor::middle);
     if (flag.mark->support)
       svg.polyline(
           {
-              {flag.x,     at.bottom - 11},
-              {flag.x - 7, at.bottom     },
-              {flag.x + 7, at.bottom     }
+              {flag.x,     layout.bottom - 11},
+              {flag.x - 7, layout.bottom     },
+              {flag.x + 7, layout.bottom     }
       },
           "support", true);
   }
 }
 
-void draw_stroke(Svg &svg, const Line &line, const Plot &plot, const Layout &at)
+void draw_stroke(Svg &svg, const Line &line, const Plot &plot, const Layout &layout)
 {
   Eigen::VectorXd x(line.x.size());
   for (Eigen::Index i = 0; i < x.size(); ++i)
-    x[i] = drawable(line.x[i], plot.x) ? at.to_x(line.x[i]) : at.left - 1;
+    x[i] = drawable(line.x[i], plot.x) ? layout.to_x(line.x[i]) : layout.left - 1;
   std::vector<Eigen::Vector2d> stroke;
   const auto finish = [&] {
     if (stroke.size() > 1)
@@ -79,26 +79,27 @@ void draw_stroke(Svg &svg, const Line &line, const Plot &plot, const Layout &at)
   };
   for (const Eigen::Index i : envelope(x, line.y, 1.0)) {
     if (drawable(line.x[i], plot.x) && drawable(line.y[i], plot.y))
-      stroke.emplace_back(x[i], at.to_y(line.y[i]));
+      stroke.emplace_back(x[i], layout.to_y(line.y[i]));
     else
       finish();
   }
   finish();
 }
 
-void draw_lines(Svg &svg, const Plot &plot, const Layout &at)
+void draw_lines(Svg &svg, const Plot &plot, const Layout &layout)
 {
   for (const Line &line : plot.lines) {
     if (line.joined)
-      draw_stroke(svg, line, plot, at);
+      draw_stroke(svg, line, plot, layout);
     if (line.markers)
       for (Eigen::Index i = 0; i < line.x.size(); ++i)
         if (drawable(line.x[i], plot.x) && drawable(line.y[i], plot.y))
-          svg.circle(at.to_x(line.x[i]), at.to_y(line.y[i]), 2.6, std::string("dot ") + class_of(line.pen));
+          svg.circle(layout.to_x(line.x[i]), layout.to_y(line.y[i]), 2.6,
+                     std::string("dot ") + class_of(line.pen));
   }
 }
 
-void draw_bars(Svg &svg, const Plot &plot, const Layout &at)
+void draw_bars(Svg &svg, const Plot &plot, const Layout &layout)
 {
   const double width = 0.72 / double(std::max<std::size_t>(1, plot.bars.size()));
   for (std::size_t set = 0; set < plot.bars.size(); ++set) {
@@ -106,24 +107,24 @@ void draw_bars(Svg &svg, const Plot &plot, const Layout &at)
     for (Eigen::Index i = 0; i < bars.height.size(); ++i) {
       if (!std::isfinite(bars.height[i]))
         continue;
-      const double left = at.to_x(double(i) - 0.36 + width * double(set));
-      const double y    = at.to_y(bars.height[i]);
-      svg.rect(left, std::min(y, at.to_y(0)), at.to_x(at.to_x.range.low + width) - at.left,
-               std::abs(at.to_y(0) - y), std::string("bar ") + class_of(bars.pen));
+      const double left = layout.to_x(double(i) - 0.36 + width * double(set));
+      const double y    = layout.to_y(bars.height[i]);
+      svg.rect(left, std::min(y, layout.to_y(0)), layout.to_x(layout.to_x.range.low + width) - layout.left,
+               std::abs(layout.to_y(0) - y), std::string("bar ") + class_of(bars.pen));
     }
   }
 }
 
 // The name stands below the point on the right, where a rising curve leaves room, or above it on the left.
-void draw_points(Svg &svg, const Plot &plot, const Layout &at)
+void draw_points(Svg &svg, const Plot &plot, const Layout &layout)
 {
   for (const Point &point : plot.points) {
     if (!drawable(point.x, plot.x) || !drawable(point.y, plot.y))
       continue;
-    const double x = at.to_x(point.x), y = at.to_y(point.y);
+    const double x = layout.to_x(point.x), y = layout.to_y(point.y);
     svg.circle(x, y, 5, "point");
-    const bool low = y + 18 > at.bottom;
-    if (x + 10 + text_width(point.label, plot_font) < at.right)
+    const bool low = y + 18 > layout.bottom;
+    if (x + 10 + text_width(point.label, plot_font) < layout.right)
       svg.text(x + 9, low ? y - 4 : y + 14, point.label, "flag halo");
     else
       svg.text(x - 9, y - 8, point.label, "flag halo", Anchor::end);
@@ -138,12 +139,12 @@ std::string axis_note(const Axis &axis, const Mapping &to)
          (axis.scale == Scale::logarithmic ? " log " : " linear ") + axis.unit;
 }
 
-void note_values(Svg &svg, const Plot &plot, const Layout &at)
+void note_values(Svg &svg, const Plot &plot, const Layout &layout)
 {
   if (plot.lines.empty() || !plot.x.categories.empty() || data_range(plot, false).empty())
     return;
-  svg.note("x", axis_note(plot.x, at.to_x));
-  svg.note("y", axis_note(plot.y, at.to_y));
+  svg.note("x", axis_note(plot.x, layout.to_x));
+  svg.note("y", axis_note(plot.y, layout.to_y));
   std::string names;
   for (const Line &line : plot.lines)
     if (line.joined)
@@ -168,20 +169,20 @@ const char *class_of(const Pen pen)
 
 std::string svg_plot(const Plot &plot)
 {
-  const Layout at = layout_of(plot);
+  const Layout layout = layout_of(plot);
   Svg svg(plot.width, plot.height, description_of(plot));
-  note_values(svg, plot, at);
-  draw_axes(svg, plot, at);
-  svg.begin_clip(at.left, at.top, at.right - at.left, at.bottom - at.top);
-  draw_bars(svg, plot, at);
-  draw_lines(svg, plot, at);
+  note_values(svg, plot, layout);
+  draw_axes(svg, plot, layout);
+  svg.begin_clip(layout.left, layout.top, layout.right - layout.left, layout.bottom - layout.top);
+  draw_bars(svg, plot, layout);
+  draw_lines(svg, plot, layout);
   svg.end_clip();
-  draw_flags(svg, at);
-  draw_points(svg, plot, at);
-  draw_legend(svg, plot, at);
+  draw_flags(svg, layout);
+  draw_points(svg, plot, layout);
+  draw_legend(svg, plot, layout);
   if (data_range(plot, false).empty())
-    svg.text((at.left + at.right) / 2, (at.top + at.bottom) / 2, "no finite value in the stored data", "t",
-             Anchor::middle);
+    svg.text((layout.left + layout.right) / 2, (layout.top + layout.bottom) / 2,
+             "no finite value in the stored data", "t", Anchor::middle);
   return svg.str();
 }
 }  // namespace mill::report

@@ -68,7 +68,7 @@ struct Bars {
   Pen pen = Pen::dark;
 };
 
-/// A diagram as a plain struct; whoever fills it decides on the units.
+/// A diagram as a plain struct; its caller decides on the units.
 struct Plot {
   std::string title;  ///< above the plot; empty: none
   Axis x, y;

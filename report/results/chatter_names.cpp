@@ -43,9 +43,9 @@ const ChatterWords words[] = {
 
 std::string words_of_part(const std::string &part)
 {
-  const auto found =
+  const auto result =
       std::find_if(std::begin(words), std::end(words), [&](const ChatterWords &w) { return part == w.name; });
-  return found == std::end(words) ? part : found->meaning;
+  return result == std::end(words) ? part : result->meaning;
 }
 }  // namespace
 

@@ -3,7 +3,7 @@
 #include "report/results/names.h"
 #include <map>
 
-// The results of a run of kind "cluster" in quantity_words and in the order in which one asks for them.
+// The results of a run of kind "cluster" in words, in the order in which a reader asks for them.
 namespace mill::report {
 namespace {
 const std::map<std::string, std::string> quantity_words{
@@ -14,9 +14,11 @@ const std::map<std::string, std::string> quantity_words{
     {"x",               "displacement along the rolling direction"      },
     {"y",               "displacement upwards"                          },
     {"buckling_factor", "factor on the force at which the stack buckles"},
-    {"leaving_force",   "force across at which a roll leaves its nest"  },
+    {"leaving_force",   "horizontal force at which a contact opens"     },
     {"least_guide",     "smallest stiffness of the guide"               },
     {"velocity",        "velocity amplitude under the dynamic force"    },
+    {"acceleration",    "acceleration amplitude under the dynamic force"},
+    {"roller_load",     "load of one roller of the support"             },
     {"mode",            "natural frequency"                             }
 };
 
@@ -47,7 +49,7 @@ std::string cluster_meaning(const std::string &name)
              part.find_first_not_of("0123456789", 1) == std::string::npos)
       text += ", natural frequency " + part.substr(1);
     else if (i + 1 == parts.size() && parts.size() == 5)
-      text += " along " + part;  // cluster.PASS.velocity.W.y
+      text += (parts[2] == "roller_load" ? ", roller " : " along ") + part;  // cluster.PASS.velocity.W.y
     else
       text += ", " + (known == quantity_words.end() ? part : known->second);
   }

@@ -13,12 +13,12 @@ std::string marks_meaning(const std::string &name)
     return "frequency of the marks on the strip";
   if (parts.size() != 3)
     return "marks on the strip";
-  std::string of = parts[1];
-  std::replace(of.begin(), of.end(), '_', ' ');
+  std::string body = parts[1];
+  std::replace(body.begin(), body.end(), '_', ' ');
   if (parts[2] == "per_turn")
-    return "marks on one turn of the " + of;
+    return "marks on one turn of the " + body;
   if (parts[2] == "rotation")
-    return "turns of the " + of + " in a second";
-  return parts[2] == "speed" ? of + ", speed of the strip at which it makes this spacing" : "marks on the strip";
+    return "turns of the " + body + " in a second";
+  return parts[2] == "speed" ? body + ", speed of the strip at which it makes this spacing" : "marks on the strip";
 }
 }  // namespace mill::report

@@ -17,7 +17,7 @@ const Words quantities[] = {
     {"K5",          "lower work roll on lower backup roll"                 },
     {"K6",          "M5 to M6: roll, bearing, chock"                       },
     {"K7",          "M6 to ground: lower frame"                            },
-    {"C",           "damper beside K4"                                     },
+    {"C",           "damper parallel to K4"                                },
     {"K_Zy",        "two upper backup bearings, part of K2"                },
     {"K_Zy_lower",  "two lower backup bearings, part of K6"                },
     {"K_ZW",        "bending and shear of a backup roll"                   },
@@ -340,7 +340,7 @@ std::vector<Group> short_groups(const Run &run)
       stiffness.results.push_back(&result);
   for (int i = 1; i <= 6; ++i)
     add(mass, run.find("M" + std::to_string(i)));
-  // The modes of the best model lead, those of the six masses stand beside them.
+  // The modes of the best model lead, those of the six masses follow for comparison.
   const bool detailed = run.find("craig-bampton.f1") || run.find("beam.f1");
   for (const Result &result : run.results)
     if (detailed && is_of(result.name, family::mode)) {
@@ -351,7 +351,7 @@ std::vector<Group> short_groups(const Run &run)
     add(chain, run.find("f" + std::to_string(i)));
   for (const char *number : {"friction", "friction_factor", "flow_stress_factor"})
     add(fit, run.find(result_name({family::bite, bite_fit, number})));
-  chain.title = detailed ? "Natural frequency, six masses beside it" : "Natural frequency";
+  chain.title = detailed ? "Natural frequency, compared with six masses" : "Natural frequency";
 
   std::vector<Group> groups;
   for (Group &group :

@@ -23,7 +23,7 @@ struct Group {
 std::vector<Group> short_groups(const Run &run);
 
 /// Every result of a run of one bearing by what it is about: stiffness, rows, rollers, motion, others.  Empty
-/// groups are left out; an unforeseen "Kzc.*" counts as a stiffness.
+/// groups are left out; an unforeseen "Kzc.*" is taken as a stiffness.
 std::vector<Group> bearing_groups(const Run &run);
 /// Results of a run of kind "bite": K4, then every pass by the model that gives it.
 std::vector<Group> bite_groups(const Run &run);

@@ -17,7 +17,7 @@ std::string schedule_meaning(const std::string &quantity)
       {"hardening_exponent",      "hardening law of all passes, exponent"                },
       {"dynamic_constant",        "constant of the dynamic force, all passes"            }
   };
-  const auto found = words.find(quantity);
-  return found == words.end() ? "" : found->second;
+  const auto match = words.find(quantity);
+  return match == words.end() ? "" : match->second;
 }
 }  // namespace mill::report

@@ -19,18 +19,18 @@ bool is_share(const Result &result)
   return result.unit == "1" && (contains(result.name, "share") || contains(result.name, "without_contact"));
 }
 
-// Five digits; six where they stand before the point, as in published tables of stiffnesses.
-std::string table_number(const double value)
+// At most five digits; six above 1e5, as in published tables of stiffnesses.
+std::string table_number(const double value, const double relative_error = not_given)
 {
-  return significant(value, std::abs(value) >= 1e5 ? 6 : 5);
+  return known_digits(value, relative_error, std::abs(value) >= 1e5 ? 6 : 5);
 }
 
-// A count stands without decimals.
-std::string with_unit(const Shown &shown)
+// An integer has no decimals.
+std::string with_unit(const Shown &shown, const double relative_error = not_given)
 {
   if (shown.unit.empty() && shown.value == std::round(shown.value) && std::abs(shown.value) < 1e6)
     return fixed(shown.value, 0);
-  return table_number(shown.value) + (shown.unit.empty() ? "" : "\u00a0" + escaped(shown.unit));
+  return table_number(shown.value, relative_error) + (shown.unit.empty() ? "" : "\u00a0" + escaped(shown.unit));
 }
 
 // In the unit in which the result itself is shown, so that the two can be compared at a glance.
@@ -40,10 +40,10 @@ std::string check_text(const Result &result, const Check &check)
     return escaped(check.name) + ": " + fixed(100 * check.value, 1) + "\u00a0% <span class=\"deviation\">(" +
            (result.value >= check.value ? "+" : "") + fixed(100 * (result.value - check.value), 1) +
            " points)</span>";
-  const Shown own    = engineering(result.value, result.unit);
-  const double scale = result.value != 0 ? own.value / result.value : 1;
-  std::string text   = escaped(check.name) + ": ";
-  text += std::isfinite(scale) ? with_unit({check.value * scale, own.unit})
+  const Shown quantity = engineering(result.value, result.unit);
+  const double scale   = result.value != 0 ? quantity.value / result.value : 1;
+  std::string text     = escaped(check.name) + ": ";
+  text += std::isfinite(scale) ? with_unit({check.value * scale, quantity.unit})
                                : with_unit(engineering(check.value, result.unit));
   if (std::isfinite(result.value) && check.value != 0)
     text += " <span class=\"deviation\">(" + percent(result.value / check.value - 1) + ")</span>";
@@ -71,7 +71,7 @@ std::string row_head(const Result &result)
          "</small></th>";
 }
 
-// What hangs on estimates says so beside its source.
+// A result that depends on estimates says so below its source.
 std::string marked_estimated(const Result &result)
 {
   if (result.estimated.empty())
@@ -98,7 +98,7 @@ std::string all_checks(const Result &result)
   return cell;
 }
 
-// Lists of inputs that results share are long and few: each stands once, below the table.
+// Lists of inputs that results share are long and few: each is printed once, below the table.
 class InputLists {
 public:
   /// A link to the list of these inputs; empty without inputs.
@@ -106,12 +106,12 @@ public:
   {
     if (inputs.empty())
       return "";
-    const auto found = std::find(lists_.begin(), lists_.end(), inputs);
-    const auto at    = std::size_t(found - lists_.begin());
-    if (found == lists_.end())
+    const auto match = std::find(lists_.begin(), lists_.end(), inputs);
+    const auto index = std::size_t(match - lists_.begin());
+    if (match == lists_.end())
       lists_.push_back(inputs);
-    return "<small><a href=\"#inputs-" + std::to_string(at + 1) + "\">" + std::to_string(inputs.size()) +
-           (inputs.size() == 1 ? " input" : " inputs") + ", list " + std::to_string(at + 1) + "</a></small>";
+    return "<small><a href=\"#inputs-" + std::to_string(index + 1) + "\">" + std::to_string(inputs.size()) +
+           (inputs.size() == 1 ? " input" : " inputs") + ", list " + std::to_string(index + 1) + "</a></small>";
   }
   std::string html() const
   {
@@ -136,7 +136,7 @@ std::string group_head(const Group &group)
   return "<tr class=\"group\"><th colspan=\"6\">" + escaped(group.title) + "</th></tr>\n";
 }
 
-// What stands beside a number in the short table: its first check, and what was published.
+// What the short table compares a number with: its first check, and the published value.
 std::string first_checks(const Result &result)
 {
   if (result.checks.empty())
@@ -165,19 +165,18 @@ std::string value_cell(const Result &result)
   if (is_share(result))
     return "<b>" + fixed(100 * result.value, 1) + "</b>\u00a0%";
   const Shown shown = engineering(result.value, result.unit);
-  std::string cell  = shown.unit.empty() ? "<b>" + with_unit(shown) + "</b>"
-                                         : "<b>" + table_number(shown.value) + "</b>\u00a0" + escaped(shown.unit);
+  std::string cell  = shown.unit.empty() ? "<b>" + with_unit(shown, result.error_estimate) + "</b>"
+                                         : "<b>" + table_number(shown.value, result.error_estimate) + "</b>\u00a0" +
+                                              escaped(shown.unit);
   if (result.unit == "N/m")
-    cell += "<small>" + significant(result.value, 5) + "\u00a0N/m</small>";
+    cell += "<small>" + known_digits(result.value, result.error_estimate, 5) + "\u00a0N/m</small>";
   return cell;
 }
 
 std::string accuracy_cell(const Result &result)
 {
-  if (std::isfinite(result.error_estimate)) {
-    const std::string size = percent(std::abs(result.error_estimate));
-    return "\u00b1" + (size[0] == '+' ? size.substr(1) : size);
-  }
+  if (std::isfinite(result.error_estimate))
+    return accuracy(result.error_estimate);
   if (!result.error_lacks.empty()) {
     constexpr std::size_t most = 1;
     std::string lacks;
@@ -201,7 +200,7 @@ std::string short_source(const std::string &source)
 std::string short_table(const std::vector<Group> &groups)
 {
   std::string table = "<table class=\"results\"><thead><tr><th>name</th><th>value</th><th>source</th><th>at</th>"
-                      "<th>accuracy</th><th>beside it (this run deviates by)</th></tr></thead>\n";
+                      "<th>accuracy</th><th>compared with (this run deviates by)</th></tr></thead>\n";
   for (const Group &group : groups) {
     table += "<tbody>" + group_head(group);
     for (const Result *result : group.results)

@@ -12,7 +12,7 @@ std::string value_cell(const Result &result);
 /// full table says all of it.
 std::string short_source(const std::string &source);
 
-/// "±0.4 %", or a dash with the reason why there is none.  HTML.
+/// "±0.4 %", or a dash with the reason.  HTML.
 std::string accuracy_cell(const Result &result);
 
 /// The numbers one looks for first: value, source, load, accuracy, the first check and the published value.
@@ -21,8 +21,9 @@ std::string short_table(const std::vector<Group> &groups);
 /// Every result with every check and, folded, its inputs.
 std::string full_table(const Run &run);
 
-/// Accelerations of every pass: this run beside a published model and a measurement, as stored in the checks of
-/// <pass>.peak_g.* (names that contain "published" or "measured").  Empty when the run holds no accelerations.
+/// Accelerations of every pass: this run compared with a published model and a measurement, as stored in the
+/// checks of <pass>.peak_g.* (names that contain "published" or "measured").  Empty when the run holds no
+/// accelerations.
 std::string peak_table(const Run &run);
 
 /// <pass>.<quantity>.<roll> by the pass's name or its slug; nullptr when absent.

@@ -43,8 +43,8 @@ void schedule_section(Page &page, const Run &run)
   page.figure(
       {force_drawing(data)},
       "The force that every pass was fitted to, and what the fitted flow stress gives by theories that differ in "
-      "the shape of the arc. A rigid roll takes far less: whoever leaves the flattening out finds it again in "
-      "the flow stress.");
+      "the shape of the arc. A rigid roll needs far less force: without the flattening the fitted flow stress is "
+      "too high.");
   page.table(
       fit_table(data),
       "<b>Fits of one unknown</b>: the plane-strain flow stress <i>k</i> that returns the force of the pass at "
@@ -61,13 +61,13 @@ void schedule_section(Page &page, const Run &run)
         table,
         "One hardening law <i>k</i>/2 = Y ln(h\u2080/h)\u207f for all passes, fitted to the stresses above; " +
             law_sentence(data) +
-            ". A pass called blind took no part; the last two columns leave each pass out of its own law.");
+            ". A pass called blind is not in the fit; the last two columns leave each pass out of its own law.");
   if (const std::string table = dynamic_table(data); !table.empty())
     page.table(table,
                "Dynamic force of a strip that vibrates behind the stand. Its span, amplitude and mode are not "
                "known and enter as one constant, fitted to the published forces: " +
                    constant_sentence(data) +
-                   ". The absolute force is no prediction, its pattern over the passes is.");
+                   ". The absolute force is not a prediction; its pattern over the passes is.");
   if (const std::string table = theory_table(data); !table.empty())
     page.table(table,
                "The same passes with the fitted flow stress of flattened rolls by every theory and by finite "

@@ -109,12 +109,13 @@ std::string hardening_table(const ScheduleData &data)
   for (const ScheduleLaw &law : data.laws)
     for (std::size_t i = 0; i < std::min(law.passes.size(), data.passes.size()); ++i) {
       const PassForce &pass = data.passes[i];
-      const LawPass &of     = law.passes[i];
+      const LawPass &result = law.passes[i];
       rows += row_of(pass.name, std::string("<td>") + (law.flattened ? "flattened" : "rigid") +
                                     (pass.in_common_fit ? "" : ", blind") + "</td>" +
-                                    numeric(of.flow_stress / 1e6) + numeric_strong(of.force / 1e3) +
-                                    share_cell(of.force, pass.fitted_to) + numeric(of.friction, 3) +
-                                    numeric(of.blind_force / 1e3) + share_cell(of.blind_force, pass.fitted_to));
+                                    numeric(result.flow_stress / 1e6) + numeric_strong(result.force / 1e3) +
+                                    share_cell(result.force, pass.fitted_to) + numeric(result.friction, 3) +
+                                    numeric(result.blind_force / 1e3) +
+                                    share_cell(result.blind_force, pass.fitted_to));
     }
   return whole_table({"pass", "rolls", "<i>k</i> by the law [MPa]", "force [kN]", "off", "friction needed",
                       "force by a law of the others [kN]", "off"},

@@ -34,7 +34,7 @@ double sum_of(const MassBreakdown &breakdown, const bool real)
   return sum;
 }
 
-// Real mass once where the routes agree on it, then what it counts as by every route.
+// Real mass once where the routes agree on it, then the weighted mass by every route.
 std::vector<StackedBar> bars_of(const ModelData &data, const std::string &mass)
 {
   std::vector<StackedBar> bars;
@@ -105,7 +105,7 @@ std::string panel(const std::string &mass, const std::vector<StackedBar> &bars, 
   // The legend decides about the height, so it is measured before it is drawn.
   Svg measured(1, 1, "");
   const double top = draw_legend(measured, names, colour), bottom = top + double(bars.size()) * bar_step + 4;
-  Svg svg(panel_width, bottom + 44, mass + ": its parts in kg, real and as they count");
+  Svg svg(panel_width, bottom + 44, mass + ": its parts in kg, real and weighted");
   draw_legend(svg, names, colour);
   svg.text(34, 15, mass, "title");
   const double high = largest > 0 ? 1.16 * largest : 1, right = panel_width - 14;
@@ -190,8 +190,8 @@ void mass_section(Page &page, const ModelData &data)
                       "with that of the meshed roll; the third adds up the motion of all its material.");
   if (!drawings.empty())
     page.figure({side_by_side(drawings)},
-                "What the equivalent masses are made of: the parts as they weigh (first bar) and as they "
-                "count. A part counts with the square of its displacement over that of the reference "
+                "What the equivalent masses are made of: the real parts (first bar) and the weighted parts. A "
+                "part is weighted with the square of its displacement over that of the reference "
                 "point, so <b>what lies near the reference keeps its weight and what lies towards the "
                 "ground loses it</b>.");
 }

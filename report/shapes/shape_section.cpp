@@ -26,8 +26,8 @@ Line mirrored(Line line)
 
 double half_of(const Run &run, const std::string &length)
 {
-  const auto found = run.manifest.geometry.find(length);
-  return found == run.manifest.geometry.end() ? std::nan("") : 0.5 * found->second;
+  const auto match = run.manifest.geometry.find(length);
+  return match == run.manifest.geometry.end() ? std::nan("") : 0.5 * match->second;
 }
 
 void mark_both_sides(Plot &plot, const Run &run, const std::string &length, const std::string &label,
@@ -103,16 +103,16 @@ RollSketch sketch_of(const Run &run, const Roll &roll, const Plot &plot)
   s.radius      = half_of(run, work ? "work_roll_diameter" : "backup_diameter");
   s.neck_radius = half_of(run, work ? "work_neck_diameter" : "backup_neck_diameter");
   s.half_total = work ? half_of(run, "work_total_length") : s.half_barrel + 2 * half_of(run, "backup_neck_length");
-  s.half_contact  = std::min(half_of(run, "work_roll_length"), half_of(run, "backup_length"));
-  s.half_seat     = half_of(run, roll.span);
-  s.half_strip    = work ? half_of(run, "strip_width") : std::nan("");
-  s.work          = work;
-  s.width         = plot.width;
-  const Layout at = layout_of(plot);
-  s.left          = at.left;
-  s.right         = at.right;
-  s.low           = at.to_x.range.low;
-  s.high          = at.to_x.range.high;
+  s.half_contact      = std::min(half_of(run, "work_roll_length"), half_of(run, "backup_length"));
+  s.half_seat         = half_of(run, roll.span);
+  s.half_strip        = work ? half_of(run, "strip_width") : std::nan("");
+  s.work              = work;
+  s.width             = plot.width;
+  const Layout layout = layout_of(plot);
+  s.left              = layout.left;
+  s.right             = layout.right;
+  s.low               = layout.to_x.range.low;
+  s.high              = layout.to_x.range.high;
   return s;
 }
 
@@ -203,8 +203,8 @@ void shape_section(Page &page, const Run &run)
     page.figure(
         drawings,
         "How far each cross-section moves from the ground up when the bite pushes with one "
-        "meganewton. A mass counts with the square of this displacement over that of its reference "
-        "point, which is where the equivalent masses M2 to M5 come from. The backup roll "
+        "meganewton. Each mass is weighted with the square of this displacement over that of its reference point, "
+        "from which the equivalent masses M2 to M5 follow. The backup roll "
         "bends between its bearings (triangles); the work roll lies on the backup roll and is "
         "pressed by the strip, so its necks move least. Below each diagram the roll to scale along the "
         "same axis, with what holds it and what loads it." +

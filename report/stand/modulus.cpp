@@ -62,14 +62,14 @@ std::string gauge_table(const Run &run)
     const Result *r = run.find(row.result);
     if (!r || !std::isfinite(r->value))
       continue;
-    const std::string beside = r->checks.empty()
-                                   ? "\u2013"
-                                   : significant(1e6 * row.step * r->checks.front().value, 3) +
-                                         " <span class=\"deviation\">(" +
-                                         percent(r->checks.front().value / r->value - 1) + ")</span>";
+    const std::string coupled = r->checks.empty()
+                                    ? "\u2013"
+                                    : significant(1e6 * row.step * r->checks.front().value, 3) +
+                                          " <span class=\"deviation\">(" +
+                                          percent(r->checks.front().value / r->value - 1) + ")</span>";
     body += std::string("<tr><th scope=\"row\">") + row.words + "</th><td class=\"num\">" + row.moved +
-            "</td><td class=\"num\"><b>" + significant(1e6 * row.step * r->value, 3) + "</b></td><td>" +
-            accuracy_cell(*r) + "</td><td class=\"num\">" + beside + "</td></tr>\n";
+            "</td><td class=\"num\"><b>" + known_digits(1e6 * row.step * r->value, r->error_estimate, 3) +
+            "</b></td><td>" + accuracy_cell(*r) + "</td><td class=\"num\">" + coupled + "</td></tr>\n";
   }
   if (body.empty())
     return "";

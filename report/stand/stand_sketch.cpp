@@ -27,8 +27,8 @@ bool has_geometry(const Run &run)
   for (const char *name : {"work_roll_diameter", "work_roll_length", "work_neck_diameter", "work_total_length",
                            "work_bearing_span", "backup_diameter", "backup_length", "backup_neck_diameter",
                            "backup_neck_length", "backup_bearing_span", "strip_width"})
-    if (const auto found = run.manifest.geometry.find(name);
-        found == run.manifest.geometry.end() || !(found->second > 0))
+    if (const auto match = run.manifest.geometry.find(name);
+        match == run.manifest.geometry.end() || !(match->second > 0))
       return false;
   return true;
 }
@@ -38,19 +38,19 @@ double mass_y(const int mass)  // M1 .. M6
   return top + 50 + (mass - 0.5) * pitch;
 }
 
-void draw_roll(Svg &svg, const Rolls &at, const double y, const double barrel, const double diameter,
+void draw_roll(Svg &svg, const Rolls &rolls, const double y, const double barrel, const double diameter,
                const double neck_end, const double neck)
 {
-  svg.rect(at.x - neck_end, y - neck / 2, 2 * neck_end, neck, "steel");
-  svg.rect(at.x - barrel / 2, y - diameter / 2, barrel, diameter, "steel");
-  svg.line(at.x - neck_end - 10, y, at.x + neck_end + 10, y, "centreline");
+  svg.rect(rolls.x - neck_end, y - neck / 2, 2 * neck_end, neck, "steel");
+  svg.rect(rolls.x - barrel / 2, y - diameter / 2, barrel, diameter, "steel");
+  svg.line(rolls.x - neck_end - 10, y, rolls.x + neck_end + 10, y, "centreline");
 }
 
-void draw_bearings(Svg &svg, const Rolls &at, const double y, const double span, const double neck)
+void draw_bearings(Svg &svg, const Rolls &rolls, const double y, const double span, const double neck)
 {
   const double width = 0.45 * neck, outside = 1.3 * neck;
   for (const double side : {-0.5, 0.5}) {
-    const double x = at.x + side * span;
+    const double x = rolls.x + side * span;
     svg.rect(x - width / 2, y - outside / 2, width, outside, "bearing");
     svg.line(x - width / 2, y - outside / 2, x + width / 2, y + outside / 2, "bearing");
     svg.line(x - width / 2, y + outside / 2, x + width / 2, y - outside / 2, "bearing");
@@ -70,27 +70,27 @@ std::string millimetres(const double metres)
   return fixed(1e3 * metres, 0);
 }
 
-// Text of a bearing stiffness beside the left bearing, where the drawing has room.
+// Text of a bearing stiffness next to the left bearing, where the drawing has room.
 void name_bearing(Svg &svg, const Run &run, const int number, const double x, const double y)
 {
   const Result *bearing = chain_value(run, "Kzc" + std::to_string(number));
   if (!bearing || !std::isfinite(bearing->value))
     return;
   svg.text(x, y - 3, "Kzc" + std::to_string(number), "t strong", Anchor::end);
-  svg.text(x, y + 12, significant(bearing->value * 1e-6, 4) + " kN/mm", "t", Anchor::end);
+  svg.text(x, y + 12, known_digits(bearing->value * 1e-6, bearing->error_estimate) + " kN/mm", "t", Anchor::end);
 }
 
-void draw_ruler(Svg &svg, const Rolls &at, const double y)
+void draw_ruler(Svg &svg, const Rolls &rolls, const double y)
 {
-  const double half = std::floor(at.length.at("backup_bearing_span") + 0.5) / 2;  // whole metres
-  const double left = at.x - half * at.scale;
-  svg.line(left, y, left + 2 * half * at.scale, y, "dimension");
+  const double half = std::floor(rolls.length.at("backup_bearing_span") + 0.5) / 2;  // whole metres
+  const double left = rolls.x - half * rolls.scale;
+  svg.line(left, y, left + 2 * half * rolls.scale, y, "dimension");
   for (int i = 0; i <= int(4 * half); ++i) {
-    const double x = left + 0.5 * i * at.scale;
+    const double x = left + 0.5 * i * rolls.scale;
     svg.line(x, y, x, y + 5, "dimension");
     svg.text(x, y + 18, std::to_string(500 * i), "t", Anchor::middle);
   }
-  svg.text(at.x, y + 35, "length along the roll axes, to scale [mm]", "axis", Anchor::middle);
+  svg.text(rolls.x, y + 35, "length along the roll axes, to scale [mm]", "axis", Anchor::middle);
 }
 
 std::array<double, 4> draw_rolls(Svg &svg, const Run &run, const double x, const double y)
@@ -99,32 +99,32 @@ std::array<double, 4> draw_rolls(Svg &svg, const Run &run, const double x, const
   const double tall  = 2 * (length.at("backup_diameter") + length.at("work_roll_diameter"));
   const double broad =
       std::max(length.at("work_total_length"), length.at("backup_length") + 2 * length.at("backup_neck_length"));
-  const Rolls at{std::min(430 / tall, 340 / broad), x, y, length};
-  const double work = at("work_roll_diameter"), backup = at("backup_diameter");
+  const Rolls rolls{std::min(430 / tall, 340 / broad), x, y, length};
+  const double work = rolls("work_roll_diameter"), backup = rolls("backup_diameter");
   const std::array<double, 4> axis{y - work - backup / 2, y - work / 2, y + work / 2, y + work + backup / 2};
-  const double backup_end = at("backup_length") / 2 + at("backup_neck_length");
+  const double backup_end = rolls("backup_length") / 2 + rolls("backup_neck_length");
   for (const int i : {0, 3}) {
-    draw_roll(svg, at, axis[i], at("backup_length"), backup, backup_end, at("backup_neck_diameter"));
-    draw_bearings(svg, at, axis[i], at("backup_bearing_span"), at("backup_neck_diameter"));
+    draw_roll(svg, rolls, axis[i], rolls("backup_length"), backup, backup_end, rolls("backup_neck_diameter"));
+    draw_bearings(svg, rolls, axis[i], rolls("backup_bearing_span"), rolls("backup_neck_diameter"));
     name_bearing(svg, run, i + 1, x - backup_end - 14, axis[i]);
     svg.text(x, axis[i] + (i == 0 ? -10 : 20), "\u2300 " + millimetres(length.at("backup_diameter")), "t halo",
              Anchor::middle);
   }
   for (const int i : {1, 2}) {
-    draw_roll(svg, at, axis[i], at("work_roll_length"), work, at("work_total_length") / 2,
-              at("work_neck_diameter"));
-    draw_bearings(svg, at, axis[i], at("work_bearing_span"), at("work_neck_diameter"));
+    draw_roll(svg, rolls, axis[i], rolls("work_roll_length"), work, rolls("work_total_length") / 2,
+              rolls("work_neck_diameter"));
+    draw_bearings(svg, rolls, axis[i], rolls("work_bearing_span"), rolls("work_neck_diameter"));
     name_bearing(svg, run, i + 1, x - backup_end - 14, axis[i]);
     svg.text(x, axis[i] + 5, "\u2300 " + millimetres(length.at("work_roll_diameter")), "t halo", Anchor::middle);
   }
-  svg.rect(x - at("strip_width") / 2, y - 2, at("strip_width"), 4, "strip");
+  svg.rect(x - rolls("strip_width") / 2, y - 2, rolls("strip_width"), 4, "strip");
   const double below = axis[3] + backup / 2;
-  draw_width(svg, x, below + 22, at("backup_length"), "barrel " + millimetres(length.at("backup_length")));
-  draw_width(svg, x, below + 44, at("backup_bearing_span"),
+  draw_width(svg, x, below + 22, rolls("backup_length"), "barrel " + millimetres(length.at("backup_length")));
+  draw_width(svg, x, below + 44, rolls("backup_bearing_span"),
              "bearing centres " + millimetres(length.at("backup_bearing_span")));
-  draw_width(svg, x, axis[0] - backup / 2 - 12, at("strip_width"),
+  draw_width(svg, x, axis[0] - backup / 2 - 12, rolls("strip_width"),
              "strip " + millimetres(length.at("strip_width")));
-  draw_ruler(svg, at, below + 62);
+  draw_ruler(svg, rolls, below + 62);
   return axis;
 }
 
@@ -165,7 +165,7 @@ void draw_damper(Svg &svg, const double x, const double from, const double to)
   svg.line(x, middle + 6, x, to, "spring");
 }
 
-// What does not fit beside the chain ends in an ellipsis; the whole text stands in the tables.
+// What does not fit next to the chain ends in an ellipsis; the whole text stands in the tables.
 std::string shortened(std::string text, const double width)
 {
   if (text_width(text, 11) <= width)
@@ -182,7 +182,9 @@ void name_spring(Svg &svg, const Run &run, const int number, const double x, con
 {
   const std::string name = "K" + std::to_string(number);
   const Result *spring   = chain_value(run, name);
-  svg.text(x, y - 1, name + "  " + (spring ? significant(spring->value * 1e-6, 5) + " kN/mm" : "not stored"),
+  svg.text(x, y - 1,
+           name + "  " +
+               (spring ? known_digits(spring->value * 1e-6, spring->error_estimate, 5) + " kN/mm" : "not stored"),
            "t strong");
   if (spring)
     svg.text(x, y + 14,
@@ -208,7 +210,8 @@ void draw_chain(Svg &svg, const Run &run, const double x)
     const Result *value = run.find("M" + std::to_string(mass));
     svg.rect(x - box_width / 2, mass_y(mass) - box_height / 2, box_width, box_height, "mass", 3);
     svg.text(x, mass_y(mass) - 2,
-             "M" + std::to_string(mass) + "  " + (value ? significant(value->value, 5) + " kg" : "not stored"),
+             "M" + std::to_string(mass) + "  " +
+                 (value ? known_digits(value->value, value->error_estimate, 5) + " kg" : "not stored"),
              "t strong", Anchor::middle);
     svg.text(x, mass_y(mass) + 13, value ? shortened(short_source(value->source), box_width - 10) : "", "t small",
              Anchor::middle);
@@ -264,8 +267,8 @@ void stand_section(Page &page, const Run &run)
   page.figure(
       {stand_sketch(run)},
       std::string(has_geometry(run) ? "The rolls to scale and the chain that represents them. " : "The chain. ") +
-          "Every mass moves vertically, every spring is that of both sides together; beside each number its "
-          "source. Kzc is one bearing of each roll in kN/mm and acts horizontally." +
+          "Every mass moves vertically, every spring is that of both sides together; each number has its source "
+          "next to it. Kzc is one bearing of each roll in kN/mm and acts horizontally." +
           how_the_bite_acts(run) +
           (has_geometry(run) ? "" : " The rolls are not drawn: this run stored no geometry."));
   modulus_part(page, run);

@@ -15,8 +15,8 @@ public:
   explicit Sizes(const Run &run) : length_(run.manifest.geometry) {}
   double operator()(const std::string &name) const
   {
-    const auto found = length_.find(name);
-    return found == length_.end() || !(found->second > 0) ? 0 : found->second;
+    const auto match = length_.find(name);
+    return match == length_.end() || !(match->second > 0) ? 0 : match->second;
   }
 
 private:
@@ -76,14 +76,14 @@ double half_length(const Sizes &size)  // along the rolls
 }
 
 // Nut, screw, load cell and piston hang from the upper beam; what is not drawn is left out.
-void draw_screwdown(const View &view, const Sizes &size, const Heights &at, const double middle)
+void draw_screwdown(const View &view, const Sizes &size, const Heights &heights, const double middle)
 {
   const auto part = [&](const double top, const double diameter, const double height, const char *classes) {
     view.box(middle - 0.5 * diameter, top - height, diameter, height, classes);
     return diameter > 0 && height > 0 ? top - height : top;
   };
-  part(at.window_top + size("nut_height"), size("nut_outside_diameter"), size("nut_height"), "ring-steel");
-  double below = part(at.window_top, size("screw_diameter"), size("screw_length"), "roller");
+  part(heights.window_top + size("nut_height"), size("nut_outside_diameter"), size("nut_height"), "ring-steel");
+  double below = part(heights.window_top, size("screw_diameter"), size("screw_length"), "roller");
   below        = part(below, size("load_cell_diameter"), size("load_cell_height"), "bearing");
   part(below, size("piston_diameter"), size("piston_length") + size("stroke"), "ring-steel");
 }
@@ -99,21 +99,21 @@ void draw_roll_pair(const View &view, const double axis, const double barrel, co
   }
 }
 
-void draw_along_rolling(const View &view, const Sizes &size, const Heights &at)
+void draw_along_rolling(const View &view, const Sizes &size, const Heights &heights)
 {
   const double span = size("backup_bearing_span"), thick = size("housing_thickness");
   for (const double side : {-0.5, 0.5}) {
-    view.box(side * span - 0.5 * thick, at.bottom, thick, at.top - at.bottom, "part");
-    if (at.window_top > at.window_bottom)
-      draw_screwdown(view, size, at, side * span);
+    view.box(side * span - 0.5 * thick, heights.bottom, thick, heights.top - heights.bottom, "part");
+    if (heights.window_top > heights.window_bottom)
+      draw_screwdown(view, size, heights, side * span);
   }
-  draw_roll_pair(view, at.backup, size("backup_length"), size("backup_diameter"),
+  draw_roll_pair(view, heights.backup, size("backup_length"), size("backup_diameter"),
                  0.5 * size("backup_length") + size("backup_neck_length"), size("backup_neck_diameter"));
-  draw_roll_pair(view, at.work, size("work_roll_length"), size("work_roll_diameter"),
+  draw_roll_pair(view, heights.work, size("work_roll_length"), size("work_roll_diameter"),
                  0.5 * size("work_total_length"), size("work_neck_diameter"));
   for (const auto &[axis, bearings, neck] :
-       {std::tuple(at.backup, span, size("backup_neck_diameter")),
-        std::tuple(at.work, size("work_bearing_span"), size("work_neck_diameter"))})
+       {std::tuple(heights.backup, span, size("backup_neck_diameter")),
+        std::tuple(heights.work, size("work_bearing_span"), size("work_neck_diameter"))})
     for (const double side : {-0.5, 0.5})
       for (const double up : {-1.0, 1.0})
         view.box(side * bearings - 0.225 * neck, up * axis - 0.65 * neck, 0.45 * neck, 1.3 * neck, "bearing");
@@ -121,18 +121,18 @@ void draw_along_rolling(const View &view, const Sizes &size, const Heights &at)
   view.svg.rect(view.x - 0.5 * view.scale * strip, view.y - 1.5, view.scale * strip, 3, "strip");
 }
 
-void draw_along_rolls(const View &view, const Sizes &size, const Heights &at)
+void draw_along_rolls(const View &view, const Sizes &size, const Heights &heights)
 {
   const double window = size("housing_window_width"), post = size("housing_post_width");
-  const double tall = at.top - at.bottom;
-  view.box(-0.5 * window - post, at.bottom, window + 2 * post, tall, "part");
-  view.box(-0.5 * window, at.window_bottom, window, at.window_top - at.window_bottom, "window");
-  draw_screwdown(view, size, at, 0);
+  const double tall = heights.top - heights.bottom;
+  view.box(-0.5 * window - post, heights.bottom, window + 2 * post, tall, "part");
+  view.box(-0.5 * window, heights.window_bottom, window, heights.window_top - heights.window_bottom, "window");
+  draw_screwdown(view, size, heights, 0);
   for (const double up : {-1.0, 1.0}) {
-    view.disc(up * at.backup, size("backup_diameter"), "steel");
-    view.disc(up * at.backup, size("backup_neck_diameter"), "bearing");
-    view.disc(up * at.work, size("work_roll_diameter"), "steel");
-    view.disc(up * at.work, size("work_neck_diameter"), "bearing");
+    view.disc(up * heights.backup, size("backup_diameter"), "steel");
+    view.disc(up * heights.backup, size("backup_neck_diameter"), "bearing");
+    view.disc(up * heights.work, size("work_roll_diameter"), "steel");
+    view.disc(up * heights.work, size("work_neck_diameter"), "bearing");
   }
   view.svg.line(view.x - 0.5 * view.scale * window, view.y, view.x + 0.5 * view.scale * window, view.y,
                 "strip-line");
@@ -157,17 +157,17 @@ std::string stand_to_scale(const Run &run)
         "backup_diameter", "backup_length", "backup_neck_diameter", "backup_neck_length", "backup_bearing_span"})
     if (!(size(name) > 0))
       return "";
-  const Heights at   = heights_of(size);
-  const double broad = 2 * half_length(size);
-  const double side  = size("housing_window_width") + 2 * size("housing_post_width");
-  const double scale = std::min(view_height / (at.top - at.bottom), (430 - view_gap) / (broad + side));
+  const Heights heights = heights_of(size);
+  const double broad    = 2 * half_length(size);
+  const double side     = size("housing_window_width") + 2 * size("housing_post_width");
+  const double scale = std::min(view_height / (heights.top - heights.bottom), (430 - view_gap) / (broad + side));
   const double width = scale * (broad + side) + (side > 0 ? view_gap : 0) + 20;
-  const double tall  = scale * (at.top - at.bottom);
+  const double tall  = scale * (heights.top - heights.bottom);
   Svg svg(std::max(width, 300.0), tall + view_foot, "the stand to scale in mm");
-  const double x = 10 + 0.5 * scale * broad, y = 6 + scale * at.top;
-  draw_along_rolling({svg, scale, x, y}, size, at);
+  const double x = 10 + 0.5 * scale * broad, y = 6 + scale * heights.top;
+  draw_along_rolling({svg, scale, x, y}, size, heights);
   if (side > 0)
-    draw_along_rolls({svg, scale, 10 + scale * broad + view_gap + 0.5 * scale * side, y}, size, at);
+    draw_along_rolls({svg, scale, 10 + scale * broad + view_gap + 0.5 * scale * side, y}, size, heights);
   draw_scale(svg, scale, 10, tall + 30);
   svg.text(std::max(width, 300.0) - 10, tall + 34,
            "\u2300 " + fixed(1e3 * size("work_roll_diameter"), 0) + " / " +

@@ -88,7 +88,7 @@ struct DeckMesh {
   std::vector<std::array<int, 2>> contact_faces;  // element, face 1..6
 };
 
-// Faces of a hexahedron as CalculiX counts them, S1 to S6; the order of the corners does not matter here.
+// Faces of a hexahedron in the numbering of CalculiX, S1 to S6; the order of the corners does not matter here.
 constexpr int faces[6][4] = {
     {0, 1, 2, 3},
     {4, 5, 6, 7},
@@ -155,8 +155,8 @@ void add_edge_nodes(DeckMesh &mesh, const double radius)
   for (auto &element : mesh.elements)
     for (const auto &[a, b] : edges) {
       const std::pair<int, int> ends = std::minmax(element[a], element[b]);
-      const auto [found, added]      = middle.emplace(ends, int(mesh.nodes.size()));
-      element.push_back(found->second);
+      const auto [entry, added]      = middle.emplace(ends, int(mesh.nodes.size()));
+      element.push_back(entry->second);
       if (!added)
         continue;
       const auto &p = mesh.nodes[ends.first], &q = mesh.nodes[ends.second];

@@ -36,7 +36,7 @@ std::vector<Case> oil_film_cases();             ///< oil-film bearings
 std::vector<Case> bearing_motion_cases();       ///< a mass on a bearing
 std::vector<Case> slab_cases();                 ///< roll bite: closed slab theories, film friction, flattening
 std::vector<Case> inhomogeneous_cases();        ///< roll bite: Karman, Orowan and Sims integrated
-std::vector<Case> elastic_arc_cases();          ///< roll bite: arcs that are no circle
+std::vector<Case> elastic_arc_cases();          ///< roll bite: arcs that are not circular
 std::vector<Case> strip_flow_cases();           ///< roll bite: rigid-plastic strip by finite elements
 std::vector<Case> strip_elastic_cases();        ///< roll bite: elastic-plastic strip by finite elements
 std::vector<Case> roll_arc_cases();             ///< flexibility of the roll's surface in the bite

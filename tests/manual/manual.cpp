@@ -53,10 +53,10 @@ std::string aligned(const std::vector<Row> &rows)
 }
 
 // A known deviation below a table; `of` names its case, or is empty there.
-std::string known_lines(const std::string &of, const KnownText &k)
+std::string known_lines(const std::string &owner, const KnownText &k)
 {
   std::string text = fmt::format("  known deviation, {}{}: {} {}, asked {} ({})\n    cause: {}\n    remedy: {}\n",
-                                 of, k.check.quantity, k.check.result, k.check.unit, k.check.reference,
+                                 owner, k.check.quantity, k.check.result, k.check.unit, k.check.reference,
                                  k.check.deviation, k.cause, k.remedy);
   return k.moved.empty() ? text : text + "    FAIL: " + k.moved + "\n";
 }
@@ -129,7 +129,7 @@ std::vector<Case> select(const std::vector<Case> &all, const std::vector<std::st
       return c.name == name || std::find(families.begin(), families.end(), name) != families.end();
     });
     if (selected.size() == before)
-      throw InputError("there is no verification case '" + name + "'" + suggestion(name, known));
+      throw InputError("no verification case has the name '" + name + "'" + suggestion(name, known));
   }
   return selected;
 }
@@ -189,7 +189,7 @@ std::string summary_text(const std::vector<Outcome> &outcomes)
   if (sum.known > 0)
     text += fmt::format("; {} known deviation{}", sum.known, sum.known == 1 ? "" : "s");
   if (sum.reported > 0)
-    text += fmt::format("; {} value{} reported beside a reference, not judged", sum.reported,
+    text += fmt::format("; {} value{} compared with a reference, not judged", sum.reported,
                         sum.reported == 1 ? "" : "s");
   if (!skipped.empty())
     text += fmt::format("; skipped: {} ({})", fmt::join(skipped, ", "), fmt::join(needs, "; "));

@@ -34,11 +34,11 @@ std::string list_text(const std::vector<Case> &cases);
 /// verdict), then reason, source and time.
 std::string outcome_text(const Outcome &outcome);
 
-/// "14 of 15 cases pass, 61 of 62 judged checks; 1 known deviation; 7 values reported beside a reference, not
+/// "14 of 15 cases pass, 61 of 62 judged checks; 1 known deviation; 7 values compared with a reference, not
 /// judged; skipped: peer-rolls; failed: cgs1-small", then what the skipped cases need.
 std::string summary_text(const std::vector<Outcome> &outcomes);
 
-/// Every known deviation with result, asked reference, cause and remedy; empty when there is none.
+/// Every known deviation with result, asked reference, cause and remedy; empty without any.
 std::string known_text(const std::vector<Outcome> &outcomes);
 
 /// docs/verification.md.  No times, and no digits of round-off, so that the page changes only when a result does.

@@ -14,10 +14,11 @@ const char *const head =
     "| FAIL | judged: it is not, or it is not a number; also a known deviation that moved or is gone |\n"
     "| known deviation | the asked reference is not reached; the deviation is the one that was recorded, with its "
     "cause and what would end it. The check fails as soon as the result moves or the reference is reached |\n"
-    "| reported | printed beside the reference for the reader, not judged; fails only when it is not a number "
+    "| reported | printed next to the reference for the reader, not judged; fails only when it is not a number "
     "|\n\n"
-    "\"N of N checks\" counts judged checks only; known deviations and reported values are counted apart. A case "
-    "passes when\nnone of its checks fails; one that judges nothing is marked *reported* and not counted. *At "
+    "\"N of N checks\" is the number of judged checks; known deviations and reported values are counted "
+    "separately. A case "
+    "passes when\nno check fails; one that judges nothing is marked *reported* and not counted. *At "
     "least* and *at most*\nin the column of the tolerance say that the reference is a bound. Cases of the family "
     "*peer* were run with another\nprogram; they say which and when, and are repeated by `millstand verify peer`, "
     "which skips them and returns 4 where\nthat program is not installed.\n\n";
@@ -39,7 +40,7 @@ std::string known_table(const std::vector<Outcome> &outcomes)
                           table_cell(k.check.quantity), k.check.result, k.check.unit, k.check.reference,
                           k.check.deviation, k.check.tolerance, table_cell(k.cause), table_cell(k.remedy));
   if (text.empty())
-    return "There is no known deviation.\n\n";
+    return "No known deviation.\n\n";
   return "### Known deviations\n\n"
          "| case | quantity | result | asked reference | deviation | tolerance | cause | remedy |\n"
          "|---|---|---:|---:|---:|---:|---|---|\n" +

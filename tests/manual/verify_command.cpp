@@ -16,7 +16,7 @@
 
 namespace mill {
 namespace {
-// The page shows the whole manual or none of it: half a page would hide what was not run.
+// The page shows the whole manual or nothing: half a page would hide what was not run.
 void require_whole_manual(const VerifyOptions &options)
 {
   if (!options.markdown.empty() && (!options.names.empty() || options.list))

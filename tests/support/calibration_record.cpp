@@ -75,13 +75,29 @@ Record record(const Recipe &recipe)
 {
   LumpedModel model = set_r();
   double zeta       = 0.01;
-  for (const auto &[name, value] : recipe.truth)
-    (name == "zeta" ? zeta : model.K[std::size_t(name[1] - '1')].value) *= std::exp(value);
+  std::map<std::size_t, double> of_mode;  // ln of the factor on the ratio of a mode
+  for (const auto &[name, value] : recipe.truth) {
+    if (name.rfind("zeta", 0) == 0 && name.size() > 4)
+      of_mode[std::size_t(name[4] - '1')] = value;
+    else if (name == "zeta")
+      zeta *= std::exp(value);
+    else
+      (name[0] == 'M' ? model.M[std::size_t(name[1] - '1')] : model.K[std::size_t(name[1] - '1')]).value *=
+          std::exp(value);
+  }
   const auto own = dynamics::modes(chain_of(model, recipe.frame));
   const auto force =
       synthetic::band_force(recipe.seed, recipe.n, recipe.rate, recipe.force_rms, 0, recipe.highest);
-  const Eigen::MatrixXd all =
-      synthetic::response({own.frequency, own.shape, {}, {}, zeta}, force.drive, recipe.rate);
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(recipe.n, 6);
+  if (of_mode.empty())
+    all = synthetic::response({own.frequency, own.shape, {}, {}, zeta}, force.drive, recipe.rate);
+  for (Eigen::Index i = 0; i < 6 && !of_mode.empty(); ++i) {
+    const auto other           = of_mode.find(std::size_t(i));
+    const double ratio         = zeta * (other == of_mode.end() ? 1 : std::exp(other->second));
+    const Eigen::VectorXd gain = own.shape.col(i).transpose() * chain_of(model, recipe.frame).b;
+    all += synthetic::modal_response(own.frequency.segment(i, 1), gain, ratio, force.drive, recipe.rate) *
+           own.shape.col(i).transpose();
+  }
   Record made{force.force.array() + recipe.mean_force, {}};
   made.acceleration.resize(recipe.n, Eigen::Index(recipe.places.size()));
   for (std::size_t j = 0; j < recipe.places.size(); ++j)

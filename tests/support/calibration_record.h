@@ -18,7 +18,7 @@ mill::twin::FittedStand stand_r();
 std::vector<mill::twin::Unknown> unknowns_r();
 
 struct Recipe {
-  std::map<std::string, double> truth;  ///< ln of factors on set R
+  std::map<std::string, double> truth;  ///< ln of factors on set R: "K3", "M2", "zeta", "zeta2"
   std::uint64_t seed;
   Eigen::Index n;
   double rate, force_rms, highest;   ///< Hz, N, Hz

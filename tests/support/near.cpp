@@ -38,11 +38,16 @@ Tolerance within(const double relative, std::string why, const double scale)
   return {relative, std::move(why), scale};
 }
 
+Tolerance within_absolute(const double absolute, std::string why)
+{
+  return {0, std::move(why), 0, absolute};
+}
+
 testing::AssertionResult near(const double actual, const double expected, const Tolerance &tolerance)
 {
   if (tolerance.why.empty())
     return testing::AssertionFailure() << "a tolerance needs a reason";
-  const double allowed   = tolerance.relative * std::max(std::abs(expected), tolerance.scale);
+  const double allowed   = tolerance.absolute + tolerance.relative * std::max(std::abs(expected), tolerance.scale);
   const double deviation = std::abs(actual - expected);
   const auto *test       = testing::UnitTest::GetInstance()->current_test_info();
   if (deviation <= allowed) {

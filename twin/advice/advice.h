@@ -13,9 +13,9 @@
 #include <string>
 #include <vector>
 
-// What would lower the vibration of a stand: every action computed anew, first order beside it.  theory.md 46
+// Actions that would lower the vibration of a stand: each one recomputed, with the linear estimate.  theory.md 46
 namespace mill::twin {
-/// What an action does beside what it is for.
+/// A side effect of an action.
 struct SideEffect {
   std::string name;  ///< "lower work roll, level"
   double value;      ///< in `unit`
@@ -27,7 +27,7 @@ struct RatedAction {
   std::string name;                     ///< "K3 x 0.8"
   std::vector<std::string> parameters;  ///< what is changed, "K3"; two actions on one of them are no pair
   std::string means;                    ///< what could bring the change about
-  double change      = 0;               ///< -, relative change of the goal, computed anew
+  double change      = 0;               ///< -, relative change of the goal, recomputed
   double spread      = std::numeric_limits<double>::quiet_NaN();  ///< -, sd of the change by errors of the stand
   double verified    = 0;  ///< -, the change that counts: in the most detailed model, with its least effect there
   double first_order = 0;  ///< -, what the slopes say; never the answer
@@ -85,7 +85,7 @@ struct TunedChoice {
   double mass_ratio = 0.05;  ///< -, over the effective mass of the leading mode
 };
 
-/// A parameter that records could not tell (not told), and who says so.
+/// A parameter that records do not identify, and the source of this statement.
 struct UntoldParameter {
   std::string name;  ///< "K2", "zeta"
   std::string why;
@@ -139,7 +139,7 @@ LevelAdvice ranked_actions(const dynamics::MillModel &model, const Eigen::Vector
 /// never less than a 200 000th of `high`.
 double resolving_step(const VibratingStand &stand, double high);
 
-/// Dampers that are tried where nobody names any: work roll to backup roll (each and both), work roll to work
+/// Dampers that are tried where the case names no damper: work roll to backup roll (each and both), work roll to work
 /// roll.
 std::vector<DamperChoice> usual_dampers(const VibratingStand &stand, double damper);
 

@@ -15,7 +15,7 @@ struct TunedRecord {
   TunedDamper damper;
 };
 
-/// All that is written of one advice, whatever its goal.
+/// Everything that is written of one advice, for any goal.
 struct AdviceRecord {
   std::string case_name;
   std::string stand;     ///< "six masses by closed forms at 976.2 kN"

@@ -28,7 +28,7 @@ public:
   {
     advice_.now = critical_state(asked_.stand, asked_.bite, asked_.scheme, asked_.range, asked_.working_speed);
     if (advice_.now.no_bite)
-      throw InputError(fmt::format("there is no steady bite at the working speed of {:.4g} m/s: {}; no advice can "
+      throw InputError(fmt::format("no steady bite exists at the working speed of {:.4g} m/s: {}; no advice can "
                                    "be given for a bite that does not exist",
                                    asked_.working_speed, advice_.now.why));
     advice_.reached = reaches(advice_.now, 1);
@@ -207,7 +207,7 @@ private:
                                        now.found.frequency);
   }
 
-  // Empty where there is no slope.
+  // Empty where no slope exists.
   Errors errors_of(const ChatterModel &model, const CriticalState &state) const
   {
     Errors errors;
@@ -237,7 +237,7 @@ private:
     return std::sqrt(variance);
   }
 
-  // An action beside the next better one, where the errors of mill and bite may turn their order.  (46.12)
+  // An action compared with the next better one, where the errors of mill and bite may turn their order.  (46.12)
   void say_what_cannot_be_told_apart(std::vector<Rated> &ranked) const
   {
     for (std::size_t i = 1; i < ranked.size() && ranked[i].action.against.empty(); ++i) {
@@ -264,7 +264,7 @@ private:
     return single.action.against.empty() ? std::min(0.0, single.state.force / advice_.now.force - 1) : 0;
   }
 
-  // Two by two the best singles of different parameters, whatever they violate that a partner may mend.
+  // Pairs of the best single actions of different parameters; a partner may mend what one of them violates.
   std::vector<std::pair<std::size_t, std::size_t>> pairs(const std::vector<ProcessStep> &steps,
                                                          const std::vector<Rated> &singles) const
   {

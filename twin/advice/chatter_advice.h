@@ -37,7 +37,7 @@ struct CriticalAdvice {
   CriticalState now;
   bool reached  = false;                                     ///< the wanted margin is there already
   double spread = std::numeric_limits<double>::quiet_NaN();  ///< -, relative sd of the critical speed (46.10)
-  dynamics::SensitivityTable slopes;  ///< exact ones; empty inputs where there is no critical speed
+  dynamics::SensitivityTable slopes;  ///< exact ones; empty inputs where no critical speed exists
   std::vector<RatedAction> actions;   ///< ranked; change: of critical over working speed
   std::vector<bool> reaches;          ///< by actions: the wanted margin is reached
   std::vector<CriticalState> states;  ///< by actions

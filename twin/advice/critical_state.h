@@ -9,7 +9,7 @@ struct CriticalState {
   dynamics::CriticalSpeed found;
   double speed  = 0;      ///< m/s, critical one; without one the end of the range that is stable or unstable
   bool at_least = false;  ///< nothing grows up to `speed`
-  bool no_bite  = false;  ///< there is no steady bite at the working speed
+  bool no_bite  = false;  ///< no steady bite exists at the working speed
   std::string why;        ///< why not
   double force    = std::numeric_limits<double>::quiet_NaN();  ///< N, at the working speed
   double torque   = std::numeric_limits<double>::quiet_NaN();  ///< N m, one roll

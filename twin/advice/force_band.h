@@ -8,7 +8,7 @@ struct WelchSpectrum;
 struct ForceBand {
   Eigen::VectorXd frequency;  ///< (k) Hz, midpoints of even steps, rising
   Eigen::VectorXd square;     ///< (k) N2, mean square of the force within a step
-  bool measured = false;      ///< from a record; false: its level is nobody's and only ratios mean something
+  bool measured = false;      ///< from a record; false: its level is not known, and only ratios have a meaning
 };
 
 /// White force from `low` to `high`.  @param step  Hz; as many steps as fit, evened out

@@ -245,8 +245,8 @@ std::vector<dynamics::Pole> poles(const VibratingStand &stand, const std::vector
   A.bottomRightCorner(n, n) = -(m.asDiagonal() * s.C) / unit;
   const Eigen::EigenSolver<Eigen::MatrixXd> solver(A, false);
   if (solver.info() != Eigen::Success)
-    throw SolverError({"eigenvalues of the stand with its dampers: no convergence", "", "a number that is none",
-                       "check the dampers of [advice]", ""});
+    throw SolverError({"eigenvalues of the stand with its dampers: no convergence", "",
+                       "a number that is not finite", "check the dampers of [advice]", ""});
   std::vector<dynamics::Pole> found;
   for (const Complex lambda : solver.eigenvalues())
     if (lambda.imag() >= 0 && std::abs(lambda) > 0)

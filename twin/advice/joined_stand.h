@@ -18,7 +18,7 @@ struct VibratingStand {
   Eigen::VectorXd damping;          ///< (n) -, ratio of critical
   Eigen::VectorXd force;            ///< (n) kg^-1/2, bite force on each mode
   double gap_damper = 0;            ///< N s/m, between the work rolls over the width of the strip
-  /// Index of a place, blanks and underscores alike; -1: there is none of that name.
+  /// Index of a place, blanks and underscores alike; -1: no place has this name.
   int place(const std::string &name) const;
 };
 

@@ -9,7 +9,7 @@
 namespace mill::twin {
 namespace {
 constexpr double nothing         = 1e-3;  // relative change below which an action is not worth its words
-constexpr double unknown_error   = 0.10;  // relative, of a spring whose accuracy nobody states
+constexpr double unknown_error   = 0.10;  // relative, of a spring without a stated accuracy
 constexpr double notable_slope   = 0.05;  // of the level by a parameter, from which the result rests on it
 constexpr const char *of_damping = "modal damping";
 constexpr const char *critical_over_working = "critical over working speed";
@@ -258,7 +258,7 @@ private:
         action.process.push_back(*part->process);
     }
     action.first_order = std::expm1(log_change);
-    for (const Part *part : parts)  // in a pair tuned anew, since the other action moves the mode
+    for (const Part *part : parts)  // in a pair tuned again, since the other action moves the mode
       if (part->tuned)
         action.joined.push_back(action.pair ? tune(action.stand, action.joined, asked_.place, *part->tuned,
                                                    asked_.force, advice_.level[asked_.place])

@@ -27,7 +27,7 @@ struct ChangedPass {
 };
 ChangedPass changed_pass(const bite::RollBite &bite, const std::vector<ProcessAction> &actions);
 
-/// What a pass violates whatever the stand does.
+/// Limits that a pass violates, for any motion of the stand.
 struct Violations {
   std::vector<std::string> against;  ///< one sentence each
   bool kept_apart = false;           ///< among them what no partner can mend

@@ -10,7 +10,7 @@ namespace mill::twin {
 namespace {
 using Complex = std::complex<double>;
 
-// N, rolling force over the one before; 1 where there is no bite.
+// N, rolling force over the one before; 1 where no bite is solved.
 double force_ratio(const ChangedPass &pass, const double speed, const ChatterModel &model, const double before)
 {
   try {

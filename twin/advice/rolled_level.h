@@ -8,7 +8,7 @@
 #include <limits>
 #include <vector>
 
-// The level of a stand that rolls a pass, and its critical speed beside it.  theory.md 46.8
+// The level of a stand that rolls a pass, and its critical speed.  theory.md 46.8
 namespace mill::twin {
 /// The pass of a stand whose level is asked.
 struct RolledPass {
@@ -27,7 +27,7 @@ struct RolledState {
   Eigen::VectorXd level;  ///< (m) m/s2, of every place; empty: not asked, or none since vibration grows
 };
 
-/// A stand, its pass and the force that its level is told for.
+/// A stand, its pass and the force that its level belongs to.
 class RolledLevel {
 public:
   /// @param open   kept by value; it gives the stand as it is for a change of nothing
@@ -44,7 +44,7 @@ public:
   const Eigen::VectorXd &level() const;
 
   /// After an action.  The level follows where the process changes: the disturbance that makes the force as it is
-  /// stays, the bite answers it anew, contacts follow the rolling force.  (46.14)
+  /// stays, the bite responds to it again, contacts follow the rolling force.  (46.14)
   /// @returns nothing where `open` has no such stand
   /// Cost: a search of the critical speed, 10 ms with six masses and 0.3 s with thirty modes; with a process
   /// action as much as levels() more.

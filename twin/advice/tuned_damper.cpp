@@ -119,7 +119,7 @@ TunedDamper tune(const VibratingStand &stand, const std::vector<Attachment> &joi
     return of(at(q)) * (1 + (p - q).norm());
   };
   Point best{std::log(start.frequency), std::log(start.ratio)};
-  for (const double size : {0.1, 0.01})  // the second search starts a simplex that may have collapsed anew
+  for (const double size : {0.1, 0.01})  // the second search starts again, since the simplex may have collapsed
     best = least(f, best, size).at;
   t.inside = inside(best) && best[0] > low_f + 1e-3 && best[0] < high_f - 1e-3;
   t.best =

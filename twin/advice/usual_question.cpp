@@ -4,7 +4,7 @@
 #include <fmt/format.h>
 #include <map>
 
-// What is tried where nobody says what.
+// Actions that are tried where the case names none.
 namespace mill::twin {
 double resolving_step(const VibratingStand &stand, const double high)
 {

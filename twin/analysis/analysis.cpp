@@ -2,6 +2,7 @@
 #include "core/process/parallel.h"
 #include "twin/analysis/channel_analysis.h"
 #include "twin/analysis/findings.h"
+#include "twin/detection/without_lines.h"
 #include <algorithm>
 #include <atomic>
 #include <cmath>
@@ -28,7 +29,7 @@ Eigen::VectorXd whole_speed(const CleanRecord &record, Analysis &analysis)
     analysis.notes.push_back(fmt::format("speed: {} missing samples were taken as the value before", filled));
   const double still = speed.maxCoeff() / 20;
   if (!(still > 0)) {
-    analysis.notes.push_back("the speed is never above zero: nothing is said about what follows it");
+    analysis.notes.push_back("the speed is never above zero: what follows it is not evaluated");
     return {};
   }
   analysis.highest_speed = speed.maxCoeff();
@@ -45,11 +46,43 @@ void note_faults(Analysis &analysis, const CleanRecord &record)
     if (channel.clipped > 0)
       analysis.notes.push_back(
           fmt::format("{}: {} samples ({:.2g} %) are at a clip level; its peak is a lower bound and its "
-                      "spectrum holds harmonics that the mill did not make",
+                      "spectrum has harmonics that the mill did not make",
                       channel.name, channel.clipped, 100 * channel.clipped_share));
     if (channel.n_used() == 0)
-      analysis.notes.push_back(fmt::format("{}: nothing is left of it after cleaning", channel.name));
+      analysis.notes.push_back(fmt::format("{}: no sample is left after cleaning", channel.name));
   }
+}
+// Vibrations from which lines were taken off; those without lines are not copied.
+std::vector<CleanChannel> channels_without_lines(const Analysis &analysis, const CleanRecord &record)
+{
+  std::vector<CleanChannel> channels;
+  for (std::size_t c = 0; c < record.channels.size(); ++c) {
+    if (!is_vibration(record.channels[c].quantity))
+      continue;
+    std::vector<double> frequencies;
+    for (const SpectralCandidate &one : analysis.channels[c].detected.candidates)
+      if (one.fate == "line" &&
+          !(analysis.channels[c].map.speed.size() > 0 && speed_span(analysis) > 0.02 && one.peak.coherence < 0.5))
+        frequencies.push_back(one.peak.frequency);
+    if (frequencies.empty())
+      continue;
+    CleanChannel &channel = channels.emplace_back(record.channels[c]);
+    channel.value         = without_lines(channel, record.rate, frequencies);
+  }
+  return channels;
+}
+
+// A limit of the evaluated band with its cause.
+void note_limits(Analysis &analysis)
+{
+  for (const ChannelAnalysis &seen : analysis.channels)
+    if (seen.spectrum.n > 0 && is_vibration(seen.quantity) && seen.bandwidth < 0.99 * seen.spectrum.rate / 2.56)
+      analysis.notes.push_back(fmt::format("{}: the noise floor falls by more than 30 dB at {:.4g} Hz and stays "
+                                           "there, as after a filter or above the range "
+                                           "of a sensor: modes and levels are evaluated below this limit; lines "
+                                           "above it are reported with a lower bound of "
+                                           "their amplitude",
+                                           seen.name, seen.bandwidth));
 }
 }  // namespace
 
@@ -75,17 +108,22 @@ Analysis analyse(const CleanRecord &record, const CaseModel *stand, const Analys
                            : settings.speed && speed.size() == 0 ? *settings.speed
                                                                  : std::nan("");
   progress.at("modes", 0);
-  add_mode_findings(analysis, record, stand, settings);
+  const std::vector<CleanChannel> line_free = channels_without_lines(analysis, record);
+  add_mode_findings(analysis, record, line_free, stand, settings);
   progress.at("findings", 0);
-  add_peak_findings(analysis, record, stand, one_speed);
+  add_line_findings(analysis, record, stand, one_speed, settings);
   add_locked_findings(analysis, stand);
-  add_onset_findings(analysis, record, settings);
+  add_resonance_findings(analysis, stand, one_speed);
+  add_onset_findings(analysis, record, line_free, settings);
   progress.at("findings", 0.5);
   add_bearing_findings(analysis, record, stand, settings);
   add_severity_findings(analysis, settings);
   name_bands(analysis, settings);
+  add_accounts(analysis);
+  note_limits(analysis);
   if (speed.size() == 0)
-    analysis.notes.push_back("no speed was recorded: what is fixed and what follows the speed cannot be told");
+    analysis.notes.push_back(
+        "no speed was recorded: what is fixed and what follows the speed is not distinguishable");
   progress.at("findings", 1);
   return analysis;
 }

@@ -1,6 +1,7 @@
 #include "twin/analysis/analysis_files.h"
 #include "core/records/results.h"
 #include "twin/analysis/channel_analysis.h"
+#include "twin/spectra/noise_floor.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -98,7 +99,7 @@ ordered_json number(const double value)
 
 ordered_json json_of(const Finding &finding)
 {
-  return {
+  ordered_json json{
       {"kind",      finding.kind                               },
       {"channel",   finding.channel                            },
       {"frequency", number(finding.frequency)                  },
@@ -107,6 +108,43 @@ ordered_json json_of(const Finding &finding)
       {"unit",      finding.unit                               },
       {"owner",     finding.owner                              },
       {"evidence",  finding.evidence                           }
+  };
+  if (finding.members.empty())
+    return json;
+  json["orders"] = ordered_json::array();
+  json["lines"]  = ordered_json::array();
+  for (const FamilyMember &member : finding.members) {
+    if (member.order > 0)
+      json["orders"].push_back(member.order);
+    json["lines"].push_back({
+        {"frequency", member.frequency},
+        {"amplitude", member.amplitude}
+    });
+  }
+  return json;
+}
+
+// Shares in per cent, their sum is 100.
+ordered_json json_of(const ChannelAnalysis &seen)
+{
+  const Account &account = seen.account;
+  return {
+      {"channel",       seen.name                      },
+      {"variance",      seen.variance                  },
+      {"lines",         100 * account.lines            },
+      {"families",      100 * account.families         },
+      {"modes",         100 * account.modes            },
+      {"floor",         100 * account.floor            },
+      {"not_explained", 100 * account.unexplained      },
+      {"largest",
+       {{"frequency", number(account.largest)},
+        {"amplitude", number(account.amplitude)},
+        {"unit", seen.unit},
+        {"over_floor", number(account.over_floor)},
+        {"source", account.source}}                    },
+      {"only_noise",    account.only_noise()           },
+      {"threshold",     number(seen.detected.threshold)},
+      {"false_alarm",   false_alarm                    }
   };
 }
 
@@ -302,17 +340,23 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   json["findings"]       = ordered_json::array();
   for (const Finding &finding : analysis.findings)
     json["findings"].push_back(json_of(finding));
+  json["account"] = ordered_json::array();
+  for (const ChannelAnalysis &seen : analysis.channels)
+    if (seen.spectrum.n > 0)
+      json["account"].push_back(json_of(seen));
   json["bearings"] = ordered_json::array();
   for (const BearingScore &one : analysis.bearings)
     json["bearings"].push_back({
-        {"channel",   one.channel  },
-        {"bearing",   one.bearing  },
-        {"roll",      one.roll     },
-        {"family",    one.family   },
-        {"frequency", one.frequency},
-        {"slip",      one.slip     },
-        {"score",     one.score    },
-        {"speed",     one.speed    }
+        {"channel",   one.channel        },
+        {"bearing",   one.bearing        },
+        {"roll",      one.roll           },
+        {"family",    one.family         },
+        {"frequency", one.frequency      },
+        {"slip",      one.slip           },
+        {"score",     one.score          },
+        {"speed",     one.speed          },
+        {"band",      {one.low, one.high}},
+        {"kurtosis",  one.kurtosis       }
     });
   json["response_to_force"] =
       analysis.forced.response.n == 0
@@ -374,6 +418,32 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   notes.insert(notes.end(), analysis.notes.begin(), analysis.notes.end());
   json["notes"] = notes;
   return json.dump(1) + "\n";
+}
+
+namespace {
+// A cell of CSV: quoted where it holds a comma or a quotation mark.
+std::string csv_cell(const std::string &text)
+{
+  if (text.find_first_of(",\"\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
+}  // namespace
+
+std::string candidates_csv(const Analysis &analysis)
+{
+  const auto cell = [](const double value, const char *form) {
+    return std::isfinite(value) ? fmt::format(fmt::runtime(form), value) : std::string();
+  };
+  std::string text = "channel,frequency [Hz],amplitude,unit,over the floor [dB],fate,reason\n";
+  for (const CandidateFate &one : analysis.candidates)
+    text += csv_cell(one.channel) + "," + cell(one.frequency, "{:.9g}") + "," + cell(one.amplitude, "{:.5g}") +
+            "," + csv_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + csv_cell(one.fate) + "," +
+            csv_cell(one.reason) + "\n";
+  return text;
 }
 
 std::map<std::string, Table> analysis_tables(const Analysis &analysis)

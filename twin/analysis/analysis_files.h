@@ -5,12 +5,15 @@
 #include <string>
 
 namespace mill::twin {
-/// analysis.json: the form of results.json with "findings", "cleaning", "notes", "record" and "conventions" beside
-/// the values.
+/// analysis.json: the values in the form of results.json, with "findings", "account", "cleaning", "notes",
+/// "record" and "conventions".
 /// @param stand     nullptr: no case was named
 /// @param settings  those of analyse()
 std::string analysis_json(const CleanRecord &record, const Analysis &analysis, const CaseModel *stand,
                           const AnalysisSettings &settings = {});
+
+/// candidates.csv: every peak above the threshold and every pole, with its one fate and the reason.
+std::string candidates_csv(const Analysis &analysis);
 
 /// Tables by name without ".csv": spectrum, waterfall, distance (with a speed), modes, poles,
 /// singular (behind the poles), h1 and modes_h1 (with a recorded force).

@@ -2,6 +2,8 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/base/valid_text.h"
+#include <algorithm>
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 namespace mill::twin {
@@ -16,7 +18,7 @@ Baseline read_baseline(const std::string &folder)
   const json document = json::parse(*text, nullptr, false);
   if (!document.is_object() || !document.contains("values") || !document.contains("findings") ||
       !document["values"].is_object())
-    throw InputError(Place{path, 1, 1}, "this is no analysis.json of this program; analyse the record again");
+    throw InputError(Place{path, 1, 1}, "this is not an analysis.json of this program; analyse the record again");
   Baseline baseline;
   baseline.folder          = valid_text(folder);
   const json record        = document.value("record", json::object());
@@ -37,5 +39,25 @@ Baseline read_baseline(const std::string &folder)
         baseline.score[{text_of(one, "channel"), text_of(one, "bearing"), text_of(one, "family")}] =
             one["score"].get<double>();
   return baseline;
+}
+
+Baseline read_baselines(const std::vector<std::string> &folders)
+{
+  Baseline all;
+  std::map<std::string, std::pair<double, int>> squares;
+  for (const std::string &folder : folders) {
+    const Baseline one = read_baseline(folder);
+    all.folder += (all.folder.empty() ? "" : ", ") + one.folder;
+    all.record += (all.record.empty() ? "" : ", ") + one.record;
+    for (const auto &[channel, velocity] : one.velocity_rms) {
+      squares[channel].first += velocity * velocity;
+      ++squares[channel].second;
+    }
+    for (const auto &[family, score] : one.score)
+      all.score[family] = std::max(all.score[family], score);
+  }
+  for (const auto &[channel, sum] : squares)
+    all.velocity_rms[channel] = std::sqrt(sum.first / sum.second);
+  return all;
 }
 }  // namespace mill::twin

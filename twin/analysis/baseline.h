@@ -2,17 +2,23 @@
 #include <map>
 #include <string>
 #include <tuple>
+#include <vector>
 
 namespace mill::twin {
-/// What an earlier analysis of the same mill found.
+/// What earlier analyses of the same mill found.
 struct Baseline {
-  std::string folder, record;                  ///< where it stands, of which record
+  std::string folder, record;                  ///< folder and record of each, separated by commas
   std::map<std::string, double> velocity_rms;  ///< channel -> m/s
   std::map<std::tuple<std::string, std::string, std::string>, double>
       score;  ///< channel, bearing, family -> score of its harmonics
 };
 
 /// Reads analysis.json of a folder.
-/// @throws InputError  no such file, or none of this program
+/// @throws InputError  there is no such file, or this program did not write it
 Baseline read_baseline(const std::string &folder);
+
+/// Several: root mean square of the velocities of each channel, and the highest score of each family, so that what
+/// exceeds it exceeds all of them.
+/// @param folders  one at least
+Baseline read_baselines(const std::vector<std::string> &folders);
 }  // namespace mill::twin

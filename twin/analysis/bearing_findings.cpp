@@ -48,18 +48,18 @@ bool sits_at(const std::string &channel, const std::string &roll)
   return channel.find(roll) != std::string::npos;
 }
 
-// An indication counts as a fault only when it grows against an earlier record of the same bearing.
-void hold_against(Finding &finding, const BearingScore &now, const std::optional<Baseline> &baseline)
+// An indication is a fault only when it grows compared with an earlier record of the same bearing.
+void compare_with_baseline(Finding &finding, const BearingScore &now, const std::optional<Baseline> &baseline)
 {
   if (!baseline) {
-    finding.evidence.push_back("an indication is a fault only when it grows against the same bearing's earlier "
+    finding.evidence.push_back("an indication is a fault only when it grows compared with earlier "
                                "records; no baseline is named");
     return;
   }
   const auto before = baseline->score.find({now.channel, now.bearing, now.family});
   if (before == baseline->score.end()) {
     finding.evidence.push_back("the baseline " + baseline->folder +
-                               " has no score of this bearing: whether it grows cannot be told");
+                               " has no score of this bearing: whether it grows is not known");
     return;
   }
   const bool grows = now.score > growth * before->second;
@@ -67,6 +67,43 @@ void hold_against(Finding &finding, const BearingScore &now, const std::optional
                                          before->second, grows ? "it grows" : "it does not grow, no fault"));
   if (grows)
     finding.kind = "bearing fault";
+}
+
+// A frequency of the fault has one explanation: what else was found there names the bearing, its own source
+// second.
+void give_to_bearing(Analysis &analysis, const std::string &channel, const std::string &fault,
+                     const double frequency, const double shaft, const double resolution)
+{
+  constexpr int most_harmonic = 12, of_side_bands = 6, most_side = 2;
+  const auto place_of = [&](const double f) -> std::string {
+    for (int h = 1; h <= most_harmonic; ++h)
+      for (int j = -most_side; j <= most_side; ++j)
+        if ((j == 0 || h <= of_side_bands) &&
+            std::abs(f - h * frequency - j * shaft) <= std::max(2 * resolution, 0.002 * f))
+          return fmt::format("{} x {}", h, fault) + (j == 0 ? "" : fmt::format(" {:+d} x {:.2f} Hz", j, shaft));
+    return "";
+  };
+  const auto is_warning = [](const Finding &finding) {
+    return finding.kind == "near instability" || finding.kind == "alarm";
+  };
+  auto &all = analysis.findings;
+  all.erase(std::remove_if(all.begin(), all.end(),
+                           [&](const Finding &finding) {
+                             return is_warning(finding) && finding.channel == channel &&
+                                    !place_of(finding.frequency).empty();
+                           }),
+            all.end());
+  for (Finding &finding : all) {
+    if (finding.channel != channel ||
+        (finding.kind != "mode" && finding.kind != "resonance" && finding.kind != "line"))
+      continue;
+    const std::string place = place_of(finding.frequency);
+    if (place.empty())
+      continue;
+    finding.evidence.push_back("second: " + finding.owner);
+    finding.owner = place;
+    finding.kind  = "fault line";
+  }
 }
 
 void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &channel,
@@ -79,7 +116,8 @@ void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &
   const double shaft = stretch.speed / (M_PI * bearing.roll_diameter);
   for (const FaultLines &lines : fault_lines(spectrum, bearing, shaft)) {
     analysis.bearings.push_back({channel.name, bearing.name, bearing.roll, lines.family, lines.frequency,
-                                 lines.slip, lines.score, stretch.speed});
+                                 lines.slip, lines.score, stretch.speed, spectrum.low, spectrum.high,
+                                 spectrum.kurtosis});
     if (!lines.indicated())
       continue;
     const double f = lines.frequency * (1 + lines.slip);
@@ -100,7 +138,9 @@ void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &
     finding.evidence.push_back(
         fmt::format("squared envelope of {:.0f} .. {:.0f} Hz, kurtosis {:.2f}, {:.0f} s at {:.4g} m/s",
                     spectrum.low, spectrum.high, spectrum.kurtosis, double(n) / record.rate, stretch.speed));
-    hold_against(finding, analysis.bearings.back(), baseline);
+    give_to_bearing(analysis, channel.name, fmt::format("{} of bearing {}", lines.family, bearing.name), f, shaft,
+                    channel_of_name(analysis, channel.name).spectrum.resolution());
+    compare_with_baseline(finding, analysis.bearings.back(), baseline);
     analysis.findings.push_back(std::move(finding));
   }
 }

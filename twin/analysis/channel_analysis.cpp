@@ -1,30 +1,19 @@
 #include "twin/analysis/channel_analysis.h"
+#include "twin/detection/spectral_peaks.h"
 #include <algorithm>
 #include <cmath>
 
 namespace mill::twin {
 namespace {
-constexpr double lowest            = 5;    // Hz, below it a record of minutes holds drifts
-constexpr double coarse            = 1.5;  // Hz, resolution at which resonances are looked for
+constexpr double lowest            = 5;     // Hz, below it a record of minutes holds drifts
+constexpr double fewest_periods    = 4;     // bins from the mean to the lowest peak
+constexpr double highest_part      = 0.49;  // of the rate
 constexpr Eigen::Index most_frames = 400;
+constexpr double least_of_offset   = 1e-9;  // -, rms over the offset that was taken off
 
-// Largest of a spectrum and its coarser one: lines by the fine one, resonances by the coarse one.
-std::vector<Peak> peaks_of(const WelchSpectrum &fine, const WelchSpectrum &rough, const double highest)
+double lowest_peak(const WelchSpectrum &s)
 {
-  std::vector<Peak> found;
-  for (const Peak &peak : peaks(fine, lowest, highest))
-    if (peak.line)
-      found.push_back(peak);
-  for (const WelchSpectrum *spectrum : {&rough, &fine})
-    for (const Peak &peak : peaks(*spectrum, lowest, highest)) {
-      const bool known = std::any_of(found.begin(), found.end(), [&](const Peak &other) {
-        return std::abs(other.frequency - peak.frequency) <=
-               std::max({peak.width, other.width, 2 * peak.resolution});
-      });
-      if (!known && !(peak.line && spectrum == &rough))
-        found.push_back(peak);
-    }
-  return found;
+  return std::max(lowest, fewest_periods * s.resolution());
 }
 
 // Root of the area under the density; NaN where the record ends below.
@@ -39,13 +28,6 @@ double rms_between(const WelchSpectrum &s, const double low, const double high)
   return std::sqrt(area);
 }
 
-Eigen::Index power_of_two_near(const double n)
-{
-  Eigen::Index L = 256;
-  while (double(L) * 1.41 < n)
-    L *= 2;
-  return L;
-}
 }  // namespace
 
 bool is_vibration(const Quantity quantity)
@@ -56,16 +38,21 @@ bool is_vibration(const Quantity quantity)
 ChannelAnalysis analyse_channel(const CleanChannel &channel, const double rate, const Eigen::VectorXd &speed,
                                 const std::vector<ChatterBand> &bands)
 {
-  ChannelAnalysis result{channel.name, channel.unit, channel.quantity, 0, 0, 0, 0, 0, {}, {}, {}, {}, {}};
-  double square = 0, n = 0;
+  ChannelAnalysis result{
+      channel.name, channel.unit, channel.quantity, 0, 0, 0, 0, 0, 0, 0, {}, {}, {}, {}, {}, {}};
+  double square = 0, sum = 0, n = 0;
   for (const Span &piece : channel.pieces) {
     const auto part = channel.value.segment(piece.begin, piece.size());
     square += part.squaredNorm();
+    sum += part.sum();
     n += double(piece.size());
     result.peak = std::max(result.peak, part.cwiseAbs().maxCoeff());
   }
-  result.rms   = n > 0 ? std::sqrt(square / n) : std::numeric_limits<double>::quiet_NaN();
-  result.crest = result.rms > 0 ? result.peak / result.rms : std::numeric_limits<double>::quiet_NaN();
+  result.rms      = n > 0 ? std::sqrt(square / n) : std::numeric_limits<double>::quiet_NaN();
+  result.crest    = result.rms > 0 ? result.peak / result.rms : std::numeric_limits<double>::quiet_NaN();
+  result.variance = n > 0 ? std::max(0.0, square / n - (sum / n) * (sum / n)) : 0;
+  if (!(result.rms > least_of_offset * std::abs(channel.offset)))
+    return result;  // a constant or an exact ramp: what is left of it is rounding
   Fourier fourier;
   result.spectrum = welch(channel.value, channel.pieces, rate, 0, fourier);
   if (result.spectrum.n == 0)
@@ -74,11 +61,11 @@ ChannelAnalysis analyse_channel(const CleanChannel &channel, const double rate, 
   result.velocity_rms = velocity_rms(result.spectrum, channel.quantity, 10, std::min(1000.0, rate / 2.56));
   for (const ChatterBand &band : bands)
     result.band_rms.push_back(rms_between(result.spectrum, band.low, band.high));
-  const WelchSpectrum rough = welch(channel.value, channel.pieces, rate,
-                                    std::min(result.spectrum.L, power_of_two_near(rate / coarse)), fourier);
-  result.peaks              = peaks_of(result.spectrum, rough, result.bandwidth);
-  const Eigen::Index L      = std::min(result.spectrum.L, frame_length(rate));
-  result.map                = waterfall(channel.value, channel.pieces, rate, speed, L, most_frames, fourier);
+  result.lowest = lowest_peak(result.spectrum);
+  result.detected =
+      spectral_peaks(channel.value, channel.pieces, result.spectrum, result.lowest, highest_part * rate);
+  const Eigen::Index L = std::min(result.spectrum.L, frame_length(rate));
+  result.map           = waterfall(channel.value, channel.pieces, rate, speed, L, most_frames, fourier);
   if (speed.size() > 0 && is_vibration(channel.quantity))
     if (const OverLength length = over_length(channel.value, channel.pieces, speed, rate); !length.pieces.empty())
       result.length = welch(length.value, length.pieces, length.rate, 0, fourier);

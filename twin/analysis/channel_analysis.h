@@ -8,6 +8,6 @@ namespace mill::twin {
 ChannelAnalysis analyse_channel(const CleanChannel &channel, double rate, const Eigen::VectorXd &speed,
                                 const std::vector<ChatterBand> &bands);
 
-/// Is it a vibration: an acceleration, a velocity, a voltage or something nobody knows the unit of?
+/// Whether it is a vibration: an acceleration, a velocity, a voltage, or a quantity whose unit is not known.
 bool is_vibration(Quantity quantity);
 }  // namespace mill::twin

@@ -30,6 +30,26 @@ double amplitude_of(const ChannelAnalysis &channel, const double frequency, cons
   return std::sqrt(2 * area);
 }
 
+// Whether the spectrum of a channel, its lines taken out, shows anything at a pole: a ghost of lines has nothing
+// there.
+bool is_in_a_spectrum(const Analysis &analysis, const double frequency, const double damping)
+{
+  constexpr double least_over_floor = 1.6;  // -, 2 dB
+  for (const std::string &name : analysis.mode_channels) {
+    const ChannelAnalysis &seen = channel_of_name(analysis, name);
+    const double df = seen.spectrum.resolution(), half = std::max(damping * frequency, 2 * df);
+    double sum = 0, floor = 0;
+    for (auto k = std::max<Eigen::Index>(1, Eigen::Index((frequency - half) / df));
+         k < seen.spectrum.density.size() && double(k) * df <= frequency + half; ++k) {
+      sum += seen.detected.without_lines[k];
+      floor += seen.detected.floor[k];
+    }
+    if (sum > least_over_floor * floor)
+      return true;
+  }
+  return false;
+}
+
 // Accelerations, or velocities where there are none; the highest frequency that all of them hold.
 std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const CleanRecord &record,
                                                      double &highest)
@@ -37,7 +57,7 @@ std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const C
   std::vector<const CleanChannel *> channels;
   for (const CleanChannel &channel : record.channels)
     if ((channel.quantity == Quantity::acceleration || channel.quantity == Quantity::velocity) &&
-        channel.n_used() > 0)
+        channel.n_used() > 0 && channel_of_name(analysis, channel.name).spectrum.n > 0)
       channels.push_back(&channel);
   if (channels.empty()) {
     analysis.notes.push_back("no channel is an acceleration or a velocity: modes were not looked for");
@@ -49,7 +69,7 @@ std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const C
   const auto others_begin = std::remove_if(channels.begin(), channels.end(), of_other);
   if (others_begin != channels.end())
     analysis.notes.push_back(
-        "accelerations and velocities stand side by side: shapes of modes take those of the first "
+        "the record holds accelerations and velocities: shapes of modes use those of the first "
         "unit alone");
   channels.erase(others_begin, channels.end());
   for (const CleanChannel *channel : channels) {
@@ -59,7 +79,7 @@ std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const C
   return channels;
 }
 
-// The recorded force: by its name, else the only one that is no load cell.
+// The recorded force: by its name, else the only one that is not a load cell.
 const CleanChannel *recorded_force(const Analysis &analysis, const CleanRecord &record)
 {
   const CleanChannel *only = nullptr;
@@ -86,13 +106,14 @@ void find_forced_modes(Analysis &analysis, const CleanRecord &record,
   if (analysis.forced.response.n == 0)
     analysis.notes.push_back("the force was recorded, but no piece of it is long enough for a response to it");
   else if (analysis.forced.best_coherence < 0.3)
-    analysis.notes.push_back(fmt::format("{} was recorded, but nothing follows it (coherence {:.2f} in the best "
-                                         "third octave): modes are those of the "
-                                         "response alone; see whether both come from one clock (--align)",
-                                         force->name, analysis.forced.best_coherence));
+    analysis.notes.push_back(
+        fmt::format("{} was recorded, but no channel follows it (coherence {:.2f} in the best "
+                    "third octave): modes are those of the "
+                    "response alone; see whether both come from one clock (--align)",
+                    force->name, analysis.forced.best_coherence));
 }
 
-// Two clocks, told and taken out where that was asked.
+// The delay of two clocks: stated, and taken out where that was asked.
 void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChannel &of_modes,
                 const AnalysisSettings &settings)
 {
@@ -102,8 +123,8 @@ void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChanne
   if (!delay.told || !matters) {
     if (settings.align)
       analysis.notes.push_back(delay.told ? "--align: no delay between force and vibrations is seen"
-                                          : "--align: the record does not tell the delay between force and "
-                                            "vibrations; two modes at least have to follow the force");
+                                          : "--align: the record does not determine the delay between force and "
+                                            "vibrations; at least two modes must follow the force");
     return;
   }
   if (settings.align)
@@ -117,8 +138,15 @@ void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChanne
 Finding finding_of(const Analysis &analysis, const double frequency, const double sd, const double damping,
                    const Eigen::VectorXcd &shape)
 {
-  Finding finding{"mode", loudest(analysis, shape), frequency, frequency - 1.96 * sd, frequency + 1.96 * sd, 0,
-                  "",     "no case was named",      {}};
+  Finding finding{"mode",
+                  loudest(analysis, shape),
+                  frequency,
+                  frequency - 1.96 * sd,
+                  frequency + 1.96 * sd,
+                  0,
+                  "",
+                  "source not identified: no case was named",
+                  {}};
   const ChannelAnalysis &channel = channel_of_name(analysis, finding.channel);
   finding.unit                   = channel.unit;
   finding.amplitude              = amplitude_of(channel, frequency, damping);
@@ -146,10 +174,11 @@ void add_forced(Analysis &analysis, const CaseModel *stand)
                                            100 * (mode.damping + 1.96 * mode.sd_damping)));
     for (const IdentifiedMode &alone : analysis.modes.modes)
       if (is_same(mode, alone))
-        finding.evidence.push_back(
-            fmt::format("the response alone says {:.2f} Hz (law {:.2g}) and {:.2f} % (law {:.2g} %){}",
-                        alone.frequency, alone.law_frequency, 100 * alone.damping, 100 * alone.law_damping,
-                        alone.confirmed ? "" : ", not confirmed by both halves"));
+        finding.evidence.push_back(fmt::format("the response alone gives {:.2f} Hz (standard error at least "
+                                               "{:.2g}) and {:.2f} % (at least {:.2g} %){}",
+                                               alone.frequency, alone.law_frequency, 100 * alone.damping,
+                                               100 * alone.law_damping,
+                                               alone.confirmed ? "" : ", not confirmed by both halves"));
     if (stand)
       finding.owner =
           owner_among_modes(
@@ -159,7 +188,7 @@ void add_forced(Analysis &analysis, const CaseModel *stand)
   }
 }
 
-void say_what_the_force_says(Finding &finding, const Analysis &analysis)
+void add_coherence(Finding &finding, const Analysis &analysis)
 {
   const ForceResponse &response = analysis.forced.response;
   if (response.n == 0)
@@ -177,6 +206,7 @@ void add_of_response_alone(Analysis &analysis, const CaseModel *stand)
     const auto &forced = analysis.forced.modes;
     const bool edge    = is_edge(analysis.force_edges, mode.frequency, mode.damping);
     if ((!mode.confirmed && !edge) || mode.damping < least_damping ||
+        (!edge && !is_in_a_spectrum(analysis, mode.frequency, mode.damping)) ||
         std::any_of(forced.begin(), forced.end(),
                     [&](const ForcedMode &other) { return other.confirmed && is_same(other, mode); }))
       continue;
@@ -184,15 +214,15 @@ void add_of_response_alone(Analysis &analysis, const CaseModel *stand)
     Finding finding = finding_of(analysis, mode.frequency, sd, mode.damping, mode.shape);
     finding.evidence.push_back(fmt::format("{} of the record show it, {} of 15 model orders",
                                            mode.confirmed ? "both halves" : "not both halves", mode.orders));
-    finding.evidence.push_back(fmt::format(
-        "damping {:.2f} % of critical, standard deviation {:.2f} % by the law, about twice that in fact",
-        100 * mode.damping, 100 * mode.law_damping));
+    finding.evidence.push_back(
+        fmt::format("damping {:.2f} % of critical, standard error at least {:.2f} %, about twice that in practice",
+                    100 * mode.damping, 100 * mode.law_damping));
     if (edge) {
       finding.kind  = "edge";
       finding.owner = "edge of the force band";
       finding.evidence.push_back("the density of the force changes by 10 dB within 5 % there");
     } else {
-      say_what_the_force_says(finding, analysis);
+      add_coherence(finding, analysis);
       if (stand)
         finding.owner =
             owner_among_modes({mode.frequency, sd / mode.frequency, mode.shape, analysis.mode_channels}, *stand)
@@ -216,8 +246,17 @@ double speed_span(const Analysis &analysis)
   return std::isnan(analysis.lowest_speed) ? 0 : analysis.highest_speed / analysis.lowest_speed - 1;
 }
 
-void add_mode_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand,
-                       const AnalysisSettings &settings)
+const CleanChannel *line_free_channel(const CleanRecord &record, const std::vector<CleanChannel> &line_free,
+                                      const std::string &name)
+{
+  for (const CleanChannel &channel : line_free)
+    if (channel.name == name)
+      return &channel;
+  return record.find(name);
+}
+
+void add_mode_findings(Analysis &analysis, const CleanRecord &record, const std::vector<CleanChannel> &line_free,
+                       const CaseModel *stand, const AnalysisSettings &settings)
 {
   double highest      = 1000;
   const auto channels = channels_for_modes(analysis, record, highest);
@@ -230,7 +269,10 @@ void add_mode_findings(Analysis &analysis, const CleanRecord &record, const Case
     return;
   }
   analysis.force_edges = force_edges(analysis);
-  analysis.modes       = find_modes(channels, record.rate, highest, settings.threads);
+  std::vector<const CleanChannel *> without;
+  for (const CleanChannel *channel : channels)
+    without.push_back(line_free_channel(record, line_free, channel->name));
+  analysis.modes = find_modes(without, record.rate, highest, settings.threads);
   find_forced_modes(analysis, record, channels, highest, settings);
   if (analysis.forced.response.n > 0)
     find_delay(analysis, record, *channels.front(), settings);

@@ -1,10 +1,12 @@
 #pragma once
 #include "twin/analysis/analysis.h"
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mill::twin {
-/// A frequency with its standard deviation, and its shape where three sensors and more saw it.
+/// A frequency with its standard deviation, and its shape where three sensors and more saw it.  With one channel
+/// that is a place of the case, only modes that move this place are candidates.
 struct Seen {
   double frequency;        ///< Hz
   double deviation;        ///< -, relative standard deviation
@@ -22,9 +24,10 @@ Owner owner_among_modes(const Seen &seen, const CaseModel &stand);
 
 /// A peak as its owner is looked for among what turns.
 struct TurningPeak {
-  double frequency;  ///< Hz
-  double reach;      ///< Hz, how far it may be off
-  bool line;         ///< narrow: mains, bearings and images of lines are no resonances
+  double frequency;        ///< Hz
+  double reach;            ///< Hz, how far it may be off
+  bool line;               ///< narrow: only lines are mains, faults of bearings and images
+  double image_reach = 0;  ///< Hz, how far an image may be off; 0: half of `reach`
 };
 
 /// "mains, 3 x 50 Hz", "3 turns of the work_roll", "2 x BPFO of bearing trb", "image of 3 x 746.3 Hz"; several:
@@ -33,6 +36,8 @@ struct TurningPeak {
 /// @param speed    m/s; NaN: not one speed
 /// @param lines    Hz, of the other lines of the record
 /// @param rate     Hz, samples of the record
+/// @param mains    Hz, of the plant; empty: 50 and 60 Hz are tried
+/// An image is named only where the chance that a harmonic of one of the lines falls there is below 1 %, (41.30).
 std::string turning_owner(const TurningPeak &peak, const CaseModel *stand, double speed,
-                          const std::vector<double> &lines, double rate);
+                          const std::vector<double> &lines, double rate, std::optional<double> mains = {});
 }  // namespace mill::twin

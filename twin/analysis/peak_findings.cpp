@@ -1,5 +1,6 @@
 #include "twin/analysis/channel_analysis.h"
 #include "twin/analysis/findings.h"
+#include "twin/analysis/merged_peaks.h"
 #include "twin/analysis/owner.h"
 #include <algorithm>
 #include <cmath>
@@ -7,118 +8,126 @@
 
 namespace mill::twin {
 namespace {
-struct Loudest {
-  Peak peak;
-  const ChannelAnalysis *channel;
-};
-
-// Peaks of all vibrations, one for each frequency: where it stands out most.
-std::vector<Loudest> merged_peaks(const Analysis &analysis)
+// The modes of both kinds that were confirmed.
+template <class Test> bool any_confirmed(const Analysis &analysis, const Test &is_it)
 {
-  std::vector<Loudest> all;
-  for (const ChannelAnalysis &channel : analysis.channels)
-    if (is_vibration(channel.quantity))
-      for (const Peak &peak : channel.peaks)
-        all.push_back({peak, &channel});
-  std::sort(all.begin(), all.end(),
-            [](const auto &a, const auto &b) { return a.peak.prominence > b.peak.prominence; });
-  std::vector<Loudest> kept;
-  for (const Loudest &one : all)
-    if (std::none_of(kept.begin(), kept.end(), [&](const Loudest &other) {
-          return std::abs(other.peak.frequency - one.peak.frequency) <=
-                 std::max({one.peak.width, other.peak.width, 2 * one.peak.resolution, 2 * other.peak.resolution});
-        }))
-      kept.push_back(one);
-  return kept;
+  const auto confirmed_and = [&](const auto &mode) { return mode.confirmed && is_it(mode); };
+  const auto &forced       = analysis.forced.modes;
+  const auto &alone        = analysis.modes.modes;
+  return std::any_of(forced.begin(), forced.end(), confirmed_and) ||
+         std::any_of(alone.begin(), alone.end(), confirmed_and);
 }
 
-// A line where bins are too wide to tell it from a confirmed mode.
+// The finding that explains a resonance: a confirmed mode, or an edge of the force band.
+const Finding *known_as(const Analysis &analysis, const Peak &peak)
+{
+  for (const Finding &finding : analysis.findings)
+    if ((finding.kind == "mode" || finding.kind == "edge") &&
+        std::abs(finding.frequency - peak.frequency) <=
+            std::max({peak.width, 0.01 * peak.frequency, finding.high - finding.low, 2 * peak.resolution}))
+      return &finding;
+  return nullptr;
+}
+// A line that is locked to the speed is smeared over its interval while the speed changes.
+const Finding *smeared_line(const Analysis &analysis, const Peak &peak)
+{
+  constexpr double wider = 1.2;  // -, than the interval
+  if (speed_span(analysis) < 0.02)
+    return nullptr;
+  for (const Finding &finding : analysis.findings)
+    if (finding.kind == "locked to the speed" && peak.frequency >= finding.low && peak.frequency <= finding.high &&
+        peak.width <= wider * (finding.high - finding.low))
+      return &finding;
+  return nullptr;
+}
+}  // namespace
+
 bool is_unresolved_mode(const Analysis &analysis, const Peak &peak)
 {
-  const auto is_it = [&](const auto &mode) {
-    return mode.confirmed && std::abs(mode.frequency - peak.frequency) <= peak.width &&
-           2 * mode.damping * mode.frequency < 3 * peak.resolution;
-  };
-  const auto &forced = analysis.forced.modes;
-  const auto &alone  = analysis.modes.modes;
-  return std::any_of(forced.begin(), forced.end(), is_it) || std::any_of(alone.begin(), alone.end(), is_it);
-}
-
-// A confirmed mode, or the edge of the force band, explains it.
-bool is_known(const Analysis &analysis, const Peak &peak)
-{
-  if (peak.line && is_unresolved_mode(analysis, peak))
-    return true;
-  return std::any_of(analysis.findings.begin(), analysis.findings.end(), [&](const Finding &finding) {
-    return !peak.line && std::abs(finding.frequency - peak.frequency) <=
-                             std::max({peak.width, 0.01 * peak.frequency, finding.high - finding.low});
+  constexpr double certain = 0.9, calm = 0.15,
+                   fades = 6;  // -, -, decays of the mode in the segments of the spectrum
+  return any_confirmed(analysis, [&](const auto &mode) {
+    const double wide = 2 * mode.damping * mode.frequency;
+    const bool faded  = M_PI * wide * 4.5 / peak.resolution > fades;
+    return std::abs(mode.frequency - peak.frequency) <= peak.width && wide < 3 * peak.resolution &&
+           !(faded && peak.coherence > certain && peak.swing < calm);
   });
 }
 
-void say_spacing(Finding &finding, const CaseModel *stand, const double speed)
+std::string spacing_sentence(const double frequency, const double speed, const CaseModel *stand)
 {
-  if (!(speed > 0))
-    return;
-  const MarkSpacing marks =
-      mark_spacing(finding.frequency, speed, stand ? stand->rolls : std::vector<TurningRoll>{});
+  const MarkSpacing marks = mark_spacing(frequency, speed, stand ? stand->rolls : std::vector<TurningRoll>{});
   std::string text = fmt::format("at {:.4g} m/s marks would be {:.4g} mm apart", speed, 1e3 * marks.spacing);
   for (const auto &waves : marks.rolls)
     text += fmt::format("; {:.2f} waves per turn of the {}, whole at {:.4g} and {:.4g} Hz", waves.waves,
                         waves.roll, waves.below, waves.above);
-  finding.evidence.push_back(text);
+  return text;
+}
+
+namespace {
+void add_resonance(Analysis &analysis, const MergedPeak &one, const CaseModel *stand, const double speed)
+{
+  const Peak &peak             = one.peak;
+  const ChannelAnalysis &where = analysis.channels[one.channel];
+  const double span            = speed_span(analysis);
+  const double sd              = peak.deviation;
+  Finding finding{"resonance",
+                  where.name,
+                  peak.frequency,
+                  peak.frequency - 1.96 * sd,
+                  peak.frequency + 1.96 * sd,
+                  peak.amplitude,
+                  where.unit,
+                  "",
+                  {},
+                  {}};
+  finding.evidence.push_back(
+      fmt::format("{:.0f} dB over the noise floor, {:.3g} Hz wide ({:.2g} % of critical if it is one "
+                  "mode), bins of {:.3g} Hz",
+                  peak.prominence, peak.width, 50 * peak.width / peak.frequency, peak.resolution));
+  if (where.map.speed.size() > 0) {
+    const auto exponent = speed_exponent(where.map, peak.frequency, where.map.speed.mean());
+    const Follows how =
+        follows_speed(exponent, span, std::max(peak.width, where.map.rate / double(where.map.L)) / peak.frequency);
+    if (how == Follows::locked) {
+      give_fate(analysis, one, "locked to the speed", "it is a line over the rolled length");
+      return;
+    }
+    finding.evidence.push_back(
+        how == Follows::cannot_tell
+            ? std::string("fixed or locked to the speed: not distinguishable, the speed changes too little")
+            : fmt::format("{}: exponent of the speed {:.2f}", name_of(how), exponent.q));
+  }
+  if (stand && speed > 0)
+    finding.owner = turning_owner({peak.frequency, 2 * peak.resolution, false, 4 * sd}, stand, speed, {}, 0, {});
+  if (finding.owner.empty() && is_edge(analysis.force_edges, peak.frequency)) {
+    finding.kind  = "edge";
+    finding.owner = "edge of the force band";
+  }
+  if (finding.owner.empty() && stand)
+    finding.owner = owner_among_modes({peak.frequency, sd / peak.frequency, {}, {where.name}}, *stand).sentence;
+  if (finding.owner.empty())
+    finding.owner = "source not identified";
+  if (span < 0.02 && speed > 0)
+    finding.evidence.push_back(spacing_sentence(peak.frequency, speed, stand));
+  give_fate(analysis, one, finding.kind, finding.evidence.front());
+  analysis.findings.push_back(std::move(finding));
 }
 }  // namespace
 
-void add_peak_findings(Analysis &analysis, const CleanRecord &record, const CaseModel *stand, const double speed)
+void add_resonance_findings(Analysis &analysis, const CaseModel *stand, const double speed)
 {
-  const double span = speed_span(analysis);
-  const auto all    = merged_peaks(analysis);
-  std::vector<double> lines;
-  for (const auto &one : all)
+  for (const MergedPeak &one : merged_peaks(analysis)) {
     if (one.peak.line)
-      lines.push_back(one.peak.frequency);
-  for (const auto &[peak, channel] : all) {
-    if (is_known(analysis, peak))
       continue;
-    const double sd = peak.line ? 0.1 * peak.resolution : 0.25 * peak.width;
-    Finding finding{peak.line ? "line" : "resonance",
-                    channel->name,
-                    peak.frequency,
-                    peak.frequency - 1.96 * sd,
-                    peak.frequency + 1.96 * sd,
-                    peak.amplitude,
-                    channel->unit,
-                    "",
-                    {}};
-    finding.evidence.push_back(
-        fmt::format("{:.0f} dB over the median of its 120 neighbours, {:.3g} Hz wide at bins of "
-                    "{:.3g} Hz",
-                    peak.prominence, peak.width, peak.resolution));
-    if (channel->map.speed.size() > 0) {
-      const double v      = channel->map.speed.mean();
-      const auto exponent = speed_exponent(channel->map, peak.frequency, v);
-      const Follows how   = follows_speed(
-            exponent, span, std::max(peak.width, channel->map.rate / double(channel->map.L)) / peak.frequency);
-      if (how == Follows::locked)
-        continue;  // stands in the spectrum over the rolled length
-      finding.evidence.push_back(
-          how == Follows::cannot_tell
-              ? std::string("fixed or locked to the speed: cannot tell, the speeds span too little")
-              : fmt::format("{}: exponent of the speed {:.2f}", name_of(how), exponent.q));
-    }
-    finding.owner =
-        turning_owner({peak.frequency, 2 * peak.resolution, peak.line}, stand, speed, lines, record.rate);
-    if (finding.owner.empty() && !peak.line && is_edge(analysis.force_edges, peak.frequency)) {
-      finding.kind  = "edge";
-      finding.owner = "edge of the force band";
-    }
-    if (finding.owner.empty() && stand)
-      finding.owner = owner_among_modes({peak.frequency, sd / peak.frequency, {}, {}}, *stand).sentence;
-    if (finding.owner.empty())
-      finding.owner = "no case was named";
-    if (span < 0.02)
-      say_spacing(finding, stand, speed);
-    analysis.findings.push_back(std::move(finding));
+    if (const Finding *known = known_as(analysis, one.peak))
+      give_fate(analysis, one, known->kind, fmt::format("{} at {:.2f} Hz", known->kind, known->frequency));
+    else if (const Finding *locked = smeared_line(analysis, one.peak))
+      give_fate(
+          analysis, one, "locked to the speed",
+          fmt::format("smeared between {:.4g} and {:.4g} Hz while the speed changes", locked->low, locked->high));
+    else
+      add_resonance(analysis, one, stand, speed);
   }
 }
 

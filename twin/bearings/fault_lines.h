@@ -29,7 +29,7 @@ struct EnvelopeSpectrum {
 EnvelopeSpectrum envelope_spectrum(const Eigen::Ref<const Eigen::VectorXd> &value, double rate, double low,
                                    double high, Fourier &fourier);
 
-/// What stands at the harmonics of one kind of fault.
+/// Levels at the harmonics of one kind of fault.
 struct FaultLines {
   std::string family;             ///< "BPFO", "BPFI", "2 BSF", "FTF"
   double frequency = 0;           ///< Hz, by the geometry
@@ -46,7 +46,7 @@ struct FaultLines {
   }
 };
 
-/// The four families one after the other, best first: what one explains, side bands included, is no evidence for
+/// The four families one after the other, best first: what one explains, side bands included, is not evidence for
 /// the next.  theory.md (41.17)
 /// @param shaft  Hz, turns of the roll
 std::vector<FaultLines> fault_lines(const EnvelopeSpectrum &spectrum, const TurningBearing &bearing, double shaft);

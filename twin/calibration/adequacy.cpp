@@ -54,7 +54,7 @@ Eigen::Index segment_for(const Eigen::Index samples, const Eigen::Index longest_
 std::vector<BandResidual> band_residuals(const MeasuredResponse &data,
                                          const std::vector<Eigen::MatrixXcd> &residual,
                                          const std::vector<ForcedSamples> &pieces, const double rate,
-                                         const double low, const double high)
+                                         const double low, const double high, const double model_error)
 {
   const CrossSpectra spectra = cross_spectra(pieces, rate, segment_of(pieces));
   std::vector<BandResidual> bands;
@@ -77,14 +77,14 @@ std::vector<BandResidual> band_residuals(const MeasuredResponse &data,
           left += std::norm(residual[p](b, j)) / band.duration;
         }
       }
-      if (r.bins < 16)  // of fewer nothing can be said
+      if (r.bins < 16)  // fewer bins allow no statement
         continue;
-      r.energy = energy / std::max(all[j], 1e-300);
-      r.left   = left / std::max(energy, 1e-300);
-      r.floor  = incoherent_share(spectra, j, from, to);
-      r.ratio  = r.left / std::max(r.floor, 1e-300);
-      r.limit  = 1.05 + 4 / std::sqrt(double(r.bins));
-      r.counts = r.floor < 0.9;
+      r.energy   = energy / std::max(all[j], 1e-300);
+      r.left     = left / std::max(energy, 1e-300);
+      r.floor    = incoherent_share(spectra, j, from, to);
+      r.ratio    = r.left / std::max(r.floor + model_error * model_error, 1e-300);
+      r.limit    = 1.05 + 4 / std::sqrt(double(r.bins));
+      r.decisive = r.floor < 0.9 && r.energy >= least_energy;
       bands.push_back(r);
     }
   }

@@ -99,7 +99,7 @@ std::vector<Eigen::Index> minima_of(const Eigen::VectorXd &deviance)
       }
       return true;  // an end of the scan: nothing lower on this side
     };
-    // a fall that goes on beyond the end of the scan is no minimum
+    // a fall that continues beyond the end of the scan is not a minimum
     const bool inside = i > 0 && i + 1 < deviance.size();
     if (inside && rises(-1) && rises(1))
       minima.push_back(i);
@@ -143,7 +143,7 @@ Scanned scan_once(const Scan &scan, const std::vector<Eigen::Index> &springs, co
   return result;
 }
 
-/// Lowest first, each once; the best itself is none of them.
+/// Lowest first, each once, without the best minimum.
 std::vector<Basin> basins_of(const Fit &best, std::vector<Candidate> candidates, const Fit &first)
 {
   std::vector<Basin> basins;

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// Minima beside the first one, and intervals where the valley is curved.  theory.md 44
+// Other minima than the first one, and intervals where the cost is not a parabola.  theory.md 44
 namespace mill::twin {
 /// Twice the rise of the cost over its minimum along one unknown, all others fitted again.
 struct Profile {
@@ -24,7 +24,7 @@ struct Basin {
 struct ScannedFit {
   Fit best;                           ///< the lowest minimum of all
   std::vector<Profile> profiles;      ///< of springs whose sd is more than 0.01 of the prior's
-  std::vector<Basin> basins;          ///< minima with a deviance below 100 besides the lowest; lowest first
+  std::vector<Basin> basins;          ///< other minima with a deviance below 100, lowest first
   Eigen::MatrixXd interval;           ///< (p, 2) theta, 95 %: deviance 3.84 of scanned springs, else 1.96 sd
   std::vector<Eigen::VectorXd> ends;  ///< (p) all unknowns at the ends of the intervals that profiles gave
   int starts_over = 0;                ///< how often a scan found a lower minimum and all began again

@@ -10,7 +10,7 @@
 
 namespace mill::twin {
 namespace {
-constexpr double told_shrink = 0.5;
+constexpr double identified_shrink = 0.5;
 }  // namespace
 
 MeasuredResponse measured_response(const CalibrationInput &in, const std::vector<ForcedSamples> &pieces)
@@ -85,16 +85,18 @@ std::vector<Calibrated> judged(const ScannedFit &scan, const Eigen::VectorXd &sd
                  scan.interval(j, 0),
                  scan.interval(j, 1),
                  shrink,
-                 shrink <= told_shrink,
+                 shrink <= identified_shrink,
                  fit.estimate[j],
-                 ""};
-    if (!c.told)
-      c.why_not = fmt::format("not told by these data: {:.0f} % of the prior's deviation is left", 100 * c.shrink);
+                 "",
+                 0};
+    if (!c.identified)
+      c.why_not =
+          fmt::format("not identified by these data: {:.0f} % of the prior's deviation is left", 100 * c.shrink);
     for (const Basin &basin : scan.basins)
       if (basin.name == c.name && basin.deviance < other_basin) {
-        c.told    = false;
-        c.why_not = fmt::format("not told by these data: a second minimum at {:+.1f} %, deviance {:.1f}",
-                                100 * std::expm1(basin.theta), basin.deviance);
+        c.identified = false;
+        c.why_not    = fmt::format("not identified by these data: a second minimum at {:+.1f} %, deviance {:.1f}",
+                                   100 * std::expm1(basin.theta), basin.deviance);
       }
     all.push_back(std::move(c));
   }
@@ -103,28 +105,32 @@ std::vector<Calibrated> judged(const ScannedFit &scan, const Eigen::VectorXd &sd
 
 Eigen::VectorXd keep_priors(const ProblemOf &problem_of, const Fit &joint, const int threads, Calibration &result)
 {
-  std::vector<Unknown> held = joint.unknowns;
-  Eigen::VectorXd theta     = joint.estimate;
-  bool any                  = false;
+  std::vector<Unknown> at_prior = joint.unknowns;
+  Eigen::VectorXd theta         = joint.estimate;
+  bool any                      = false;
   for (std::size_t i = 0; i < result.unknowns.size(); ++i)
-    if (!result.unknowns[i].told) {
-      held[i].prior_sd       = 1e-6;  // a prior that no record moves
-      theta[Eigen::Index(i)] = held[i].prior;
+    if (!result.unknowns[i].identified) {
+      at_prior[i].prior_sd   = 1e-6;  // a prior that no record moves
+      theta[Eigen::Index(i)] = at_prior[i].prior;
       any                    = true;
     }
   if (!any)
     return joint.estimate;
-  const Fit kept = minimised(problem_of(held), theta, joint.noise, {3, 60, 1e-4, threads});
+  const Fit kept = minimised(problem_of(at_prior), theta, joint.noise, {3, 60, 1e-4, threads});
   const double cost =
       problem_of(joint.unknowns).likelihood(kept.estimate, joint.noise, Wanted::cost, threads).cost;
-  result.kept_deviance = 2 * (cost - joint.cost);
-  for (std::size_t i = 0; i < result.unknowns.size(); ++i)
-    result.unknowns[i].kept = result.unknowns[i].told ? kept.estimate[Eigen::Index(i)] : held[i].prior;
+  result.kept_deviance     = 2 * (cost - joint.cost);
+  const Eigen::VectorXd sd = kept.sd();
+  for (std::size_t i = 0; i < result.unknowns.size(); ++i) {
+    Calibrated &u = result.unknowns[i];
+    u.kept        = u.identified ? kept.estimate[Eigen::Index(i)] : at_prior[i].prior;
+    u.kept_sd     = u.identified ? sd[Eigen::Index(i)] : 0;
+  }
   return kept.estimate;
 }
 
 namespace {
-/// The case, with the clocks as they were found: they are no matter of the stand.
+/// The case with the delay of the clocks that was found, which is not a property of the stand.
 Eigen::VectorXd case_of(const CalibrationInput &in, const Eigen::VectorXd &theta)
 {
   Eigen::VectorXd before = Eigen::VectorXd::Zero(theta.size());
@@ -133,23 +139,77 @@ Eigen::VectorXd case_of(const CalibrationInput &in, const Eigen::VectorXd &theta
   return before;
 }
 
-Held held_against(const CalibrationInput &in, const Eigen::VectorXd &theta, const MeasuredResponse &data,
-                  const std::vector<ForcedSamples> &pieces, const MeasuredResponse &fit_data,
-                  const NoiseDensity &noise)
+std::vector<BandResidual> bands_at(const CalibrationInput &in, const std::vector<Unknown> &unknowns,
+                                   const Eigen::VectorXd &theta, const MeasuredResponse &data,
+                                   const std::vector<ForcedSamples> &pieces)
 {
-  Held held;
-  held.before    = misfit_on(in.stand, in.unknowns, case_of(in, theta), data, fit_data, noise);
-  held.after     = misfit_on(in.stand, in.unknowns, theta, data, fit_data, noise);
-  const auto own = noise_of(residuals(in.stand, in.unknowns, theta, data, noise_before(data)));
-  held.bands =
-      band_residuals(data, residuals(in.stand, in.unknowns, theta, data, own), pieces, in.rate, in.low, in.high);
-  for (const BandResidual &band : held.bands)
-    if (band.counts)
-      held.worst = std::max(held.worst, band.ratio / band.limit);
-  return held;
+  const auto noise = noise_of(residuals(in.stand, unknowns, theta, data, noise_before(data)));
+  return band_residuals(data, residuals(in.stand, unknowns, theta, data, noise), pieces, in.rate, in.low, in.high,
+                        in.model_error);
 }
 
-/// |H1| of the check records beside the case and the calibrated case.
+/// A record and its pieces in samples.
+struct RecordParts {
+  const MeasuredResponse &data;
+  const std::vector<ForcedSamples> &pieces;
+};
+
+RecordFit record_fit(const CalibrationInput &in, const Eigen::VectorXd &theta, const RecordParts &record,
+                     const MeasuredResponse &fit_data, const NoiseDensity &noise)
+{
+  RecordFit fit;
+  fit.before = misfit_on(in.stand, in.unknowns, case_of(in, theta), record.data, fit_data, noise);
+  fit.after  = misfit_on(in.stand, in.unknowns, theta, record.data, fit_data, noise);
+  fit.bands  = bands_at(in, in.unknowns, theta, record.data, record.pieces);
+  for (const BandResidual &band : fit.bands)
+    if (band.decisive)
+      fit.worst = std::max(fit.worst, band.ratio / band.limit);
+  return fit;
+}
+
+/// Where bands fail with one damping ratio for all modes: the unknowns with one for each mode, if with them no
+/// band fails and no unknown is far from its prior; else empty.
+std::vector<std::string> ratios_that_suffice(const CalibrationInput &in, const Fit &joint, const RecordParts &fit,
+                                             const RecordParts &check)
+{
+  const Eigen::Index common = index_of(in.unknowns, "zeta");
+  const bool some_free = std::any_of(in.unknowns.begin(), in.unknowns.end(), [](const Unknown &u) {
+    return u.name.size() > 4 && u.name.compare(0, 4, "zeta") == 0;
+  });
+  if (common < 0 || some_free)
+    return {};
+  std::vector<Unknown> unknowns;
+  std::vector<double> start;
+  for (std::size_t i = 0; i < in.unknowns.size(); ++i)
+    if (Eigen::Index(i) != common) {
+      unknowns.push_back(in.unknowns[i]);
+      start.push_back(joint.estimate[Eigen::Index(i)]);
+    }
+  const StandAt at = stand_at(in.stand, in.unknowns, joint.estimate);
+  for (Eigen::Index k = 0; k < at.frequency.size() && at.frequency[k] < 2 * M_PI * in.high; ++k) {
+    const Unknown &zeta = in.unknowns[std::size_t(common)];
+    unknowns.push_back({fmt::format("zeta{}", k + 1), zeta.prior_sd, zeta.prior});
+    start.push_back(joint.estimate[common]);
+  }
+  const Fit found =
+      fitted(in.stand, unknowns, Eigen::Map<Eigen::VectorXd>(start.data(), Eigen::Index(start.size())), fit.data,
+             {1, 60, 1e-4, in.threads});
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < unknowns.size(); ++i) {
+    const bool far =
+        std::abs(found.estimate[Eigen::Index(i)] - unknowns[i].prior) > far_from_prior * unknowns[i].prior_sd;
+    if (far && unknowns[i].name.compare(0, 4, "zeta") != 0 && unknowns[i].name != "delay")
+      return {};
+    if (unknowns[i].name != "delay")
+      names.push_back(unknowns[i].name);
+  }
+  for (const RecordParts *record : {&fit, &check})
+    if (wrong_bands(bands_at(in, unknowns, found.estimate, record->data, record->pieces)).worst)
+      return {};
+  return names;
+}
+
+/// |H1| of the check records, of the case and of the calibrated case.
 Table response_table(const CalibrationInput &in, const Eigen::VectorXd &theta)
 {
   Eigen::Index longest = 0;
@@ -207,8 +267,8 @@ Calibration calibrate(const CalibrationInput &in, const Progress &progress)
   const Fit first = fitted(in.stand, in.unknowns, start, data, settings);
   result.scan     = scanned(in.stand, first, data, settings, [&](const double f) { progress.at("basins", f); });
   result.unknowns = judged(result.scan, result.scan.best.sd());
-  result.told     = told(result.scan.best.information, in.unknowns);
-  result.unseen   = unseen_directions(result.told, in.stand);
+  result.identification       = identification(result.scan.best.information, in.unknowns);
+  result.unseen               = unseen_directions(result.identification, in.stand);
   const Eigen::VectorXd scale = result.scan.best.sd().cwiseInverse();
   result.correlation          = scale.asDiagonal() * result.scan.best.covariance * scale.asDiagonal();
   keep_priors([&](const std::vector<Unknown> &unknowns) { return recorded_force(in.stand, unknowns, data); },
@@ -219,19 +279,22 @@ Calibration calibrate(const CalibrationInput &in, const Progress &progress)
   for (std::size_t i = 0; i < result.unknowns.size(); ++i)
     theta[Eigen::Index(i)] = result.unknowns[i].kept;
   const NoiseDensity &noise = result.scan.best.noise;
-  result.fit                = held_against(in, theta, data, in.fit, data, noise);
-  result.check              = held_against(in, theta, check, in.check, data, noise);
-  result.fit_seconds        = seconds_of(data);
-  result.check_seconds      = seconds_of(check);
-  result.response           = response_table(in, theta);
+  const RecordParts fit_parts{data, in.fit}, check_parts{check, in.check};
+  result.fit           = record_fit(in, theta, fit_parts, data, noise);
+  result.check         = record_fit(in, theta, check_parts, data, noise);
+  result.fit_seconds   = seconds_of(data);
+  result.check_seconds = seconds_of(check);
+  result.response      = response_table(in, theta);
   if (index_of(in.unknowns, "delay") < 0)
     result.delay = clock_delay(in.stand, result.scan.best, data, in.fit, in.rate, in.low, in.high, settings);
   const Eigen::VectorXd as_it_is = case_of(in, result.scan.best.estimate);
   result.case_deviance =
       2 * (likelihood(in.stand, in.unknowns, as_it_is, data, noise, Wanted::cost, in.threads).cost -
            result.scan.best.cost);
-  result.agrees   = case_agrees(result, held_against(in, as_it_is, data, in.fit, data, noise),
-                                held_against(in, as_it_is, check, in.check, data, noise));
+  result.agrees = case_agrees(result, record_fit(in, as_it_is, fit_parts, data, noise),
+                              record_fit(in, as_it_is, check_parts, data, noise));
+  if (wrong_bands(result.fit.bands).worst || wrong_bands(result.check.bands).worst)
+    result.with_ratios = ratios_that_suffice(in, result.scan.best, fit_parts, check_parts);
   result.refusals = refusals_of(in, result);
   return result;
 }

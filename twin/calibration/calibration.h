@@ -25,26 +25,29 @@ struct CalibrationInput {
   int threads = 1;
   /// false: pieces have no force; it is eliminated (44.5), and no delay is among the unknowns
   bool force_recorded = true;
+  /// -, of the level of each third octave, that the calibrated stand may be wrong by
+  double model_error = usual_model_error;
 };
 
 /// One unknown after the record.
 struct Calibrated {
   std::string name;
-  double prior_sd;      ///< of ln of the factor; of the delay s
-  double estimate;      ///< joint fit of all
-  double sd;            ///< of the joint fit
-  double low, high;     ///< 95 % of the joint fit; of a scanned spring by its profile
-  double shrink;        ///< sd over prior sd
-  bool told;            ///< shrink <= 0.5 and no second basin below deviance 9
-  double kept;          ///< value of the calibrated case: the estimate of what is told, with all else at its prior
-  std::string why_not;  ///< empty where it is told
+  double prior_sd;   ///< of ln of the factor; of the delay s
+  double estimate;   ///< joint fit of all
+  double sd;         ///< of the joint fit
+  double low, high;  ///< 95 % of the joint fit; of a scanned spring by its profile
+  double shrink;     ///< sd over prior sd
+  bool identified;   ///< shrink <= 0.5 and no second basin below deviance 9
+  double kept;       ///< value of the calibrated case: the estimate of what is identified, the rest at its prior
+  std::string why_not;  ///< empty where it is identified
+  double kept_sd = 0;   ///< of `kept` where the rest is at its prior; 0: the same as `sd`
 };
 
 /// Misfit and worst band of a record with the calibrated case.
-struct Held {
+struct RecordFit {
   double before = 0, after = 0;  ///< mean of |r|^2 over the noise that the fit left
   std::vector<BandResidual> bands;
-  double worst = 0;               ///< ratio over its limit, of bands that count
+  double worst = 0;               ///< ratio over its limit, of decisive bands
   std::vector<LevelBand> levels;  ///< of a force that was not recorded; empty where it was
 };
 
@@ -58,14 +61,17 @@ struct EstimatedForce {
 struct Calibration {
   std::vector<Calibrated> unknowns;
   ScannedFit scan;
-  Told told;                        ///< of the joint fit
+  Identification identification;    ///< of the joint fit
   Eigen::MatrixXd correlation;      ///< (p, p) -, posterior
   std::vector<std::string> unseen;  ///< directions that the records do not show, in words
-  double kept_deviance = 0;         ///< what keeping the priors of what is not told costs
-  Held fit, check;
-  std::optional<ClockDelay> delay;            ///< of two clocks; nothing: it is among the unknowns
-  double case_deviance = 0;                   ///< of the case over the joint fit
-  bool agrees          = false;               ///< the case explains the records already: nothing is proposed
+  double kept_deviance = 0;         ///< what keeping the priors of what is not identified costs
+  RecordFit fit, check;
+  std::optional<ClockDelay> delay;  ///< of two clocks; nothing: it is among the unknowns
+  double case_deviance = 0;         ///< of the case over the joint fit
+  bool agrees          = false;     ///< the case explains the records already: nothing is proposed
+  /// Unknowns with which every band is within its limit, where one damping ratio for all modes is the only thing
+  /// that fails; empty otherwise.
+  std::vector<std::string> with_ratios;
   std::vector<std::string> refusals;          ///< why no case is written; empty: none
   Table response;                             ///< check record: |H1| measured, before, after by sensor
   double fit_seconds = 0, check_seconds = 0;  ///< s, of the pieces
@@ -76,7 +82,7 @@ struct Calibration {
   }
 };
 
-/// Start, fit, basins, what is told, and whether the model is right.
+/// Start, fit, basins, what is identified, and whether the model is right.
 /// Cost: 5 s for 20 s of two sensors and seven unknowns on two threads.
 Calibration calibrate(const CalibrationInput &input, const Progress &progress);
 }  // namespace mill::twin

@@ -16,28 +16,29 @@ ordered_json finite(const double value)
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-Results values_of(const Calibration &result)
+Results values_of(const Calibration &result, const bool written)
 {
   Results values;
   const OperatingPoint at("{} of the records", {
                                                    {result.fit_seconds, "s", ".4g"}
   });
   for (const Calibrated &u : result.unknowns) {
-    const bool delay = u.name == "delay";
+    const bool delay            = u.name == "delay";
+    const ChangeInterval change = change_interval(u, written);
     Parameter p;
-    p.value          = delay ? u.kept : std::exp(u.kept);
+    p.value          = delay ? change.value : std::exp(change.value);
     p.unit           = delay ? "s" : "1";
-    p.source         = u.told ? Source::measured : Source::assumed;
-    p.method         = u.told ? "likelihood of the whole records" : u.why_not;
+    p.source         = u.identified ? Source::measured : Source::assumed;
+    p.method         = u.identified ? "likelihood of the whole records" : u.why_not;
     p.at             = at;
-    p.error_estimate = delay ? std::nan("") : u.told ? u.sd : u.prior_sd;
+    p.error_estimate = delay ? std::nan("") : u.identified ? u.sd : u.prior_sd;
     if (delay)
-      p.error_lacks = {"a delay has no relative error; its deviation stands among the unknowns"};
-    if (u.told && !delay)
+      p.error_lacks = {"a delay has no relative error; its deviation is listed with the unknowns"};
+    if (u.identified && !delay)
       p.checks = {
-          {"95 % from",      std::exp(u.low),      ""                                      },
-          {"95 % to",        std::exp(u.high),     ""                                      },
-          {"with all freed", std::exp(u.estimate), "what is not told not held at its prior"}
+          {"95 % from",      std::exp(change.low),  ""                                        },
+          {"95 % to",        std::exp(change.high), ""                                        },
+          {"with all freed", std::exp(u.estimate),  "with what is not identified free as well"}
       };
     values.add(delay ? "delay" : "factor." + u.name, p);
   }
@@ -53,44 +54,45 @@ Results values_of(const Calibration &result)
     values.add(name, p);
   };
   misfit("misfit.check.before", result.check.before,
-         result.force_recorded() ? "mean of |r|^2 over the noise of the fit, case as it was"
-                                 : "the same of what no force explains, case as it was",
+         result.force_recorded() ? "mean of |r|^2 over the noise of the fit, case without changes"
+                                 : "the same, of what one force does not explain, case without changes",
          result.check_seconds);
-  misfit("misfit.check.after", result.check.after, "the same, calibrated", result.check_seconds);
-  misfit("worst_band.fit", result.fit.worst, "what is left over what a linear model must leave, over its limit",
-         result.fit_seconds);
+  misfit("misfit.check.after", result.check.after, "the same, calibrated case", result.check_seconds);
+  misfit("worst_band.fit", result.fit.worst,
+         "residual over noise and model error, over its limit, largest of all bands", result.fit_seconds);
   misfit("worst_band.check", result.check.worst, "the same of the check records", result.check_seconds);
   return values;
 }
 
-ordered_json unknowns_of(const CalibrationInput &input, const Calibration &result)
+ordered_json unknowns_of(const CalibrationInput &input, const Calibration &result, const bool written)
 {
   ordered_json all = ordered_json::array();
   for (std::size_t i = 0; i < result.unknowns.size(); ++i) {
     const Calibrated &u     = result.unknowns[i];
-    const ShownChange shown = shown_change(u);
+    const ShownChange shown = shown_change(u, written);
     all.push_back({
-        {"name",     u.name                                                                                        },
-        {"prior",    finite(input.unknowns[i].prior)                                                               },
-        {"prior_sd", finite(u.prior_sd)                                                                            },
-        {"estimate", finite(u.estimate)                                                                            },
-        {"sd",       finite(u.sd)                                                                                  },
-        {"interval", {finite(u.low), finite(u.high)}                                                               },
-        {"shrink",   finite(u.shrink)                                                                              },
-        {"moved",    finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)                                   },
-        {"told",     u.told                                                                                        },
-        {"kept",     finite(u.kept)                                                                                },
-        {"shown",    {{"kept", shown.kept}, {"estimate", shown.estimate}, {"low", shown.low}, {"high", shown.high}}},
-        {"why_not",  u.why_not                                                                                     }
+        {"name",     u.name                                                            },
+        {"prior",    finite(input.unknowns[i].prior)                                   },
+        {"prior_sd", finite(u.prior_sd)                                                },
+        {"estimate", finite(u.estimate)                                                },
+        {"sd",       finite(u.sd)                                                      },
+        {"interval", {finite(u.low), finite(u.high)}                                   },
+
+        {"shrink",   finite(u.shrink)                                                  },
+        {"moved",    finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)       },
+        {"told",     u.identified                                                      },
+        {"kept",     finite(u.kept)                                                    },
+        {"shown",    {{"value", shown.value}, {"low", shown.low}, {"high", shown.high}}},
+        {"why_not",  u.why_not                                                         }
     });
   }
   return all;
 }
 
-ordered_json bands_of(const CalibrationInput &input, const Held &held)
+ordered_json bands_of(const CalibrationInput &input, const RecordFit &fit)
 {
   ordered_json all = ordered_json::array();
-  for (const BandResidual &band : held.bands)
+  for (const BandResidual &band : fit.bands)
     all.push_back({
         {"centre", finite(band.centre)                                                    },
         {"sensor", band.sensor < 0 ? all_sensors : input.sensors[std::size_t(band.sensor)]},
@@ -100,21 +102,22 @@ ordered_json bands_of(const CalibrationInput &input, const Held &held)
         {"floor",  finite(band.floor)                                                     },
         {"ratio",  finite(band.ratio)                                                     },
         {"limit",  finite(band.limit)                                                     },
-        {"counts", band.counts                                                            }
+        {"counts", band.decisive                                                          }
     });
   return all;
 }
 
-ordered_json levels_of(const Held &held)
+ordered_json levels_of(const RecordFit &fit)
 {
   ordered_json all = ordered_json::array();
-  for (const LevelBand &band : held.levels)
+  for (const LevelBand &band : fit.levels)
     all.push_back({
         {"centre", finite(band.centre)},
         {"bins",   band.bins          },
         {"ratio",  finite(band.ratio) },
         {"limit",  finite(band.limit) },
-        {"counts", band.counts        }
+        {"energy", finite(band.energy)},
+        {"counts", band.decisive      }
     });
   return all;
 }
@@ -132,24 +135,36 @@ ordered_json rows_of_matrix(const Eigen::MatrixXd &matrix)
 }
 }  // namespace
 
+std::string calibration_status(const Calibration &result, const bool accepted)
+{
+  if (!result.refusals.empty())
+    return accepted ? "accepted" : "refused";
+  return result.agrees ? "agrees" : "ok";
+}
+
+bool is_written(const Calibration &result, const bool accepted)
+{
+  return result.refusals.empty() ? !result.agrees : accepted;
+}
+
 std::string calibration_json(const CalibrationInput &input, const Calibration &result,
                              const CalibrationFacts &facts)
 {
-  const std::string status = !result.refusals.empty() ? (facts.accepted ? "accepted" : "refused")
-                             : result.agrees          ? "agrees"
-                                                      : "ok";
-  ordered_json document    = ordered_json::parse(results_json(values_of(result), facts.case_name, status));
-  document["stand"]        = facts.stand;
-  document["records"]      = facts.files;
-  document["sensors"]      = input.sensors;
-  document["band"]         = {input.low, input.high};
-  document["rate"]         = input.rate;
-  document["seconds"]      = {result.fit_seconds, result.check_seconds};
-  document["unknowns"]     = unknowns_of(input, result);
-  document["unseen"]       = result.unseen;
-  ordered_json singular    = ordered_json::array();
-  for (Eigen::Index i = 0; i < result.told.singular.size(); ++i)
-    singular.push_back(finite(result.told.singular[i]));
+  const bool written    = is_written(result, facts.accepted);
+  ordered_json document = ordered_json::parse(
+      results_json(values_of(result, written), facts.case_name, calibration_status(result, facts.accepted)));
+  document["stand"]       = facts.stand;
+  document["records"]     = facts.files;
+  document["sensors"]     = input.sensors;
+  document["band"]        = {input.low, input.high};
+  document["rate"]        = input.rate;
+  document["seconds"]     = {result.fit_seconds, result.check_seconds};
+  document["model_error"] = input.model_error;
+  document["unknowns"]    = unknowns_of(input, result, written);
+  document["unseen"]      = result.unseen;
+  ordered_json singular   = ordered_json::array();
+  for (Eigen::Index i = 0; i < result.identification.singular.size(); ++i)
+    singular.push_back(finite(result.identification.singular[i]));
   document["singular"]    = singular;
   document["correlation"] = rows_of_matrix(result.correlation);
   ordered_json basins     = ordered_json::array();

@@ -5,19 +5,19 @@
 // What calibrations with and without a recorded force have in common.
 namespace mill::twin {
 constexpr double other_basin    = 9;  ///< deviance below which a second minimum may be the right one
-constexpr double far_from_prior = 3;  ///< prior sd beyond which a change is no correction of a stand
+constexpr double far_from_prior = 3;  ///< prior sd beyond which a change contradicts the case
 /// Pieces of records as transforms in the band that is fitted.
 MeasuredResponse measured_response(const CalibrationInput &input, const std::vector<ForcedSamples> &pieces);
 double seconds_of(const MeasuredResponse &data);  ///< s
 
-/// What is told, what is not, and why.
+/// What is identified, what is not, and why.
 /// @param sd  (p) after the records
 std::vector<Calibrated> judged(const ScannedFit &scan, const Eigen::VectorXd &sd);
 
 /// The fit of some records by unknowns whose priors are others.
 using ProblemOf = std::function<FitProblem(const std::vector<Unknown> &)>;
 
-/// What is told fitted again with the rest at its prior; fills kept and kept_deviance.
+/// What is identified, fitted again with the rest at its prior; fills kept and kept_deviance.
 /// @param joint  its unknowns begin with those of the result; more may follow, which stay free
 /// @return of all unknowns of the joint fit
 Eigen::VectorXd keep_priors(const ProblemOf &problem_of, const Fit &joint, int threads, Calibration &result);

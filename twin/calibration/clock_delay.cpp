@@ -61,14 +61,14 @@ PhaseDelay best_of_phases(const StandAt &at, const std::vector<Eigen::Index> &pl
 }
 }  // namespace
 
-bool ClockDelay::told() const
+bool ClockDelay::significant() const
 {
   return std::abs(seconds) > std::max(3 * deviation, 0.1 * limit);
 }
 
 bool ClockDelay::too_large() const
 {
-  return told() && std::abs(seconds) > limit;
+  return significant() && std::abs(seconds) > limit;
 }
 
 std::string ClockDelay::words(const double rate) const

@@ -3,7 +3,7 @@
 #include "twin/calibration/fit.h"
 #include <string>
 
-// Force and accelerations from two clocks, where nobody asked for their delay.  theory.md 44.8
+// Delay of force and accelerations from two clocks, where it is not an unknown of the fit.  theory.md 44.8
 namespace mill::twin {
 /// How much later the accelerations are than the force drives them in the stand that was fitted.
 struct ClockDelay {
@@ -11,7 +11,7 @@ struct ClockDelay {
   double deviation = 0;  ///< s, standard deviation
   double limit     = 0;  ///< s, 1 / (20 high): 18 degrees at the upper end of the band
   /// Is it more than chance and more than a tenth of the limit?
-  bool told() const;
+  bool significant() const;
   bool too_large() const;
   /// "the accelerations are 3.02 samples (0.151 ms) later than the force, ..", its uncertainty and the remedy.
   std::string words(double rate) const;

@@ -25,7 +25,8 @@ CrossSpectra cross_spectra(const std::vector<ForcedSamples> &pieces, double rate
 
 /// Where a fit starts: H1 from segments of 2^11 samples, then 2^12 .. 2^15, each fitted from the one before.  The
 /// model is seen through the same window, so that short segments widen its resonances as they widen those of the
-/// record; the cost has one basin there where that of the whole record has many.  theory.md (44.7), (44.8)
+/// record; the cost has one basin there where that of the whole record has many.  Segments of 2^12 samples are
+/// also fitted from steps along each unknown whose prior is wider than 15 %.  theory.md (44.7), (44.8)
 /// @return (p) theta
 Eigen::VectorXd coarse_start(const FittedStand &stand, const std::vector<Unknown> &unknowns,
                              const std::vector<ForcedSamples> &pieces, const std::vector<Eigen::Index> &places,

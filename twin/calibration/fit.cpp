@@ -103,7 +103,7 @@ FitProblem recorded_force(const FittedStand &stand, const std::vector<Unknown> &
 {
   FitProblem problem;
   problem.unknowns   = unknowns;
-  problem.is_spring  = [&stand](const std::string &name) { return is_spring(stand, name); };
+  problem.is_spring  = [&stand](const std::string &name) { return moves_springs(stand, name); };
   problem.likelihood = [&stand, &data, unknowns](const Eigen::VectorXd &theta, const NoiseDensity &noise,
                                                  const Wanted wanted, const int threads) {
     return likelihood(stand, unknowns, theta, data, noise, wanted, threads);

@@ -68,7 +68,7 @@ Fit minimised(const FittedStand &stand, const std::vector<Unknown> &unknowns, co
               Eigen::Index fixed = -1);
 
 /// From `start`: noise from the residuals there, minimised, noise renewed, minimised, ..
-/// The minimum beside the start; other basins: basins.h.  Cost: some 20 evaluations of the likelihood.
+/// The minimum next to the start; other basins: basins.h.  Cost: some 20 evaluations of the likelihood.
 Fit fitted(const FitProblem &problem, const Eigen::VectorXd &start, const FitSettings &settings = {});
 Fit fitted(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
            const MeasuredResponse &data, const FitSettings &settings = {});

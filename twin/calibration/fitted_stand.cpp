@@ -2,7 +2,9 @@
 #include "core/base/errors.h"
 #include "core/base/require.h"
 #include "dynamics/response/response_slopes.h"
+#include <algorithm>
 #include <cmath>
+#include <complex>
 #include <cstdlib>
 
 namespace mill::twin {
@@ -32,6 +34,28 @@ const ReducedSpring *spring_of(const ReducedStand &stand, const std::string &nam
   return nullptr;
 }
 
+const ReducedMass *mass_of(const ReducedStand &stand, const std::string &name)
+{
+  for (const ReducedMass &mass : stand.masses)
+    if (mass.name == name)
+      return &mass;
+  return nullptr;
+}
+
+std::string mass_name(const Eigen::Index i)
+{
+  return "M" + std::to_string(i + 1);
+}
+
+bool is_part(const FittedStand &stand, const std::string &unknown)
+{
+  const auto known = [&](const std::string &name) { return is_spring(stand, name) || is_mass(stand, name); };
+  if (known(unknown))
+    return true;
+  const auto members = members_of(unknown);
+  return std::all_of(members.begin(), members.end(), known);
+}
+
 void put_springs_together(dynamics::MillModel &chain)
 {
   chain.K.setZero();
@@ -47,11 +71,19 @@ void put_springs_together(dynamics::MillModel &chain)
   }
 }
 
-/// ln of the factor on a spring; 0 where it is no unknown.
+bool moves(const std::string &unknown, const std::string &name)
+{
+  if (unknown == name)
+    return true;
+  const auto members = members_of(unknown);
+  return std::find(members.begin(), members.end(), name) != members.end();
+}
+
+/// ln of the factor on a spring or a mass; 0 where no unknown moves it.
 double theta_of(const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta, const std::string &name)
 {
   for (std::size_t p = 0; p < unknowns.size(); ++p)
-    if (unknowns[p].name == name)
+    if (moves(unknowns[p].name, name))
       return theta[Eigen::Index(p)];
   return 0;
 }
@@ -64,15 +96,20 @@ dynamics::SlopedStand slopes_at(const FittedStand &stand, const std::vector<Unkn
     for (dynamics::Spring &spring : chain.springs)
       spring.stiffness *= std::exp(theta_of(unknowns, theta, spring.name));
     put_springs_together(chain);
+    for (Eigen::Index i = 0; i < chain.M.size(); ++i)
+      chain.M[i] *= std::exp(theta_of(unknowns, theta, mass_name(i)));
     return dynamics::sloped_stand(chain, stand.damping);
   }
-  Eigen::VectorXd factor(Eigen::Index(stand.detailed->springs.size()));
-  for (Eigen::Index s = 0; s < factor.size(); ++s)
-    factor[s] = std::exp(theta_of(unknowns, theta, stand.detailed->springs[std::size_t(s)].name));
-  return sloped_stand(*stand.detailed, factor, stand.damping);
+  const ReducedStand &detailed = *stand.detailed;
+  Eigen::VectorXd springs(Eigen::Index(detailed.springs.size())), masses(Eigen::Index(detailed.masses.size()));
+  for (Eigen::Index s = 0; s < springs.size(); ++s)
+    springs[s] = std::exp(theta_of(unknowns, theta, detailed.springs[std::size_t(s)].name));
+  for (Eigen::Index m = 0; m < masses.size(); ++m)
+    masses[m] = std::exp(theta_of(unknowns, theta, detailed.masses[std::size_t(m)].name));
+  return sloped_stand(detailed, springs, masses, stand.damping);
 }
 
-/// Ratios, frequencies, gain and delay at theta; springs are in the modes already.
+/// Ratios, frequencies, gain and delay at theta; the modes follow springs and masses already.
 void apply_modal(StandAt &at, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)
 {
   const Eigen::Index n = at.frequency.size();
@@ -92,20 +129,38 @@ void apply_modal(StandAt &at, const std::vector<Unknown> &unknowns, const Eigen:
   }
 }
 
+/// Adds what the springs and masses of an unknown change in the modes.  theory.md (43.3), (43.4)
+void add_parts(const StandAt &at, const dynamics::SlopedStand &slopes, const std::size_t part, Eigen::MatrixXd &K,
+               Eigen::MatrixXd &C, Eigen::MatrixXd &M)
+{
+  const Eigen::Index n     = at.frequency.size();
+  const Eigen::MatrixXd &k = slopes.stiffness[part], &m = slopes.mass[part];
+  for (Eigen::MatrixXd *sum : {&K, &C, m.size() ? &M : &K})
+    if (sum->size() == 0)
+      *sum = Eigen::MatrixXd::Zero(n, n);
+  if (k.size())
+    K += k;
+  if (m.size())
+    M += m;
+  for (Eigen::Index a = 0; a < n; ++a)
+    for (Eigen::Index b = 0; b < n; ++b) {
+      const double wb = at.frequency[b];
+      const double Z  = dynamics::damping_quotient(at.frequency[a], at.damping[a], wb, at.damping[b]);
+      if (k.size())
+        C(a, b) += Z * k(a, b);
+      if (m.size())
+        C(a, b) += m(a, b) * (2 * at.damping[b] * wb - Z * wb * wb);
+    }
+}
+
 /// What unknown `name` adds to the dynamic stiffness in the modes.  theory.md (44.3)
 void add_change(StandAt &at, const dynamics::SlopedStand &slopes, const std::string &name)
 {
   const Eigen::Index n = at.frequency.size();
-  Eigen::MatrixXd K, C;
+  Eigen::MatrixXd K, C, M;
   for (std::size_t s = 0; s < slopes.names.size(); ++s)
-    if (slopes.names[s] == name) {
-      K = slopes.stiffness[s];
-      C.resize(n, n);
-      for (Eigen::Index a = 0; a < n; ++a)
-        for (Eigen::Index b = 0; b < n; ++b)
-          C(a, b) =
-              K(a, b) * dynamics::damping_quotient(at.frequency[a], at.damping[a], at.frequency[b], at.damping[b]);
-    }
+    if (moves(name, slopes.names[s]))
+      add_parts(at, slopes, s, K, C, M);
   const auto ratio = mode_of(name, "zeta", n), mode = mode_of(name, "f", n);
   if (name == "zeta" || ratio >= 0 || mode >= 0) {
     K = C = Eigen::MatrixXd::Zero(n, n);
@@ -119,6 +174,7 @@ void add_change(StandAt &at, const dynamics::SlopedStand &slopes, const std::str
   }
   at.stiffness.push_back(K);
   at.damper.push_back(C);
+  at.mass.push_back(M);
 }
 }  // namespace
 
@@ -135,6 +191,43 @@ Eigen::Index number_of_places(const FittedStand &stand)
 bool is_spring(const FittedStand &stand, const std::string &name)
 {
   return stand.detailed ? spring_of(*stand.detailed, name) != nullptr : spring_of(stand.chain, name) != nullptr;
+}
+
+bool is_mass(const FittedStand &stand, const std::string &name)
+{
+  if (stand.detailed)
+    return mass_of(*stand.detailed, name) != nullptr;
+  for (Eigen::Index i = 0; i < stand.chain.M.size(); ++i)
+    if (name == mass_name(i))
+      return true;
+  return false;
+}
+
+std::vector<std::string> members_of(const std::string &unknown)
+{
+  std::vector<std::string> members;
+  std::size_t from = 0;
+  for (std::size_t bar; (bar = unknown.find('/', from)) != std::string::npos; from = bar + 1)
+    members.push_back(unknown.substr(from, bar - from));
+  members.push_back(unknown.substr(from));
+  return members;
+}
+
+bool moves_springs(const FittedStand &stand, const std::string &unknown)
+{
+  if (is_spring(stand, unknown))
+    return true;
+  const auto members = members_of(unknown);
+  return std::all_of(members.begin(), members.end(),
+                     [&](const std::string &name) { return is_spring(stand, name); });
+}
+
+Eigen::VectorXcd StandAt::change(const std::size_t p, const Eigen::VectorXcd &x, const double w) const
+{
+  Eigen::VectorXcd changed = stiffness[p] * x + std::complex<double>(0, w) * (damper[p] * x);
+  if (mass[p].size())
+    changed -= w * w * (mass[p] * x);
+  return changed;
 }
 
 bool share_a_part(const FittedStand &stand, const std::string &a, const std::string &b)
@@ -161,17 +254,16 @@ StandAt stand_at(const FittedStand &stand, const std::vector<Unknown> &unknowns,
 {
   require(theta.size() == Eigen::Index(unknowns.size()), "one theta for each unknown");
   const Eigen::Index n = stand.damping.size();
-  bool springs = false, frequencies = false;
+  bool parts = false, frequencies = false;
   for (const Unknown &unknown : unknowns) {
     const std::string &name = unknown.name;
-    const bool frequency = mode_of(name, "f", n) >= 0, spring = is_spring(stand, name);
+    const bool frequency = mode_of(name, "f", n) >= 0, part = is_part(stand, name);
     frequencies = frequencies || frequency;
-    springs     = springs || spring;
-    if (!spring && !frequency && name != "zeta" && name != "gain" && name != "delay" &&
-        mode_of(name, "zeta", n) < 0)
-      throw InputError("\"" + name + "\" is nothing of this stand that can be fitted");
+    parts       = parts || part;
+    if (!part && !frequency && name != "zeta" && name != "gain" && name != "delay" && mode_of(name, "zeta", n) < 0)
+      throw InputError("\"" + name + "\": this stand has no spring, mass or damping ratio of this name");
   }
-  require(!springs || !frequencies, "springs and frequencies of modes are not fitted together");
+  require(!parts || !frequencies, "springs and frequencies of modes are not fitted together");
   StandAt at;
   const dynamics::SlopedStand slopes = slopes_at(stand, unknowns, theta);
   at.frequency                       = slopes.frequency;

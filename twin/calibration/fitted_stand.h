@@ -9,11 +9,13 @@
 
 // The stand whose springs and damping ratios are fitted, and how its modes follow them.  theory.md 44
 namespace mill::twin {
-/// A number that is fitted: theta = ln of a factor on what the case says; of the delay seconds.
+/// A number that is fitted: theta = ln of a factor on the value of the case; of the delay seconds.
 struct Unknown {
   /// "K3"    a spring of the chain that is not zero, or a connection of a detailed stand
+  /// "M2"    a mass of the chain, or of a detailed stand the mass of a part, "mass upper work roll"
+  /// "K1/K7" springs and masses that one factor moves together
   /// "zeta"  the damping ratios of all modes by one factor; "zeta2" that of the second mode
-  /// "f2"    the frequency of the second mode alone, its shape and ratio kept; not beside springs
+  /// "f2"    the frequency of the second mode alone, with its shape and ratio kept; not together with springs
   /// "gain"  all accelerations by one factor
   /// "delay" s, by which the accelerations are later than the force (two clocks)
   std::string name;
@@ -33,6 +35,12 @@ Eigen::VectorXd mode_frequencies(const FittedStand &stand);
 Eigen::Index number_of_places(const FittedStand &stand);
 /// A spring that is not zero, by its name.
 bool is_spring(const FittedStand &stand, const std::string &name);
+/// A mass of the chain or of a part, by its name.
+bool is_mass(const FittedStand &stand, const std::string &name);
+/// Names of the springs and masses that an unknown moves: "K1/K7" gives K1 and K7.
+std::vector<std::string> members_of(const std::string &unknown);
+/// Does the unknown move springs alone?
+bool moves_springs(const FittedStand &stand, const std::string &unknown);
 /// Do both springs hold one mass, or one part?
 bool share_a_part(const FittedStand &stand, const std::string &a, const std::string &b);
 
@@ -43,9 +51,11 @@ struct StandAt {
   Eigen::VectorXd force;      ///< (n) kg^-1/2, of the bite force; the gain is in it
   Eigen::MatrixXd shape;      ///< (places, n) kg^-1/2
   double delay = 0;           ///< s
-  /// (p) (n, n) 1/s2 and 1/s: the dynamic stiffness changes by stiffness + i w damper, (43.3); both empty for the
-  /// gain and the delay.
-  std::vector<Eigen::MatrixXd> stiffness, damper;
+  /// (p) (n, n) 1/s2, 1/s and -: the dynamic stiffness changes by stiffness + i w damper - w^2 mass, (43.3).  All
+  /// are empty for the gain and the delay; mass is empty for what moves no mass.
+  std::vector<Eigen::MatrixXd> stiffness, damper, mass;
+  /// (n) Change of the dynamic stiffness by unknown p, applied to the modal motion x at w.
+  Eigen::VectorXcd change(std::size_t p, const Eigen::VectorXcd &x, double w) const;
 };
 
 /// @throws InputError  an unknown that the stand does not have

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 #include <vector>
 
-// The density of a force that nobody recorded.  theory.md 44.5
+// The density of a force that was not recorded.  theory.md 44.5
 namespace mill::twin {
 /// ln S_F is linear in ln f between knots, three in an octave; at the knots it is unknown.  So a force may fall
 /// and rise over the band, yet not within the width of a resonance: that is what tells damping without a force.

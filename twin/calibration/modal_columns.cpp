@@ -29,7 +29,7 @@ void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unkno
   const auto w            = band.angular.segment(block.first, block.size).array();
   Eigen::ArrayXXcd motion = c.driven;
   for (Eigen::Index i = 0; i < at.frequency.size(); ++i) {
-    // beta is counted in 1/w_i, so that both numbers of a mode are of one size
+    // beta is scaled by 1/w_i, so that both numbers of a mode have the same size
     const double alpha = transient[2 * i], beta = transient[2 * i + 1] / at.frequency[i];
     for (Eigen::Index b = 0; b < block.size; ++b)
       motion(b, i) += std::complex<double>(alpha, beta * w[b]) * c.admittance(b, i);
@@ -48,6 +48,12 @@ void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unkno
       for (Eigen::Index i = 0; i < still.cols(); ++i)
         for (Eigen::Index b = 0; b < block.size; ++b)
           d(b, i) = -(still(b, i) + std::complex<double>(0, w[b]) * moving(b, i)) * c.admittance(b, i);
+      if (at.mass[p].size()) {
+        const Eigen::MatrixXcd heavy = motion.matrix() * at.mass[p];
+        for (Eigen::Index i = 0; i < heavy.cols(); ++i)
+          for (Eigen::Index b = 0; b < block.size; ++b)
+            d(b, i) += w[b] * w[b] * heavy(b, i) * c.admittance(b, i);
+      }
     }
     c.derivative.push_back(std::move(d));
   }

@@ -355,7 +355,7 @@ NoiseDensity equal_noise(const OutputOnly &record, const Eigen::VectorXd &theta)
   std::size_t piece = 0;
   for (const SeenForce &seen : seen_force(free, theta, ones)) {
     const BandRecord &band = record.data.pieces[piece++];
-    // one sensor is explained by some force whatever it shows; it starts from a hundredth of itself
+    // some force explains any course of one sensor; its noise starts from a hundredth of the accelerations
     const Eigen::VectorXd size = m > 1 ? Eigen::VectorXd((seen.left.rowwise().squaredNorm() / (m - 1)).cwiseSqrt())
                                        : Eigen::VectorXd(0.1 * band.acceleration.cwiseAbs().col(0));
     left.push_back(size.cast<Complex>().replicate(1, seen.left.cols()));

@@ -2,7 +2,7 @@
 #include "twin/calibration/force_spectrum.h"
 #include "twin/calibration/likelihood.h"
 
-// How well a stand explains accelerations whose force nobody recorded.  theory.md 44.5
+// How well a stand explains accelerations whose force was not recorded.  theory.md 44.5
 namespace mill::twin {
 /// Accelerations of a stand under one force of unknown course and smooth density.
 struct OutputOnly {
@@ -39,7 +39,7 @@ std::vector<SeenForce> seen_force(const OutputOnly &record, const Eigen::VectorX
 /// Noise of sensors that are all alike, from what no single force explains at `theta`.
 NoiseDensity equal_noise(const OutputOnly &record, const Eigen::VectorXd &theta);
 
-/// Noise of each sensor by itself, running means of its expected square (expectation maximisation).  (44.13)
+/// Noise of each sensor separately, running means of its expected square (expectation maximisation).  (44.13)
 NoiseDensity renewed_noise(const OutputOnly &record, const Eigen::VectorXd &theta, NoiseDensity noise);
 
 /// (p, p) What the same accelerations would tell if the force, as strong as it seems to be, had been recorded.

@@ -88,7 +88,8 @@ double LevelBand::excess() const
 
 std::vector<BandResidual> direction_residuals(const OutputOnly &record, const std::vector<SeenForce> &seen,
                                               const NoiseDensity &noise, const std::vector<ForcedSamples> &pieces,
-                                              const double rate, const double low, const double high)
+                                              const double rate, const double low, const double high,
+                                              const double model_error)
 {
   std::vector<BandResidual> bands;
   const auto m = double(record.data.places.size());
@@ -100,28 +101,32 @@ std::vector<BandResidual> direction_residuals(const OutputOnly &record, const st
   for (const ThirdOctave &third : third_octaves(low, high)) {
     const WholeBand whole = whole_band(record, seen, noise, third.from, third.to);
     const OneForce one    = one_force(spectra, record.data.pieces.front(), noise.front(), third.from, third.to);
-    if (whole.bins < 16 || one.bins == 0 || !(n > 1.5))  // of fewer nothing can be said
+    if (whole.bins < 16 || one.bins == 0 || !(n > 1.5))  // fewer bins allow no statement
       continue;
     BandResidual r{third.centre, -1, whole.bins, whole.energy, 0, 0, 0, 0, false};
     all += whole.energy;
-    r.left   = whole.left / (double(whole.bins) * (m - 1));
-    r.floor  = one.left / (double(one.bins) * (m - 1)) * n / (n - 1);
-    r.ratio  = r.left / std::max(r.floor, 1e-300);
-    r.limit  = limit_of(whole.bins);
-    r.counts = (one.energy - one.left) > clear_force * one.left / (m - 1);
+    r.left  = whole.left / (double(whole.bins) * (m - 1));
+    r.floor = one.left / (double(one.bins) * (m - 1)) * n / (n - 1);
+    // the model error is a share of the level, in the unit of `left`: noise of one sensor
+    const double model = model_error * model_error * whole.energy / (double(whole.bins) * (m - 1));
+    r.ratio            = r.left / std::max(r.floor + model, 1e-300);
+    r.limit            = limit_of(whole.bins);
+    r.decisive         = (one.energy - one.left) > clear_force * one.left / (m - 1);
     bands.push_back(r);
   }
-  for (BandResidual &r : bands)
+  for (BandResidual &r : bands) {
     r.energy /= std::max(all, 1e-300);
+    r.decisive = r.decisive && r.energy >= least_energy;
+  }
   return bands;
 }
 
 std::vector<LevelBand> level_bands(const OutputOnly &record, const std::vector<SeenForce> &seen, const double low,
-                                   const double high)
+                                   const double high, const double model_error)
 {
   const auto n = Eigen::Index(std::ceil(level_bands_an_octave * std::log2(high / low)));
   std::vector<LevelBand> bands;
-  Eigen::VectorXd sum = Eigen::VectorXd::Zero(n), clear = Eigen::VectorXd::Zero(n);
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(n), clear = sum, energy = sum;
   Eigen::VectorXi bins = Eigen::VectorXi::Zero(n);
   for (std::size_t p = 0; p < seen.size(); ++p) {
     const BandRecord &band = record.data.pieces[p];
@@ -132,15 +137,17 @@ std::vector<LevelBand> level_bands(const OutputOnly &record, const std::vector<S
       const double share = 1 - seen[p].variance[b] / seen[p].density[b];
       sum[i] += std::norm(seen[p].force[b]) / std::max(seen[p].density[b] * share, 1e-300);
       clear[i] += share;
+      energy[i] += band.acceleration.row(b).squaredNorm() / band.duration;
       ++bins[i];
     }
   }
   for (Eigen::Index i = 0; i < n; ++i) {
     if (bins[i] < 16)
       continue;
-    const double count = bins[i];
+    const double count = bins[i], share = energy[i] / std::max(energy.sum(), 1e-300);
     bands.push_back({low * std::exp2((double(i) + 0.5) / level_bands_an_octave), bins[i], sum[i] / count,
-                     limit_of(bins[i]), clear[i] > 0.5 * count});
+                     limit_of(bins[i]) * (1 + model_error) * (1 + model_error), share,
+                     clear[i] > 0.5 * count && share >= least_energy});
   }
   return bands;
 }
@@ -157,7 +164,7 @@ double output_only_misfit(const OutputOnly &record, const Eigen::VectorXd &theta
   }
   double sum = 0, count = 0;
   for (const LevelBand &band : level_bands(record, seen_force(record, theta, noise), low, high))
-    if (band.counts) {
+    if (band.decisive) {
       sum += 2 * double(band.bins) * (band.ratio - 1 - std::log(band.ratio));
       ++count;
     }

@@ -25,7 +25,7 @@ FitProblem problem_of(const OutputOnly &record, const std::vector<Unknown> &all,
   own.unknowns       = {all.begin(), all.begin() + long(record.unknowns.size())};
   const auto kept    = std::make_shared<const OutputOnly>(std::move(own));
   problem.unknowns   = all;
-  problem.is_spring  = [kept](const std::string &name) { return is_spring(kept->stand, name); };
+  problem.is_spring  = [kept](const std::string &name) { return moves_springs(kept->stand, name); };
   problem.likelihood = [kept](const Eigen::VectorXd &theta, const NoiseDensity &noise, const Wanted wanted,
                               const int threads) {
     return output_only_likelihood(*kept, theta, noise, wanted, threads);
@@ -38,7 +38,7 @@ FitProblem problem_of(const OutputOnly &record, const std::vector<Unknown> &all,
   return problem;
 }
 
-/// The scan without the knots of the force, which are fitted beside the stand.
+/// The scan without the knots of the force, which are fitted together with the stand.
 ScannedFit of_the_stand(const ScannedFit &scan, const std::vector<Unknown> &unknowns)
 {
   const auto p           = Eigen::Index(unknowns.size());
@@ -54,7 +54,7 @@ ScannedFit of_the_stand(const ScannedFit &scan, const std::vector<Unknown> &unkn
   return stand;
 }
 
-/// What is told, and what the force would have told of the rest.
+/// What is identified, and how well a recorded force would have identified the rest.
 std::vector<Calibrated> judged_without_force(const OutputOnly &record, const Fit &joint, const ScannedFit &scan)
 {
   const Eigen::VectorXd recorded =
@@ -63,7 +63,7 @@ std::vector<Calibrated> judged_without_force(const OutputOnly &record, const Fit
           .cwiseSqrt();
   std::vector<Calibrated> all = judged_with_minima(scan);
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (!all[i].told)
+    if (!all[i].identified)
       all[i].why_not +=
           fmt::format("; had the force been recorded, {:.2g} % of the prior's deviation would be left",
                       100 * recorded[Eigen::Index(i)] / all[i].prior_sd);
@@ -74,55 +74,55 @@ std::vector<Calibrated> judged_without_force(const OutputOnly &record, const Fit
 Eigen::VectorXd with_own_force(const OutputOnly &record, const Eigen::VectorXd &theta, const NoiseDensity &noise,
                                const int threads)
 {
-  std::vector<Unknown> held = record.all_unknowns();
+  std::vector<Unknown> all = record.all_unknowns();
   for (std::size_t i = 0; i < record.unknowns.size(); ++i)
-    held[i] = {held[i].name, 1e-9, theta[Eigen::Index(i)]};
+    all[i] = {all[i].name, 1e-9, theta[Eigen::Index(i)]};
   FitSettings settings = settings_with(threads);
   settings.covariance  = false;
-  Eigen::VectorXd own  = minimised(problem_of(record, held, noise), theta, noise, settings).estimate;
+  Eigen::VectorXd own  = minimised(problem_of(record, all, noise), theta, noise, settings).estimate;
   own.head(Eigen::Index(record.unknowns.size())) = theta.head(Eigen::Index(record.unknowns.size()));
   return own;
 }
 
-struct HeldRecord {
-  Held held;
+struct FittedRecord {
+  RecordFit fit;
   Eigen::VectorXd theta, before;  // with the density of the force of this record
 };
 
-HeldRecord held_against(const CalibrationInput &in, const OutputOnly &record, const Eigen::VectorXd &theta,
-                        const NoiseDensity &carried, const std::vector<ForcedSamples> &pieces)
+FittedRecord fitted_record(const CalibrationInput &in, const OutputOnly &record, const Eigen::VectorXd &theta,
+                           const NoiseDensity &carried, const std::vector<ForcedSamples> &pieces)
 {
-  HeldRecord result;
+  FittedRecord result;
   Eigen::VectorXd case_itself = theta;
   for (std::size_t i = 0; i < record.unknowns.size(); ++i)
     case_itself[Eigen::Index(i)] = 0;
   result.theta           = with_own_force(record, theta, carried, in.threads);
   result.before          = with_own_force(record, case_itself, carried, in.threads);
-  result.held.before     = output_only_misfit(record, result.before, carried, in.low, in.high);
-  result.held.after      = output_only_misfit(record, result.theta, carried, in.low, in.high);
+  result.fit.before      = output_only_misfit(record, result.before, carried, in.low, in.high);
+  result.fit.after       = output_only_misfit(record, result.theta, carried, in.low, in.high);
   const NoiseDensity own = renewed_noise(record, result.theta, carried);
   const auto seen        = seen_force(record, result.theta, own);
-  result.held.bands      = direction_residuals(record, seen, own, pieces, in.rate, in.low, in.high);
-  result.held.levels     = level_bands(record, seen, in.low, in.high);
-  for (const BandResidual &band : result.held.bands)
-    if (band.counts)
-      result.held.worst = std::max(result.held.worst, band.ratio / band.limit);
-  for (const LevelBand &band : result.held.levels)
-    if (band.counts)
-      result.held.worst = std::max(result.held.worst, band.excess());
+  result.fit.bands  = direction_residuals(record, seen, own, pieces, in.rate, in.low, in.high, in.model_error);
+  result.fit.levels = level_bands(record, seen, in.low, in.high, in.model_error);
+  for (const BandResidual &band : result.fit.bands)
+    if (band.decisive)
+      result.fit.worst = std::max(result.fit.worst, band.ratio / band.limit);
+  for (const LevelBand &band : result.fit.levels)
+    if (band.decisive)
+      result.fit.worst = std::max(result.fit.worst, band.excess());
   return result;
 }
 
-void add_band_refusals(std::vector<std::string> &refusals, const Held &held, const std::string &records)
+void add_band_refusals(std::vector<std::string> &refusals, const RecordFit &fit, const std::string &records)
 {
-  const auto [wrong, worst] = wrong_bands(held.bands);
+  const auto [wrong, worst] = wrong_bands(fit.bands);
   if (worst)
-    refusals.push_back(fmt::format("in {} of {} third octaves of the {} the stand leaves more than some one force "
-                                   "must; the worst is {:.1f} Hz: {:.2f} times, limit {:.2f}",
-                                   wrong, held.bands.size(), records, worst->centre, worst->ratio, worst->limit));
+    refusals.push_back(fmt::format("in {} of {} third octaves of the {} the residual is above what one force and "
+                                   "the model error leave; the worst is {:.1f} Hz: {:.2f} times, limit {:.2f}",
+                                   wrong, fit.bands.size(), records, worst->centre, worst->ratio, worst->limit));
   const LevelBand *steep = nullptr;
   int uneven             = 0;
-  for (const LevelBand &band : held.levels)
+  for (const LevelBand &band : fit.levels)
     if (band.wrong()) {
       ++uneven;
       if (!steep || band.excess() > steep->excess())
@@ -133,11 +133,11 @@ void add_band_refusals(std::vector<std::string> &refusals, const Held &held, con
         fmt::format("in {} of {} narrow bands of the {} this stand needs a force that is not smooth over a third "
                     "octave; the worst is {:.1f} Hz: {:.2f} times its surroundings, limit {:.2f}. Record the "
                     "force, or leave out lines of the force by the band of records.toml",
-                    uneven, held.levels.size(), records, steep->centre, steep->ratio, steep->limit));
+                    uneven, fit.levels.size(), records, steep->centre, steep->ratio, steep->limit));
 }
 
-/// Levels of the check records beside those of the case and of the calibrated case, over Hann segments.
-Table response_table(const CalibrationInput &in, const OutputOnly &record, const HeldRecord &check,
+/// Levels of the check records, of the case and of the calibrated case, over Hann segments.
+Table response_table(const CalibrationInput &in, const OutputOnly &record, const FittedRecord &check,
                      const NoiseDensity &noise)
 {
   Eigen::Index longest = 0;
@@ -193,11 +193,11 @@ void judge_the_case(const CalibrationInput &in, const OutputOnly &record, const 
 {
   Eigen::VectorXd as_it_is = joint.estimate;
   as_it_is.head(Eigen::Index(record.unknowns.size())).setZero();
-  const HeldRecord fitted  = held_against(in, record, as_it_is, joint.noise, in.fit),
-                   checked = held_against(in, check, as_it_is, carried, in.check);
-  const auto at_case       = output_only_likelihood(record, fitted.theta, joint.noise, Wanted::cost, in.threads);
-  result.case_deviance     = 2 * (at_case.cost - joint.cost);
-  result.agrees            = case_agrees(result, fitted.held, checked.held);
+  const FittedRecord fitted  = fitted_record(in, record, as_it_is, joint.noise, in.fit),
+                     checked = fitted_record(in, check, as_it_is, carried, in.check);
+  const auto at_case         = output_only_likelihood(record, fitted.theta, joint.noise, Wanted::cost, in.threads);
+  result.case_deviance       = 2 * (at_case.cost - joint.cost);
+  result.agrees              = case_agrees(result, fitted.fit, checked.fit);
 }
 
 OutputOnly record_of(const CalibrationInput &in, const std::vector<ForcedSamples> &pieces,
@@ -225,23 +225,23 @@ Calibration calibrate_output_only(const CalibrationInput &in, const Progress &pr
   const Fit joint             = scan.best;
   result.scan                 = of_the_stand(scan, in.unknowns);
   result.unknowns             = judged_without_force(record, joint, result.scan);
-  result.told                 = told(result.scan.best.information, in.unknowns);
-  result.unseen               = unseen_directions(result.told, in.stand);
+  result.identification       = identification(result.scan.best.information, in.unknowns);
+  result.unseen               = unseen_directions(result.identification, in.stand);
   const Eigen::VectorXd scale = result.scan.best.sd().cwiseInverse();
   result.correlation          = scale.asDiagonal() * result.scan.best.covariance * scale.asDiagonal();
   keep_priors([&](const std::vector<Unknown> &all) { return problem_of(record, all, before); }, joint, in.threads,
               result);
   progress.at("check", 0);
-  // Is the model right?  What is not told may be anything, so it is asked with all freed.
+  // Is the model right?  What is not identified may be anything, so all unknowns are free here.
   const OutputOnly check      = record_of(in, in.check, record.force);
   const NoiseDensity carried  = carried_noise(joint.noise, record.data, check.data);
-  const HeldRecord held_fit   = held_against(in, record, joint.estimate, joint.noise, in.fit),
-                   held_check = held_against(in, check, joint.estimate, carried, in.check);
-  result.fit                  = held_fit.held;
-  result.check                = held_check.held;
+  const FittedRecord of_fit   = fitted_record(in, record, joint.estimate, joint.noise, in.fit),
+                     of_check = fitted_record(in, check, joint.estimate, carried, in.check);
+  result.fit                  = of_fit.fit;
+  result.check                = of_check.fit;
   result.fit_seconds          = seconds_of(record.data);
   result.check_seconds        = seconds_of(check.data);
-  result.response             = response_table(in, check, held_check, carried);
+  result.response             = response_table(in, check, of_check, carried);
   result.force                = estimated_force(record, joint);
   judge_the_case(in, record, check, joint, carried, result);
   add_band_refusals(result.refusals, result.fit, "fitted records");

@@ -116,15 +116,15 @@ Likelihood wishart_cost(const OutputOnly &record, const Eigen::VectorXd &theta, 
     Eigen::MatrixXcd S            = driven;
     S.diagonal() += a.noise.row(Eigen::Index(b)).transpose().cast<std::complex<double>>();
     const Eigen::PartialPivLU<Eigen::MatrixXcd> lu(S);
-    const Eigen::MatrixXcd inverse = lu.inverse(), told = inverse * a.matrix[b];
-    sum.residual += a.count * (std::log(std::abs(lu.determinant())) + told.trace().real());
+    const Eigen::MatrixXcd inverse = lu.inverse(), solved = inverse * a.matrix[b];
+    sum.residual += a.count * (std::log(std::abs(lu.determinant())) + solved.trace().real());
     for (Eigen::Index i = 0; i < p + 2; ++i) {
       const double share      = i < p ? S_F : i == p ? 1 - at.share : at.share;
       index[std::size_t(i)]   = i < p ? i : p + at.below + (i - p);
       changed[std::size_t(i)] = inverse * (share * (i < p ? seen.slope[std::size_t(i)][b] : driven));
     }
     for (std::size_t i = 0; i < changed.size(); ++i) {
-      sum.slope[index[i]] += a.count * (changed[i].trace() - (changed[i] * told).trace()).real();
+      sum.slope[index[i]] += a.count * (changed[i].trace() - (changed[i] * solved).trace()).real();
       for (std::size_t j = 0; j < changed.size(); ++j)
         sum.information(index[i], index[j]) +=
             a.count * changed[i].cwiseProduct(changed[j].transpose()).sum().real();

@@ -39,7 +39,7 @@ public:
       else if (unknowns[p].name == "delay")
         slope = Complex(0, -w) * here.H;
       else
-        slope = w * w * (at.shape * (at.stiffness[p] * x + Complex(0, w) * (at.damper[p] * x)).cwiseQuotient(d));
+        slope = w * w * (at.shape * at.change(p, x, w).cwiseQuotient(d));
     }
     return here;
   }
@@ -80,16 +80,16 @@ Eigen::MatrixXd without_force(const AtFrequency &at, const double SF, const doub
 }
 }  // namespace
 
-int Told::effective() const
+int Identification::effective() const
 {
   return int((singular.array() > 1).count());
 }
 
-Told told(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns)
+Identification identification(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns)
 {
   const Eigen::Index p = information.rows();
   Eigen::VectorXd sd(p);
-  Told t;
+  Identification t;
   for (Eigen::Index i = 0; i < p; ++i) {
     sd[i] = unknowns[std::size_t(i)].prior_sd;
     t.names.push_back(unknowns[std::size_t(i)].name);
@@ -134,14 +134,15 @@ std::vector<Eigen::MatrixXd> information_of(const FittedStand &stand, const std:
 std::vector<Unknown> with_force(std::vector<Unknown> unknowns, const PlannedRecord &record)
 {
   if (!record.force_recorded)
-    unknowns.push_back({force_density_name, 3.0, 0});  // e^3: nobody knows it within a factor of 20
+    unknowns.push_back({force_density_name, 3.0, 0});  // e^3: it is not known within a factor of 20
   return unknowns;
 }
 }  // namespace
 
-Told planned(const FittedStand &stand, const std::vector<Unknown> &unknowns, const PlannedRecord &record)
+Identification planned(const FittedStand &stand, const std::vector<Unknown> &unknowns, const PlannedRecord &record)
 {
-  return told(information_of(stand, unknowns, record, {record.places}).front(), with_force(unknowns, record));
+  return identification(information_of(stand, unknowns, record, {record.places}).front(),
+                        with_force(unknowns, record));
 }
 
 std::vector<NextSensor> next_sensors(const FittedStand &stand, const std::vector<Unknown> &unknowns,
@@ -153,14 +154,14 @@ std::vector<NextSensor> next_sensors(const FittedStand &stand, const std::vector
       sets.push_back(record.places);
       sets.back().push_back(place);
     }
-  const auto A   = information_of(stand, unknowns, record, sets);
-  const auto all = with_force(unknowns, record);
-  const Told now = told(A.front(), all);
+  const auto A             = information_of(stand, unknowns, record, sets);
+  const auto all           = with_force(unknowns, record);
+  const Identification now = identification(A.front(), all);
   std::vector<NextSensor> sensors;
   for (std::size_t s = 1; s < sets.size(); ++s) {
-    NextSensor next{sets[s].back(), told(A[s], all), 0};
+    NextSensor next{sets[s].back(), identification(A[s], all), 0};
     // determinants in units of the priors: (1 + s^2) of every direction
-    next.gain = 0.5 * ((next.told.singular.cwiseAbs2().array() + 1).log().sum() -
+    next.gain = 0.5 * ((next.identification.singular.cwiseAbs2().array() + 1).log().sum() -
                        (now.singular.cwiseAbs2().array() + 1).log().sum());
     sensors.push_back(std::move(next));
   }

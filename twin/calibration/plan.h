@@ -18,7 +18,7 @@ struct PlannedRecord {
 };
 
 /// What information says about unknowns in units of their priors.
-struct Told {
+struct Identification {
   std::vector<std::string> names;  ///< (p)
   Eigen::MatrixXd covariance;      ///< (p, p)
   Eigen::VectorXd shrink;          ///< (p) posterior over prior sd
@@ -26,7 +26,7 @@ struct Told {
   Eigen::MatrixXd direction;  ///< (p, p) column i: unit vector of theta over prior sd that belongs to singular i
   int effective() const;      ///< directions of which the record knows more than the prior
 };
-Told told(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns);
+Identification identification(const Eigen::MatrixXd &information, const std::vector<Unknown> &unknowns);
 
 /// The name of the force's density among the unknowns of a record without force.
 constexpr const char *force_density_name = "S_F";
@@ -34,12 +34,13 @@ constexpr const char *force_density_name = "S_F";
 /// Information of a planned record at the case, theta = 0; midpoints of 0.02 Hz.  (45.3), without force (45.4)
 /// Every unknown of fitted_stand.h may be asked for.
 /// Cost: (high - low)/0.02 times p n^2: 0.2 s.
-Told planned(const FittedStand &stand, const std::vector<Unknown> &unknowns, const PlannedRecord &record);
+Identification planned(const FittedStand &stand, const std::vector<Unknown> &unknowns,
+                       const PlannedRecord &record);
 
 /// What one more sensor would add.
 struct NextSensor {
   Eigen::Index place;  ///< from 0
-  Told told;
+  Identification identification;
   double gain;  ///< nats: half the logarithm of the ratio of the determinants of the covariances
 };
 /// Every place that has none yet; the one that adds most first.  Cost: as one plan where the force is recorded.

@@ -6,15 +6,15 @@
 
 namespace mill::twin {
 namespace {
-constexpr double half_told = 1.7320508075688772;  // singular value at which sd is half of the prior's
+constexpr double half_identified = 1.7320508075688772;  // singular value at which sd is half of the prior's
 
-std::string words_of(const Told &told, const Eigen::Index column, const FittedStand &stand,
+std::string words_of(const Identification &found, const Eigen::Index column, const FittedStand &stand,
                      const bool unseen = true)
 {
   std::vector<std::pair<double, std::string>> parts;
-  for (Eigen::Index i = 0; i < told.direction.rows(); ++i)
-    if (std::abs(told.direction(i, column)) > 0.15)
-      parts.emplace_back(told.direction(i, column), told.names[std::size_t(i)]);
+  for (Eigen::Index i = 0; i < found.direction.rows(); ++i)
+    if (std::abs(found.direction(i, column)) > 0.15)
+      parts.emplace_back(found.direction(i, column), found.names[std::size_t(i)]);
   std::sort(parts.begin(), parts.end(), [](const auto &a, const auto &b) { return a.second < b.second; });
   if (parts.empty())
     return "many unknowns together";
@@ -28,43 +28,52 @@ std::string words_of(const Told &told, const Eigen::Index column, const FittedSt
   if (!unseen)
     return sum;
   if (parts.size() == 1)
-    return sum + ": " + parts[0].second + " is hardly seen";
+    return sum + ": these records hardly depend on " + parts[0].second;
   if (parts.size() == 2 && parts[0].first * parts[1].first < 0 &&
       share_a_part(stand, parts[0].second, parts[1].second))
-    return sum + ": only their series is seen";
-  return sum + ": only what else they do is seen, not this combination";
+    return sum + ": these records depend on the two springs in series alone";
+  return sum + ": these records hardly depend on this combination";
 }
 }  // namespace
 
-std::vector<std::string> unseen_directions(const Told &told, const FittedStand &stand)
+std::vector<std::string> unseen_directions(const Identification &found, const FittedStand &stand)
 {
   std::vector<std::string> all;
-  for (Eigen::Index i = told.singular.size() - 1; i >= 0 && told.singular[i] < half_told; --i)
-    all.push_back(words_of(told, i, stand));
+  for (Eigen::Index i = found.singular.size() - 1; i >= 0 && found.singular[i] < half_identified; --i)
+    all.push_back(words_of(found, i, stand));
   return all;
 }
 
-ShownChange shown_change(const Calibrated &unknown)
+ChangeInterval change_interval(const Calibrated &u, const bool written)
 {
-  const bool delay     = unknown.name == "delay";
-  const auto in_unit   = [&](const double theta) { return delay ? 1e3 * theta : 100 * std::expm1(theta); };
-  const double width   = in_unit(unknown.high) - in_unit(unknown.low);
-  const int decimals   = width > 0 ? std::clamp(int(std::ceil(1.5 - std::log10(width))), 0, 8) : 2;
-  const auto formatted = [&](const double theta) {
+  if (!written)
+    return {u.estimate, u.low, u.high};
+  const double reach = 1.96 * (u.kept_sd > 0 ? u.kept_sd : u.sd);
+  return {u.kept, std::min(u.low, u.kept - reach), std::max(u.high, u.kept + reach)};
+}
+
+ShownChange shown_change(const Calibrated &unknown, const bool written)
+{
+  const ChangeInterval change = change_interval(unknown, written);
+  const bool delay            = unknown.name == "delay";
+  const auto in_unit          = [&](const double theta) { return delay ? 1e3 * theta : 100 * std::expm1(theta); };
+  const double width          = in_unit(change.high) - in_unit(change.low);
+  const int decimals          = width > 0 ? std::clamp(int(std::ceil(1.5 - std::log10(width))), 0, 8) : 2;
+  const auto formatted        = [&](const double theta) {
     return fmt::format("{:+.{}f} {}", in_unit(theta), decimals, delay ? "ms" : "%");
   };
-  return {formatted(unknown.kept), formatted(unknown.estimate), formatted(unknown.low), formatted(unknown.high)};
+  return {formatted(change.value), formatted(change.low), formatted(change.high)};
 }
 
 std::string without_force_words()
 {
-  return "no force was recorded; the force was eliminated: at each frequency the ratios of the accelerations "
-         "count, and their level as far as the force is smooth over a third octave. Where a channel holds the "
-         "force, name it with --channel AI_01=force";
+  return "no force was recorded, so the fit eliminates it: at each frequency it uses the ratios of the "
+         "accelerations, and their level as far as the force is smooth over a third octave. Where a channel holds "
+         "the force, name it with --channel AI_01=force";
 }
 
-std::string weakest_direction(const Told &told, const FittedStand &stand)
+std::string weakest_direction(const Identification &found, const FittedStand &stand)
 {
-  return words_of(told, told.singular.size() - 1, stand, false);
+  return words_of(found, found.singular.size() - 1, stand, false);
 }
 }  // namespace mill::twin

@@ -7,17 +7,25 @@ namespace mill::twin {
 /// Directions of which a record knows less than half, weakest first, in words:
 /// "0.47 ln K1 - 0.88 ln K2: only their series is seen".
 /// @param stand  says which springs share a mass or a part
-std::vector<std::string> unseen_directions(const Told &told, const FittedStand &stand);
+std::vector<std::string> unseen_directions(const Identification &found, const FittedStand &stand);
 
-/// An unknown as it is printed, with the digits that its interval is worth: "+5.13 %"; of the delay "1.250 ms".
+/// An unknown as it is printed, with the digits that its interval allows: "+5.13 %"; of the delay "1.250 ms".
+/// The value lies in the interval, since both belong to one problem.
 struct ShownChange {
-  std::string kept, estimate, low, high;
+  std::string value, low, high;
 };
-ShownChange shown_change(const Calibrated &unknown);
+/// @param written  the case is written: its value, with an interval that covers both this value with the other
+///                 priors kept and the joint fit.  Otherwise the joint fit: value and interval.
+ShownChange shown_change(const Calibrated &unknown, bool written);
+/// ln of the factor, s of a delay: what shown_change() formats.
+struct ChangeInterval {
+  double value, low, high;
+};
+ChangeInterval change_interval(const Calibrated &unknown, bool written);
 
-/// What is done where no force was recorded, and the remedy where one was under another name.
+/// The method where no force was recorded, and the remedy where one was recorded under another name.
 std::string without_force_words();
 
-/// The weakest direction, whether or not it is seen, as a sum alone.
-std::string weakest_direction(const Told &told, const FittedStand &stand);
+/// The weakest direction as a sum, whether or not the records show it.
+std::string weakest_direction(const Identification &found, const FittedStand &stand);
 }  // namespace mill::twin

@@ -11,7 +11,7 @@ const InputDoubt *doubt_of(const std::vector<InputDoubt> &doubts, const std::str
 /// The critical speed that a search has found; none unless its verdict is a crossing.
 std::optional<CriticalPoint> critical_point(const dynamics::CriticalSpeed &found);
 
-/// How a critical speed follows one number of the pass, of the structure or of the strip beside the stand.
+/// Slope of a critical speed to one number of the pass, of the structure or of the strip next to the stand.
 struct CriticalSlope {
   std::string key, name;  ///< as dynamics::SensitivityTable has them
   double slope;           ///< -, d ln v_crit/d ln p

@@ -1,7 +1,7 @@
 #pragma once
 #include "twin/cleaning/clean_record.h"
 
-// The faults of one channel, each found and treated by itself.
+// The faults of one channel, each found and treated separately.
 namespace mill::twin {
 /// Levels at which a channel is held: an extreme (to 1e-6 of the range) that three neighbours or more than 0.1 %
 /// of the samples have.  Fills clip_low, clip_high, clipped, clipped_share; values are not changed.

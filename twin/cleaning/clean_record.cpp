@@ -1,5 +1,6 @@
 #include "twin/cleaning/clean_record.h"
 #include "twin/cleaning/channel_faults.h"
+#include "twin/cleaning/long_gaps.h"
 #include "twin/cleaning/spline.h"
 #include <algorithm>
 #include <cmath>
@@ -127,7 +128,7 @@ CleanChannel clean_channel(RawChannel &&raw, const RawRecord &record, const Time
   channel.unit              = raw.unit;
   channel.quantity          = raw.quantity;
   channel.missing           = raw.value.array().isNaN().count();
-  const bool steady_allowed = raw.quantity == Quantity::speed;  // a mill that runs at one speed is no fault
+  const bool steady_allowed = raw.quantity == Quantity::speed;  // a mill that runs at one speed is not a fault
   if (!steady_allowed)
     find_clipping(channel, raw.value, grid.rate, events);
   if (grid.position.empty())
@@ -215,6 +216,7 @@ double CleanRecord::duration() const
 
 CleanRecord clean_record(RawRecord &&raw)
 {
+  shorten_long_gaps(raw);
   const TimeGrid grid = time_grid(raw);
   CleanRecord record;
   record.file         = raw.file;
@@ -232,7 +234,7 @@ CleanRecord clean_record(RawRecord &&raw)
   if (grid.uneven)
     record.events.push_back(
         {"", "jitter", 0, double(grid.n - 1) / grid.rate, raw.n_samples(),
-         fmt::format("times lie {:.3g} samples (rms) beside an even grid; put onto it by a cubic spline",
+         fmt::format("times are {:.3g} samples (rms) away from an even grid; put onto it by a cubic spline",
                      grid.jitter * grid.rate)});
   const std::vector<CleaningEvent> of_all = record.events;
   add_labels(record, raw);

@@ -67,7 +67,7 @@ struct CleanRecord {
 };
 
 /// Counts and dates every fault of a record (chapter 41.2) and puts the channels onto an even grid.
-/// @throws InputError  the time column is too coarse, or every channel stands still
+/// @throws InputError  the time column is too coarse, or every channel has one constant value
 /// Cost O(n) per channel.
 CleanRecord clean_record(RawRecord &&record);
 }  // namespace mill::twin

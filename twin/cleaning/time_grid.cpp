@@ -7,14 +7,16 @@
 
 namespace mill::twin {
 namespace {
-constexpr double jitter_that_counts = 0.02, most_jitter = 0.5;  // samples
-constexpr double most_doubled             = 0.01;               // share of the samples
-constexpr Eigen::Index most_sampled_steps = 1 << 20;            // the median is taken of
+constexpr double least_jitter = 0.02, most_jitter = 0.5;  // samples
+constexpr double most_doubled             = 0.01;         // share of the samples
+constexpr Eigen::Index most_sampled_steps = 1 << 20;      // the median is taken of
 
 [[noreturn]] void too_coarse(const RawRecord &record, const std::string &why)
 {
   throw InputError(record.time_place, "the time column is too coarse, " + why + "; give --rate");
 }
+
+}  // namespace
 
 double median_step(const RawRecord &record)
 {
@@ -26,6 +28,8 @@ double median_step(const RawRecord &record)
   std::nth_element(steps.begin(), middle, steps.end());
   return *middle;
 }
+
+namespace {
 
 // Line t = offset + k / rate through all samples that count; jitter about it.
 void fit_line(TimeGrid &grid, const Eigen::VectorXd &time)
@@ -87,7 +91,7 @@ TimeGrid time_grid(const RawRecord &record)
   const double jitter = grid.jitter * grid.rate;
   if (jitter > most_jitter)
     too_coarse(record, fmt::format("samples are {:.2g} steps away from an even grid", jitter));
-  grid.uneven = jitter >= jitter_that_counts;
+  grid.uneven = jitter >= least_jitter;
   if (!gap && !grid.uneven)
     grid.position = {};
   return grid;

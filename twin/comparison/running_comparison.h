@@ -62,7 +62,7 @@ public:
     std::vector<SpectrumPair> spectra;              ///< 4 times a second, of every place; the latest only
     double spectra_time = 0;                        ///< s
   };
-  /// @param first      number of the first sample; other than the one after the last begins anew
+  /// @param first      number of the first sample; if it does not follow the last one, all sums start again
   /// @param measured   (n, places) NaN: missing
   /// @param simulated  (n, places)
   /// Cost at 20 kHz: 1 ms per second and place.

@@ -29,12 +29,12 @@ struct ModeFit {
   double significance =
       0;                   ///< -, twice the logarithm of the likelihood that the mode gains: 60 and more is a mode
   Eigen::Index lines = 0;  ///< used
-  std::string why_not;     ///< it is not told; empty: it is
+  std::string why_not;     ///< why it is not identified; empty: it is
 };
 
 /// The likelihood of theory.md 50.4 in the band of one mode: free are its frequency, its damping, its residues at
 /// the sensors (complex, so that gains and a delay between two clocks do not count), its motion at both ends of
-/// the block, and beside it straight lines over the band for what the other modes and the ends add.
+/// the block, together with straight lines over the band for the other modes and the ends.
 /// @param expected  where to look: up to 5 half widths away, further when the minimum lies at the edge
 /// @param others    modes that may lie in the same band; their frequencies are not changed
 /// Cost: 1 ms for 700 lines and 4 sensors.

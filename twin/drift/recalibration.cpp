@@ -28,7 +28,8 @@ MeasuredResponse response_of(const DriftRecord &record, const double low)
   return data;
 }
 
-// theta at which the told modes have the frequencies that were measured, as near to the prior as that allows.
+// theta at which the identified modes have the frequencies that were measured, as near to the prior as that
+// allows.
 Eigen::VectorXd start_of(const FittedStand &stand, const std::vector<Unknown> &unknowns, const DriftRecord &record)
 {
   const auto p          = Eigen::Index(unknowns.size());
@@ -59,17 +60,17 @@ Eigen::VectorXd start_of(const FittedStand &stand, const std::vector<Unknown> &u
   return theta;
 }
 
-// The values told of a fit; an estimate far from its prior is the reason to refuse.
+// The identified values of a fit; an estimate far from its prior is the reason to refuse.
 void judge(Recalibration &result, const Fit &fit, const RecalibrationSettings &settings)
 {
   const Eigen::VectorXd sd = fit.sd(), shrink = fit.shrink();
   for (std::size_t j = 0; j < fit.unknowns.size(); ++j)
     for (RecalibratedValue &value : result.values)
       if (value.name == fit.unknowns[j].name) {
-        const auto i = Eigen::Index(j);
-        value.change = fit.estimate[i];
-        value.sd     = sd[i];
-        value.told   = shrink[i] <= settings.told;
+        const auto i     = Eigen::Index(j);
+        value.change     = fit.estimate[i];
+        value.sd         = sd[i];
+        value.identified = shrink[i] <= settings.identified_below;
         if (std::abs(value.change) > far_from_prior * value.prior_sd)
           result.refused =
               fmt::format("{} would move by {:+.1f} %, beyond {:.0f} of its prior standard deviations", value.name,
@@ -94,29 +95,30 @@ Recalibration recalibrate(const FittedStand &stand, std::vector<Unknown> unknown
   Eigen::VectorXd start = start_of(stand, unknowns, record);
   Fit fit               = fitted(stand, unknowns, start, data, fit_settings);
   judge(result, fit, settings);
-  std::vector<Unknown> told;
+  std::vector<Unknown> identified;
   std::vector<double> at;
   for (std::size_t j = 0; j < unknowns.size(); ++j)
-    if (result.values[j].told) {
-      told.push_back(unknowns[j]);
+    if (result.values[j].identified) {
+      identified.push_back(unknowns[j]);
       at.push_back(fit.estimate[Eigen::Index(j)]);
     } else {
       result.values[j].change = 0;
       result.values[j].sd     = unknowns[j].prior_sd / settings.wider;
     }
-  if (told.empty()) {
-    result.refused = "the blocks since the change tell none of the parameters";
+  if (identified.empty()) {
+    result.refused = "the blocks since the change identify no parameter";
     return result;
   }
-  if (told.size() < unknowns.size()) {
-    fit = fitted(stand, told, Eigen::Map<Eigen::VectorXd>(at.data(), Eigen::Index(at.size())), data, fit_settings);
+  if (identified.size() < unknowns.size()) {
+    fit = fitted(stand, identified, Eigen::Map<Eigen::VectorXd>(at.data(), Eigen::Index(at.size())), data,
+                 fit_settings);
     judge(result, fit, settings);
   }
   double values = 0;
   for (const BandRecord &band : data.pieces)
     values += double(band.acceleration.size());
   const auto misfit = [&](const Eigen::VectorXd &theta) {
-    return likelihood(stand, told, theta, data, fit.noise, Wanted::cost).residual / values;
+    return likelihood(stand, identified, theta, data, fit.noise, Wanted::cost).residual / values;
   };
   result.misfit_after  = misfit(fit.estimate);
   result.misfit_before = misfit(Eigen::VectorXd::Zero(fit.estimate.size()));

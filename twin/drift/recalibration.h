@@ -15,10 +15,10 @@ struct DriftRecord {
 };
 
 struct RecalibrationSettings {
-  double wider = 3;    ///< -, prior: the last posterior's standard deviation times this
-  double low   = 5;    ///< Hz, below it the lines are not used
-  double told  = 0.5;  ///< -, shrink above which a parameter is not told
-  int renewals = 2;
+  double wider            = 3;    ///< -, prior: the last posterior's standard deviation times this
+  double low              = 5;    ///< Hz, below it the lines are not used
+  double identified_below = 0.5;  ///< -, shrink up to which a parameter is identified
+  int renewals            = 2;
 };
 
 struct RecalibratedValue {
@@ -26,7 +26,7 @@ struct RecalibratedValue {
   double prior_sd = 0;      ///< -, of ln of the factor, already widened
   double change   = 0;      ///< -, ln of the factor on what the twin had
   double sd       = 0;      ///< -, of it
-  bool told       = false;  ///< otherwise the twin's value is kept
+  bool identified = false;  ///< otherwise the twin's value is kept
 };
 
 struct Recalibration {
@@ -38,11 +38,11 @@ struct Recalibration {
 };
 
 /// Start from the frequencies of the modes through the strain shares, then the likelihood of theory.md 44 with
-/// springs and common damping free, then once more with those alone that are told.
+/// springs and common damping free, then once more with those alone that are identified.
 /// @param stand    the twin at the present load
 /// @param unknowns springs and "zeta" with the standard deviations of the last posterior
-/// Refused: nothing told; an estimate beyond 3 prior standard deviations; the misfit does not fall by a tenth.
-/// Cost: some seconds for a minute of 4 channels up to 1 kHz.
+/// Refused: nothing identified; an estimate beyond 3 prior standard deviations; the misfit does not fall by a
+/// tenth. Cost: some seconds for a minute of 4 channels up to 1 kHz.
 Recalibration recalibrate(const FittedStand &stand, std::vector<Unknown> unknowns, const DriftRecord &record,
                           const RecalibrationSettings &settings = {});
 }  // namespace mill::twin

@@ -6,7 +6,7 @@
 #include <vector>
 
 namespace mill::live {
-/// Keeps the account of a source from the numbers of its samples, whatever arrives.  theory.md (48.7)
+/// Keeps the account of a source from the numbers of its samples, for any order of arrival.  theory.md (48.7)
 /// Samples that were counted as missing and come late move to `rejected`; what comes a second time is counted
 /// apart and in no account, since it was offered once.
 class AccountBook {
@@ -28,7 +28,7 @@ public:
   void refuse(std::int64_t first, std::int64_t n);
   /// A block was dropped since the queue was full.
   void overrun(std::int64_t first, std::int64_t n);
-  /// The numbers begin anew; what was counted stays.
+  /// The numbers start again; the counts stay.
   void renumber(std::int64_t next);
 
   bool begun() const

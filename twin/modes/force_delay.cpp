@@ -10,9 +10,9 @@ constexpr double longest_delay = 0.05;  // s
 constexpr double least_phase   = 0.02;  // rad, what damping that is not proportional does to a phase
 constexpr double clear_lead    = 0.8;   // of the best: a second delay that fits as well leaves it open
 
-// Phase of one residue beside that of a real mode, known up to half a turn.
+// Phase of one residue relative to that of a real mode, known up to half a turn.
 struct Phase {
-  double beside, frequency, weight;  // rad, rad/s, 1/rad^2
+  double phase, frequency, weight;  // rad, rad/s, 1/rad^2
 };
 
 std::vector<Phase> phases_of(const std::vector<ForcedMode> &modes, const int order)
@@ -40,7 +40,7 @@ double agreement(const std::vector<Phase> &phases, const double tau)
 {
   double sum = 0, all = 0;
   for (const Phase &p : phases) {
-    sum += p.weight * std::cos(2 * (p.beside + p.frequency * tau));
+    sum += p.weight * std::cos(2 * (p.phase + p.frequency * tau));
     all += p.weight;
   }
   return sum / all;

@@ -17,7 +17,7 @@ constexpr double significant = 5, deviations = 6, alike = 0.9;
 constexpr double beyond        = 1.5;   // H is kept so far above the highest mode that is looked for
 constexpr double least_damping = 5e-4;  // below it a pole is a line
 
-// Bins in which the force has energy of its own.
+// Bins in which the force has energy.
 std::vector<bool> driven_bins(const ForceResponse &response)
 {
   const Eigen::Index n = response.force.size();
@@ -30,7 +30,7 @@ std::vector<bool> driven_bins(const ForceResponse &response)
   return driven;
 }
 
-// Impulse responses of the channels, each lag (p, 1), from H in a band and a little beside it.
+// Impulse responses of the channels, each lag (p, 1), from H in a band and a little more.
 struct ImpulseResponses {
   double rate;                         // Hz
   std::vector<Eigen::MatrixXd> value;  // [m] of lag m; [0] unused

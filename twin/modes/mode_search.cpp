@@ -27,8 +27,8 @@ void add_once(std::vector<IdentifiedMode> &modes, const IdentifiedMode &mode)
     }
   modes.push_back(mode);
 }
-// Three sensors and more tell neighbouring modes apart by their shapes: of two of one shape within a tenth the one
-// that fewer orders show belongs to the other.
+// Three sensors and more distinguish neighbouring modes by their shapes: of two of one shape within a tenth the
+// one that fewer orders show belongs to the other.
 void drop_doubles(std::vector<IdentifiedMode> &modes)
 {
   const auto all = modes;

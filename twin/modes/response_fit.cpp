@@ -19,7 +19,7 @@ Complex derivative_of_pole(const Complex lambda, const double w, const double le
   return (windowed_pole(lambda + step, w, length) - windowed_pole(lambda - step, w, length)) / (2 * step);
 }
 
-// What stands for one channel in a fit: H and the weight of each bin, real parts above imaginary ones.
+// One channel in a fit: H and the weight of each bin, real parts above imaginary ones.
 struct Target {
   Eigen::VectorXd value, weight;
 };

@@ -4,7 +4,7 @@
 
 namespace mill::twin {
 namespace {
-// Largest eigenvalue of a matrix without negative ones, to some digits: it stands behind a diagram.
+// Largest eigenvalue of a matrix without negative ones, to some digits: it is shown behind a diagram.
 double largest_eigenvalue(const Eigen::MatrixXcd &S)
 {
   Eigen::Index column = 0;

@@ -58,7 +58,7 @@ std::vector<IdentifiedMode> modes_of_poles(const std::vector<SubspacePole> &pole
 
 /// All that a record says about its modes.
 struct ModeSearch {
-  std::vector<IdentifiedMode> modes;  ///< ascending, all bands; one found in two bands stands once
+  std::vector<IdentifiedMode> modes;  ///< ascending, all bands; one that is found in two bands appears once
   std::vector<SubspacePole> poles;    ///< of all bands, for the diagram
   FirstSingularValue singular;        ///< of the channels, behind the diagram
 };

@@ -3,12 +3,12 @@
 
 namespace mill::twin {
 namespace {
-constexpr double half_band = 20, values_per_second = 50, length = 0.3;  // Hz, 1/s, s
+constexpr double half_band = 20, values_per_second = 50;  // Hz, 1/s
 
 // Symmetric, odd, sums to one; Hamming's window.
 std::vector<double> low_pass(const double rate)
 {
-  const auto half = int(std::lround(0.5 * length * rate));
+  const auto half = int(std::lround(0.5 * envelope_filter_length * rate));
   std::vector<double> taps;
   double sum = 0;
   for (int i = -half; i <= half; ++i) {

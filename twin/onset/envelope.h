@@ -5,6 +5,8 @@
 #include <vector>
 
 namespace mill::twin {
+constexpr double envelope_filter_length = 0.1;  ///< s, of the low-pass; lags below it hold noise
+
 /// Complex envelope of a band, 0-peak: x(t) = Re[z(t) exp(i w0 t)].  theory.md (41.12)
 struct ComplexEnvelope {
   double frequency = 0;             ///< Hz, w0 / 2 pi
@@ -21,11 +23,11 @@ struct EnvelopeFilter {
   /// exp(-i w0 t) at the middle of n samples of which the first has this number.
   std::complex<double> turned_back(std::int64_t first) const;
 };
-/// Low-pass of +-20 Hz (windowed sinc, 0.3 s long), 50 values per second.
+/// Low-pass of +-20 Hz (windowed sinc, 0.1 s long), 50 values per second.
 EnvelopeFilter envelope_filter(double rate, double frequency);
 
-/// Mixed with exp(-i w0 t), low-pass of +-20 Hz (windowed sinc, 0.3 s long), 50 values per second.
-/// Cost O(n) times 15.
+/// Mixed with exp(-i w0 t), low-pass of +-20 Hz (windowed sinc, 0.1 s long), 50 values per second.
+/// Cost O(n) times 5.
 ComplexEnvelope complex_envelope(const Eigen::VectorXd &value, const std::vector<Span> &pieces, double rate,
                                  double frequency);
 }  // namespace mill::twin

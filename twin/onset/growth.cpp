@@ -8,52 +8,55 @@ namespace mill::twin {
 namespace {
 using Complex = std::complex<double>;
 
-constexpr int first_lag    = 2;                                        // below: noise and filter
 constexpr double lag_reach = 0.7, longest = 2, shortest_sigma = 0.35;  // -, s, 1/s
 constexpr double scatter_over_law = 1.6;                               // -
 
-Complex correlation(const ComplexEnvelope &envelope, const Eigen::Index lag)
+// First lag beyond the length of the low-pass: below it are noise and filter.
+int first_lag_of(const ComplexEnvelope &envelope)
 {
-  Complex sum = 0;
-  double n    = 0;
-  for (const auto &z : envelope.z)
-    if (z.size() > lag) {
-      sum += z.head(z.size() - lag).dot(z.tail(z.size() - lag));  // the first factor is conjugated
-      n += double(z.size() - lag);
-    }
-  return n > 0 ? sum / n : 0;
+  return std::max(2, int(std::ceil(envelope_filter_length * envelope.rate - 1e-9)));
 }
 
-// lambda of one step from lags 2 .. m2.
-Complex step_factor(const std::vector<Complex> &R, const int last)
+// Sum of z(k + lag) z(k)* over the same k for every lag, so that growth and decay have their sign.
+Complex correlation(const ComplexEnvelope &envelope, const Eigen::Index lag, const Eigen::Index longest_lag)
+{
+  Complex sum = 0;
+  for (const auto &z : envelope.z)
+    if (const Eigen::Index n = z.size() - longest_lag; n > 0)
+      sum += z.head(n).dot(z.segment(lag, n));  // the first factor is conjugated
+  return sum;
+}
+
+// lambda of one step from the lags first .. last.
+Complex step_factor(const std::vector<Complex> &R, const int first, const int last)
 {
   Complex sum   = 0;
   double weight = 0;
-  for (int m = first_lag; m <= last && m + 1 < int(R.size()); ++m) {
+  for (int m = first; m <= last && m + 1 < int(R.size()); ++m) {
     sum += R[std::size_t(m + 1)] * std::conj(R[std::size_t(m)]);
     weight += std::norm(R[std::size_t(m)]);
   }
   return weight > 0 ? sum / weight : 0;
 }
 
-// Growth of what an envelope holds, whatever it is.
+// Growth rate of an envelope, of a mode or of a tone.
 GrowthRate growth_of_all(const ComplexEnvelope &envelope)
 {
   GrowthRate growth;
   for (const auto &z : envelope.z)
     growth.duration += double(z.size()) / envelope.rate;
-  const int most = int(longest * envelope.rate);
+  const int most = int(longest * envelope.rate), first = first_lag_of(envelope);
   std::vector<Complex> R;
   for (int m = 0; m <= most + 1; ++m)
-    R.push_back(correlation(envelope, m));
+    R.push_back(correlation(envelope, m, most + 1));
   if (!(std::abs(R[0]) > 0) || growth.duration < 4 * longest)
     return growth;
-  growth.kept  = std::abs(R[2]) / std::abs(R[0]);
+  growth.kept  = std::abs(R[std::size_t(first)]) / std::abs(R[0]);
   double sigma = -1 / longest;
-  for (int i = 0; i < 8; ++i) {  // the reach of the lags follows the rate they tell
-    const int last       = std::clamp(int(lag_reach / std::max(std::abs(sigma), shortest_sigma) * envelope.rate),
-                                      first_lag + 1, most);
-    const Complex lambda = step_factor(R, last);
+  for (int i = 0; i < 8; ++i) {  // the reach of the lags follows the rate that they give
+    const int last =
+        std::clamp(int(lag_reach / std::max(std::abs(sigma), shortest_sigma) * envelope.rate), first + 1, most);
+    const Complex lambda = step_factor(R, first, last);
     if (!(std::abs(lambda) > 0))
       return growth;
     sigma            = envelope.rate * std::log(std::abs(lambda));
@@ -119,6 +122,11 @@ bool GrowthRate::near_instability() const
 double GrowthRate::upper() const
 {
   return sigma + 1.96 * scatter_over_law * law;
+}
+
+double GrowthRate::lower() const
+{
+  return sigma - 1.96 * scatter_over_law * law;
 }
 
 // (41.18): a line that is far stronger than the strongest that noise makes of the mode left behind.

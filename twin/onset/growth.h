@@ -15,10 +15,12 @@ struct GrowthRate {
       std::numeric_limits<double>::quiet_NaN();  ///< 1/s, standard deviation, sqrt(|sigma|/T): a lower bound
   double duration  = 0;                          ///< s, T
   double frequency = 0;                          ///< Hz, of the mode, the turn of the envelope counted
-  double kept = 0;  ///< -, correlation left at the second lag; below 0.3 the mode decays faster than can be told
+  double kept =
+      0;  ///< -, correlation left at the first lag beyond the filter; below 0.3 the mode decays too fast for this
   double tone = 0;  ///< -, share of the mean square in steady tones that were taken off first, (41.18); 0: none
   bool near_instability() const;  ///< upper end of 95 % above -0.5 1/s
   double upper() const;           ///< 1/s, of the 95 % interval, by 1.6 times the law
+  double lower() const;           ///< 1/s, of the same
 };
 GrowthRate growth_rate(const ComplexEnvelope &envelope);
 

@@ -18,7 +18,7 @@ public:
 
   /// @param first    number of the first sample; other than the one after the last begins a new piece
   /// @param samples  (n, channels), NaN: missing
-  /// Cost: 0.3 multiplications per sample, channel and band times the 15 of a value.
+  /// Cost: one product of the length of the filter for each value, channel and band.
   void take(std::int64_t first, const Eigen::MatrixXd &samples, const Value &value);
   void restart();
   double rate() const;  ///< 1/s, of the values

@@ -49,7 +49,7 @@ bool is_of_resonance(const WelchSpectrum &s, const Eigen::Index k, const double 
 }
 
 // Noise that a resonance leaves in one bin comes and goes: its powers scatter by their mean.  Those of a line of
-// ratio r over the noise beside it scatter by sqrt(2 r - 1) / r.  (41.6a)
+// ratio r over the noise next to it scatter by sqrt(2 r - 1) / r.  (41.6a)
 bool is_steady(const WelchSpectrum &s, const Eigen::Index k, const double rise)
 {
   constexpr double swing       = 0.35;  // of a line itself, a third of what noise does

@@ -12,7 +12,10 @@ struct Peak {
   double width;       ///< Hz, between half-power points
   bool line;          ///< narrower than 1.6 equivalent noise bandwidths, and steady from segment to segment
   Eigen::Index bin;
-  double resolution;  ///< Hz, of the spectrum it was found in
+  double resolution;     ///< Hz, of the spectrum it was found in
+  double deviation = 0;  ///< Hz, standard deviation of the frequency; 0: not computed
+  double coherence = 0;  ///< -, share of the power that turns steadily over the record
+  double swing     = 0;  ///< -, variance of the power from segment to segment over its mean squared
 };
 
 /// Bins that stand 10 dB over the median of their 120 neighbours, and higher than noise does once in 1e9 bins; of

@@ -150,7 +150,7 @@ const char *name_of(const Follows follows)
   case Follows::neither:
     return "neither fixed nor locked to the speed";
   case Follows::cannot_tell:
-    return "cannot tell";
+    return "not distinguishable";
   }
   return "";
 }

@@ -28,8 +28,8 @@ struct OverLength {
   Eigen::VectorXd value;  ///< (n) in the unit of the channel
   std::vector<Span> pieces;
 };
-/// Pieces, or parts of them, in which the mill runs (speed above a twentieth of the highest).  No pieces: it
-/// stands.
+/// Pieces, or parts of them, in which the mill runs (speed above a twentieth of the highest).  No pieces: the
+/// mill does not run.
 OverLength over_length(const Eigen::VectorXd &value, const std::vector<Span> &pieces, const Eigen::VectorXd &speed,
                        double rate);
 
@@ -43,7 +43,8 @@ SpeedExponent speed_exponent(const Waterfall &map, double frequency, double refe
 
 enum class Follows { fixed, locked, neither, cannot_tell };
 const char *name_of(Follows follows);
-/// 0 +- 0.1, 1 +- 0.1 or neither; "cannot tell" where the speeds span less than five relative widths of the peak.
+/// 0 +- 0.1, 1 +- 0.1 or neither; "not distinguishable" where the speeds span less than five relative widths of
+/// the peak.
 /// @param span  -, highest over lowest speed, less one
 Follows follows_speed(const SpeedExponent &exponent, double span, double relative_width);
 }  // namespace mill::twin

@@ -1,5 +1,6 @@
 #include "twin/spectra/welch.h"
 #include "core/base/require.h"
+#include "twin/spectra/noise_floor.h"
 #include <algorithm>
 #include <cmath>
 
@@ -144,17 +145,12 @@ double velocity_rms(const WelchSpectrum &s, const Quantity quantity, const doubl
 double bandwidth(const WelchSpectrum &s)
 {
   constexpr double fall = 1e-3, ratio = 1.2, step = 1.02;
-  const double top = s.rate / 2.56;
-  // medians over a twelfth of an octave or five bins, so that lines do not count
-  std::vector<double> frequency, level, part;
+  const double top            = s.rate / 2.56;
+  const Eigen::VectorXd floor = noise_floor(s);  // a line does not move it, however strong it is
+  std::vector<double> frequency, level;
   for (double f = std::max(top / 1024, 8 * s.resolution()); f < top; f *= step) {
-    const auto first = Eigen::Index(f / 1.03 / s.resolution()),
-               last = std::min(std::max(Eigen::Index(f * 1.03 / s.resolution()), first + 5), s.density.size() - 1);
-    part.assign(s.density.data() + first, s.density.data() + last);
-    const auto middle = part.begin() + std::ptrdiff_t(part.size() / 2);
-    std::nth_element(part.begin(), middle, part.end());
     frequency.push_back(f);
-    level.push_back(*middle);
+    level.push_back(floor[std::min(Eigen::Index(f / s.resolution()), floor.size() - 2)]);
   }
   std::vector<double> highest_above(level.size() + 1, 0.0);
   for (std::size_t i = level.size(); i-- > 0;)

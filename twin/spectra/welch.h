@@ -38,7 +38,7 @@ struct SpectralLine {
   double frequency;      ///< Hz
   double amplitude;      ///< unit, 0-peak
   double amplitude_bin;  ///< unit, 0-peak, what the highest bin alone says
-  double width;          ///< Hz, between the half-power points beside the peak
+  double width;          ///< Hz, between the half-power points of the peak
 };
 /// @param k  a local maximum, 0 < k < L/2
 SpectralLine line_at(const WelchSpectrum &spectrum, Eigen::Index k);
@@ -51,7 +51,7 @@ double chi_square_over_dof(double z, double dof);
 /// acceleration; NaN for others.  theory.md (41.7)
 double velocity_rms(const WelchSpectrum &spectrum, Quantity quantity, double low = 10, double high = 1000);
 
-/// Hz, where the density has fallen by more than 30 dB within a fifth of the frequency and stays there up to
-/// rate/2.56: what a filter or a sensor left; rate/2.56 where nothing falls.
+/// Hz, where the noise floor has fallen by more than 30 dB within a fifth of the frequency and stays there up to
+/// rate/2.56: what a filter or a sensor left; rate/2.56 where nothing falls.  A line does not move the floor.
 double bandwidth(const WelchSpectrum &spectrum);
 }  // namespace mill::twin

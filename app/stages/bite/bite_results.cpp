@@ -337,8 +337,8 @@ constexpr double same_force = 0.1;
 
 void note_force(RunContext &run, const BiteStudy &s, const std::string &where)
 {
-  if (std::isnan(s.question.force))
-    return;
+  if (std::isnan(s.question.force) || s.question.stress_fitted_to_force)
+    return;  // a stress that was fitted to the force says nothing of the case
   const double force = s.chosen().state.force;
   const bool fitted  = !std::isnan(s.question.force_deviation);
   const std::string sentence =

@@ -13,15 +13,16 @@ namespace mill {
 struct BiteQuestion {
   bite::RollBite bite;
   BiteSetup setup;
-  std::string pass;                    ///< its name
-  double force = not_given;            ///< N, for comparison with the computed one
-  std::string force_name;              ///< "mean of the recorded force"
-  double force_deviation = not_given;  ///< -, standard deviation of that force where the strip was fitted to it
-  double measured_slip   = not_given;  ///< -, forward slip for comparison with the computed one
-  double measured_torque = not_given;  ///< N m, of one roll
-  std::string roll_key;                ///< of the case file, "work_roll.barrel_diameter"
-  bool curves              = true;     ///< also K4 over reduction, tension, friction, speed and the bite's aspect
-  double backup_half_width = 0;        ///< m, of the contact with the back-up roll opposite; 0: none
+  std::string pass;                     ///< its name
+  double force = not_given;             ///< N, for comparison with the computed one
+  std::string force_name;               ///< "mean of the recorded force"
+  double force_deviation = not_given;   ///< -, standard deviation of that force where the strip was fitted to it
+  bool stress_fitted_to_force = false;  ///< the flow stress of `bite` comes from `force`, not from the case
+  double measured_slip        = not_given;  ///< -, forward slip for comparison with the computed one
+  double measured_torque      = not_given;  ///< N m, of one roll
+  std::string roll_key;                     ///< of the case file, "work_roll.barrel_diameter"
+  bool curves              = true;  ///< also K4 over reduction, tension, friction, speed and the bite's aspect
+  double backup_half_width = 0;     ///< m, of the contact with the back-up roll opposite; 0: none
 };
 
 /// One model's answer, or why it has none.

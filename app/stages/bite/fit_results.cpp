@@ -232,11 +232,6 @@ void note_quality(RunContext &run, const StripFit &fit)
   if (!fit.uncorrected.empty())
     run.warn(about + "by Karman's slab, since the model of the run has no answer for the fitted strip: " +
              fit.uncorrected);
-  if (fit.last_change > 0.5)
-    run.warn(
-        fmt::format("{}the model of the run still moved by {:.1f} standard deviations of a measured value in the "
-                    "last round; another run with the fitted values in [strip] goes on from there",
-                    about, fit.last_change));
 }
 }  // namespace
 

@@ -5,6 +5,7 @@
 #include "core/base/errors.h"
 #include "core/model/bite_case.h"
 #include "core/model/four_high.h"
+#include "reduce/bite/fit/fit_to_model.h"
 #include <algorithm>
 #include <cmath>
 
@@ -44,14 +45,13 @@ bite::MeasuredPass measured_pass(const FitQuestion &q, const std::size_t p)
   return measured;
 }
 
-// The strip of the case with the laws of the fitted passes.
-Strip strip_of(const FitQuestion &q, const bite::FitAnswer &answer)
+// The strip of the case with the laws of the passes at x, logarithms of the factors.
+Strip strip_of(const FitQuestion &q, const bite::FitProblem &problem, const Eigen::VectorXd &x)
 {
-  const Strip fitted =
-      with_factors(answer.problem.passes.front().bite.strip, answer.problem.unknowns, answer.best.x);
-  Strip strip       = q.strip;
-  strip.friction    = fitted.friction;
-  strip.flow_stress = fitted.flow_stress;
+  const Strip fitted = with_factors(problem.passes.front().bite.strip, problem.unknowns, x);
+  Strip strip        = q.strip;
+  strip.friction     = fitted.friction;
+  strip.flow_stress  = fitted.flow_stress;
   return strip;
 }
 
@@ -72,16 +72,15 @@ struct ModelValue {
   std::string model, refused;
 };
 
-// All passes side by side; what their stages say belongs to strips that are not the last one.
-std::vector<ModelValue> values_of_run(RunContext &run, const StripFit &fit)
+// All passes in parallel; the notes of their stages belong to strips that are not the last one and are dropped.
+std::vector<ModelValue> values_of_run(RunContext &run, const FitQuestion &q, const bite::FitProblem &problem,
+                                      const Strip &strip)
 {
-  const FitQuestion &q = fit.question;
-  const Strip strip    = strip_of(q, fit.answer);
   std::vector<ModelValue> values(q.passes.size());
   SideBySide all(run);
   for (std::size_t p = 0; p < q.passes.size(); ++p)
-    all.add([&, p](RunContext &part_run) {
-      if (!has_data(fit.answer.problem.passes[p]))
+    all.add([&, p](RunContext &pass_run) {
+      if (!has_data(problem.passes[p]))
         return;
       BiteQuestion one;
       one.bite     = bite_of(strip, q.passes[p], q.roll_diameter, q.steel);
@@ -90,7 +89,7 @@ std::vector<ModelValue> values_of_run(RunContext &run, const StripFit &fit)
       one.roll_key = q.roll_key;
       one.curves   = false;
       try {
-        const BiteStudy study    = study_bite(part_run, one);
+        const BiteStudy study    = study_bite(pass_run, one);
         const BiteAnswer &chosen = study.chosen();
         const bite::BiteState &s = chosen.state;
         values[p]                = {
@@ -107,55 +106,34 @@ std::vector<ModelValue> values_of_run(RunContext &run, const StripFit &fit)
   return values;
 }
 
-// A torque near zero has no ratio.
-bool has_ratio(const double value, const double slab)
-{
-  const double ratio = value / slab;
-  return ratio > 0.3 && ratio < 3;
-}
+/// The model of the run has no answer for one of the passes.
+struct NoAnswer : InputError {
+  using InputError::InputError;
+};
 
-/// Takes over how the model of the run differs from the slab, (31.7).
-/// @return standard deviations by which that moved a measured value at most
-double correct(bite::FitProblem &problem, const Eigen::VectorXd &x, const std::vector<ModelValue> &values)
+/// Fits by the model of the run; by the slab alone where that model has no answer for the strip of the slab's fit.
+void fit_by_run(RunContext &run, StripFit &fit)
 {
-  double change = 0;
-  for (std::size_t p = 0; p < problem.passes.size(); ++p) {
-    bite::MeasuredPass &pass = problem.passes[p];
-    const auto slab          = predict_pass(pass.bite, problem.arc, problem.unknowns, x, false).value;
-    for (std::size_t kind = 0; kind < bite::n_measured; ++kind) {
-      if (std::isnan(pass.value[kind]))
-        continue;
-      const double by_slab = slab[Eigen::Index(kind)], by_run = values[p].value[Eigen::Index(kind)];
-      const double before = pass.factor[kind] * by_slab + pass.shift[kind];
-      const bool ratio    = kind != std::size_t(Measured::slip) && has_ratio(by_run, by_slab);
-      pass.factor[kind]   = ratio ? by_run / by_slab : 1;
-      pass.shift[kind]    = ratio ? 0 : by_run - by_slab;
-      change              = std::max(change, std::abs(by_run - before) / pass.deviation[kind]);
+  std::vector<std::string> models;
+  const auto model = [&](const Eigen::VectorXd &x) {
+    const Strip strip = strip_of(fit.question, fit.answer.problem, x);
+    const auto values = values_of_run(run, fit.question, fit.answer.problem, strip);
+    std::vector<Eigen::Vector3d> numbers;
+    std::vector<std::string> names;
+    for (const ModelValue &value : values) {
+      if (!value.refused.empty())
+        throw NoAnswer(value.refused);
+      numbers.push_back(value.value);
+      names.push_back(value.model);
     }
-  }
-  return change;
-}
-
-/// Rounds of the model of the run and a fit with its distance to the slab.
-void correct_by_run(RunContext &run, StripFit &fit)
-{
-  constexpr int most_rounds  = 3;
-  constexpr double is_enough = 0.05;  // standard deviations of a measured value
-  for (int round = 0; round < most_rounds; ++round) {
-    const auto values = values_of_run(run, fit);
-    for (const ModelValue &value : values)
-      if (!value.refused.empty()) {
-        fit.uncorrected = value.refused;
-        return;
-      }
-    fit.models.clear();
-    for (const ModelValue &value : values)
-      fit.models.push_back(value.model);
-    fit.last_change = correct(fit.answer.problem, fit.answer.best.x, values);
-    if (const auto start = fit_point(fit.answer.problem, fit.answer.best.x))
-      fit.answer.best = least_misfit(fit.answer.problem, *start);
-    if (fit.last_change < is_enough)
-      return;
+    models = names;
+    return numbers;
+  };
+  try {
+    fit.answer.best = fit_to_model(fit.answer.problem, fit.answer.best, model);
+    fit.models      = models;
+  } catch (const NoAnswer &e) {
+    fit.uncorrected = e.problems.front().message;
   }
 }
 
@@ -167,9 +145,9 @@ StripFit solved_fit(RunContext &run, const FitQuestion &question)
   fit.slab     = bite::identify(fit_problem(question), one_number_only(question.setup));
   fit.answer   = fit.slab;
   if (!is_the_slab(question.setup))
-    correct_by_run(run, fit);
+    fit_by_run(run, fit);
   bite::find_intervals(fit.answer);
-  fit.strip = strip_of(question, fit.answer);
+  fit.strip = strip_of(question, fit.answer.problem, fit.answer.best.x);
   return fit;
 }
 }  // namespace
@@ -224,7 +202,8 @@ Strip quickly_fitted_strip(const FitQuestion &question)
   if (question.setup.fit.empty())
     return question.strip;
   try {
-    return strip_of(question, bite::identify(fit_problem(question), one_number_only(question.setup)));
+    const bite::FitAnswer answer = bite::identify(fit_problem(question), one_number_only(question.setup));
+    return strip_of(question, answer.problem, answer.best.x);
   } catch (const InputError &) {
   } catch (const SolverError &) {
   }

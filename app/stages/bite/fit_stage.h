@@ -33,15 +33,14 @@ struct StripFit {
   bite::FitAnswer slab;             ///< by the slab alone
   bite::FitAnswer answer;           ///< by the model of the run, through its distance to the slab
   std::vector<std::string> models;  ///< of the run, by pass; empty: the slab itself
-  double last_change = 0;   ///< standard deviations of a measured value by which the last round moved the model
-  std::string uncorrected;  ///< why the model of the run had no part; empty: it had
-  Strip strip;              ///< fitted
+  std::string uncorrected;          ///< why the model of the run was not used; empty: it was used
+  Strip strip;                      ///< fitted
 };
 
-/// Friction and flow stress of [strip] by bite.fit, with results bite.fit.* and what the data do not tell in
-/// words; the strip as it is where no fit is asked.
+/// Friction and flow stress of [strip] by bite.fit, with results bite.fit.* and sentences on what the data do not
+/// determine; the strip as it is where no fit is asked.
 /// @throws InputError   passes that no friction and no flow stress makes possible
-/// @throws SolverError  no least misfit
+/// @throws SolverError  no least misfit, or the model of the run does not settle on the measured values
 Strip fitted_strip(RunContext &run, const FitQuestion &question);
 
 /// By the slab alone, for a trace; the strip as it is where no fit is asked or possible.

@@ -89,8 +89,9 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
   question.pass       = force.name;
   question.force      = force.fitted_to;
   question.force_name = force.fitted_to_what.empty() ? "the computed force" : "the " + force.fitted_to_what;
-  question.roll_key   = q.roll_key;
-  question.curves     = false;
+  question.stress_fitted_to_force = !std::isnan(force.flat.flow_stress);
+  question.roll_key               = q.roll_key;
+  question.curves                 = false;
   try {
     const BiteStudy study = study_bite(run, question);
     add_bite_results(run, study);
@@ -108,6 +109,26 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
   }
 }
 
+// Beyond this difference the two forces do not belong to the same strip.
+constexpr double same_schedule_force = 0.1;
+
+// The stress and friction of the case compared with the force of the pass; the fit has its own rows.
+void note_force_of_case(RunContext &run, const PassForce &pass, const bite::RollBite &bite)
+{
+  if (std::isnan(pass.law_force) || !(pass.fitted_to > 0))
+    return;
+  const double difference = pass.law_force / pass.fitted_to - 1;
+  const std::string sentence =
+      fmt::format("pass \"{}\": strip.flow_stress and strip.friction give {:.4g} kN by {}; the {} is {:.4g} kN",
+                  pass.name, 1e-3 * pass.law_force, bite::model_name({closed_theory(bite), bite::Arc::hitchcock}),
+                  pass.fitted_to_what, 1e-3 * pass.fitted_to);
+  if (std::abs(difference) <= same_schedule_force)
+    run.assume(sentence);
+  else
+    run.warn(fmt::format("{}; the computed force differs by {:+.0f} %. The results bite.{}.* use the flow stress "
+                         "that was fitted to the {}",
+                         sentence, 100 * difference, pass.name, pass.fitted_to_what));
+}
 }  // namespace
 
 ScheduleRecord add_schedule_forces(RunContext &run, const ScheduleQuestion &question)
@@ -119,6 +140,8 @@ ScheduleRecord add_schedule_forces(RunContext &run, const ScheduleQuestion &ques
   models.work();
   for (std::size_t p = 0; p < record.passes.size(); ++p)
     models.take(p);
+  for (std::size_t p = 0; p < record.passes.size(); ++p)
+    note_force_of_case(run, record.passes[p], question.passes[p].bite);
   for (const std::string &note : record.notes)
     run.warn(note);
   add_schedule_results(run, question, record);

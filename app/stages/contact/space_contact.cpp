@@ -1,9 +1,11 @@
 #include "app/stages/contact/space_contact.h"
 #include "core/base/errors.h"
 #include "fem/contact/hertz.h"
+#include "fem/contact/row_refinement.h"
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace mill {
@@ -30,6 +32,12 @@ Eigen::VectorXd mirrored(const Eigen::VectorXd &edges)
   return both;
 }
 
+// Shortest row along a line contact, at the ends of the face.
+double shortest_row(const SpaceShape &s, const Expected &e, const int rectangles)
+{
+  return 12. / rectangles * std::min(e.half_x / 5, s.length / 200);
+}
+
 // A grid that reaches `wide` expected half axes.
 contact::QuarterGrid grid_for(const SpaceShape &s, const Expected &e, const double wide, const double tilt,
                               const int rectangles)
@@ -46,9 +54,8 @@ contact::QuarterGrid grid_for(const SpaceShape &s, const Expected &e, const doub
     const int rows = std::max(4, int(std::ceil((high - low) / e.half_z * rectangles)));
     grid.z         = Eigen::VectorXd::LinSpaced(rows + 1, low, high);
   } else {
-    const double fine        = 12. / rectangles;
-    const Eigen::VectorXd up = contact::graded_edges(e.half_z, fine * s.length / (grid.half ? 36 : 50),
-                                                     fine * std::min(e.half_x / 5, s.length / 200), 1.4);
+    const double in_middle   = 12. / rectangles * s.length / (grid.half ? 36 : 50);
+    const Eigen::VectorXd up = contact::graded_edges(e.half_z, in_middle, shortest_row(s, e, rectangles), 1.4);
     grid.z                   = grid.half ? mirrored(up) : up;
   }
   return grid;
@@ -99,9 +106,37 @@ void read_row(SpaceAnswer &a, const bool point)
 }
 
 const char *const too_narrow = "half space: the contact is wider than the grid";
+
+// Solves on the grid of the answer and then on finer rows where the line load bends: at the beginning of a relief
+// and at the end of the contact, neither of which is known before.  theory.md 33.3
+void solve_with_fine_rows(SpaceAnswer &a, const SpaceShape &shape, const double tilt, const double load,
+                          const int rectangles, const double least)
+{
+  constexpr int most_rounds = 6, most_unknowns = 4000;
+  const double bend = 0.04 * 12 / rectangles;  // of the largest line load: it is off by less than half of that
+  std::optional<contact::HalfSpaceContact> contact;
+  for (int round = 0;; ++round) {
+    contact.emplace(shape.bodies, a.grid, shape.gap(tilt));
+    a.state                     = contact->at_load(load);
+    const Eigen::VectorXd finer = contact::refined_rows(a.grid, a.state, bend, least);
+    if (round == most_rounds || finer.size() == a.grid.z.size() || a.grid.n_x * finer.size() > most_unknowns)
+      break;
+    a.grid.z = finer;
+  }
+  a.tangent = contact->tangent(load);
+  a.state   = contact->at_load(load);
+}
+
+void solve_on_grid(SpaceAnswer &a, const SpaceShape &shape, const double tilt, const double load)
+{
+  contact::HalfSpaceContact contact(shape.bodies, a.grid, shape.gap(tilt));
+  a.tangent = contact.tangent(load);
+  a.state   = contact.at_load(load);
+}
 }  // namespace
 
-SpaceAnswer solve_in_space(const SpaceShape &shape, const double load, const double tilt, const int rectangles)
+SpaceAnswer solve_in_space(const SpaceShape &shape, const double load, const double tilt, const int rectangles,
+                           const SpaceRows rows)
 {
   const Expected e = expected(shape, load, tilt);
   // Tilt, sharp ends and reliefs gather the load: the contact is wider there than under an even load.
@@ -109,9 +144,10 @@ SpaceAnswer solve_in_space(const SpaceShape &shape, const double load, const dou
     SpaceAnswer a;
     a.grid = grid_for(shape, e, wide, tilt, rectangles);
     try {
-      contact::HalfSpaceContact contact(shape.bodies, a.grid, shape.gap(tilt));
-      a.tangent = contact.tangent(load);
-      a.state   = contact.at_load(load);
+      if (rows == SpaceRows::refined && !e.point && shape.relieved)
+        solve_with_fine_rows(a, shape, tilt, load, rectangles, shortest_row(shape, e, rectangles));
+      else
+        solve_on_grid(a, shape, tilt, load);
     } catch (const SolverError &error) {
       if (std::string(error.what()).find(too_narrow) == std::string::npos || wide == 8.)
         throw;

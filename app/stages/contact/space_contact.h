@@ -15,9 +15,15 @@ struct SpaceAnswer {
   bool cut             = false;  ///< the contact reaches an end of the faces
 };
 
+/// Rows of the grid along a relieved face.
+enum class SpaceRows {
+  graded,   ///< shortest at the ends of the face: for the approach and for values at mid-length
+  refined,  ///< and finer where the line load bends: for the largest line load and the largest pressure
+};
+
 /// @param rectangles  over the half width
 /// @throws SolverError  the contact is wider than any grid tried
-SpaceAnswer solve_in_space(const SpaceShape &shape, double load, double tilt, int rectangles);
+SpaceAnswer solve_in_space(const SpaceShape &shape, double load, double tilt, int rectangles, SpaceRows rows);
 
 /// Does the pressure grow without limit at an end of the faces?
 bool singular_end(const SpaceShape &shape, const SpaceAnswer &answer, double tilt);

@@ -50,7 +50,7 @@ double palmgren(const double load, const double length)
 }
 
 void add(RunContext &run, const SpaceRun &s, const std::string &what, const std::string &unit, const double value,
-         const double coarse, std::vector<Check> checks)
+         const double coarse, std::vector<Check> checks, const double safety = mesh_pair_safety)
 {
   if (!std::isfinite(value))
     return;
@@ -59,7 +59,7 @@ void add(RunContext &run, const SpaceRun &s, const std::string &what, const std:
   p.unit           = unit;
   p.method         = "half spaces, boundary elements (sec. 33.3), between points far from the contact";
   p.at             = {"{}", {{s.load(), "N"}}};
-  p.error_estimate = mesh_pair_error(value, coarse);
+  p.error_estimate = mesh_pair_error(value, coarse, 2, safety);
   if (s.point && !checks.empty())  // Hertz is exact there
     p.error_estimate = std::max(p.error_estimate, difference(checks.front().value, value));
   p.checks = std::move(checks);
@@ -127,12 +127,14 @@ void add_edges(RunContext &run, const SpaceRun &s)
   add(run, s, "line_load_ratio", "1", ratio(s.fine), ratio(s.coarse),
       {
           {"even line load", 1, ""}
-  });
+  },
+      unseen_order_safety);
   if (s.fine.state.line_load[s.fine.row] > 0)
     add(run, s, "edge_factor", "1", edge(s.fine), edge(s.coarse),
         {
             {"even line load", 1, ""}
-    });
+    },
+        unseen_order_safety);
 }
 
 // Moment of the pressures about mid-length, from tilted axes.
@@ -198,10 +200,10 @@ double write_sweep(RunContext &run, const SpaceRun &s)
   curve.iterations.resize(n);
   Eigen::VectorXd approach(n), tangent(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const double load      = curve.load[i];
-    const SpaceAnswer a    = solve_in_space(s.shape, load, c.tilt, std::max(6, c.rectangles / 2));
-    curve.approach[i]      = a.state.approach;
-    curve.half_width[i]    = a.half_width;
+    const double load   = curve.load[i];
+    const SpaceAnswer a = solve_in_space(s.shape, load, c.tilt, std::max(6, c.rectangles / 2), SpaceRows::graded);
+    curve.approach[i]   = a.state.approach;
+    curve.half_width[i] = a.half_width;
     curve.peak_pressure[i] = a.peak_pressure;
     curve.tangent[i]       = a.tangent;
     curve.secant[i]        = load / a.state.approach;
@@ -309,8 +311,8 @@ void solve_space(RunContext &run, const TwoCylinders &pair)
   const auto &c = pair.space;
   SpaceRun s{pair, space_shape(pair), {}, {}, false, false};
   s.point    = s.shape.is_point(c.at, c.tilt);
-  s.fine     = solve_in_space(s.shape, c.at, c.tilt, c.rectangles);
-  s.coarse   = solve_in_space(s.shape, c.at, c.tilt, c.rectangles / 2);
+  s.fine     = solve_in_space(s.shape, c.at, c.tilt, c.rectangles, SpaceRows::refined);
+  s.coarse   = solve_in_space(s.shape, c.at, c.tilt, c.rectangles / 2, SpaceRows::refined);
   s.singular = singular_end(s.shape, s.coarse, c.tilt);
   add_scalars(run, s);
   add_edges(run, s);

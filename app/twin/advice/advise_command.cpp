@@ -58,12 +58,12 @@ void say_advice(const twin::AdviceRecord &record, const std::string &folder)
 {
   using console::print;
   print(visible("goal: " + record.question, true) + "\n" + visible(record.answer, true) + "\n\n");
-  print("     counts    anew      by slope\n");
+  print("   decisive recomputed  linear\n");
   const std::size_t above = above_the_line(record.actions), n = record.actions.size();
   for (std::size_t i = 0; i < std::min(above, most_said); ++i)
     say_action(record.actions[i], i + 1);
   if (above < n)
-    print("  ------------------ what does not help, or violates a limit\n");
+    print("  ------------------ rejected: no help, or a limit is violated\n");
   for (std::size_t i = above; i < std::min(n, above + most_said); ++i)
     say_action(record.actions[i], 0);
   if (const std::size_t more = std::max(above, most_said) - most_said + std::max(n - above, most_said) - most_said;

@@ -18,7 +18,7 @@ namespace {
 // "calibrated: records .., not told: K1, K2": those it names, or the value itself where it names none.
 bool says_untold(const std::string &name, const std::string &text)
 {
-  const std::string words = "not told";
+  const std::string words = "not identified";
   const auto at           = text.find(words);
   if (at == std::string::npos)
     return false;

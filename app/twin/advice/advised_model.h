@@ -38,7 +38,7 @@ struct AdvisedModel {
 
 /// Kind four-high by closed forms at the load of its first pass, kind lumped as given or as its files say.
 /// @param rolled  read for kind four-high
-/// Where a place of [advice] is none of the six masses but one of the detailed stand, that is the stand.
+/// The detailed stand where a place of [advice] exists in it and not in the six masses.
 /// @throws InputError  another kind; what the closed forms, the files or the meshes refuse
 /// Cost: some 0.1 s for the beams.
 AdvisedModel advised_model(const Case &the_case, const StandAdvice &asked, const RolledAdvice &rolled,

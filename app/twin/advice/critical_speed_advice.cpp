@@ -217,7 +217,7 @@ twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads
   for (const ChatterSensitivity &slope : advice.slopes.inputs)
     record.slopes.emplace_back(slope.key, slope.critical_speed);
   if (advice.now.found.verdict != dynamics::Verdict::crossing)
-    record.notes.push_back("there is no critical speed in the range searched (" +
+    record.notes.push_back("no critical speed was found in the range searched (" +
                            sentence(advice.now.found, question.range) +
                            "): slopes and first order are left out, and changes count from the end of the range");
   if (std::isnan(spec.advice.torque_rise))

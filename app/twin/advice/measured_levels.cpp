@@ -22,7 +22,7 @@ std::vector<std::string> records_in(const std::string &path)
     return {path};
   if (!fs::is_directory(path, error))
     throw InputError("--measured " + path +
-                     ": there is no such folder; give the folder of the records, or one of them");
+                     ": this folder does not exist; give the folder of the records, or one of them");
   std::vector<std::string> files;
   for (const fs::directory_entry &entry : fs::directory_iterator(path, error))
     if (entry.is_regular_file(error) && twin::is_record_file(entry.path().string()))

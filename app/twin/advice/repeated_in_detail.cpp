@@ -51,7 +51,7 @@ public:
     }
     return seen;
   }
-  /// Of a place of the chain; -1: the detailed stand has none of that name.
+  /// Of a place of the chain; -1: the detailed stand has no such place.
   int place(const int of_chain, const bool on_chock) const
   {
     return (on_chock ? chocks_ : rolls_)[std::size_t(of_chain)];
@@ -79,22 +79,22 @@ private:
   }
 };
 
-// Dampers as they are, tuned ones with their mass and tuned anew.
-std::vector<Attachment> tuned_anew(const VibratingStand &stand, const std::vector<Attachment> &joined,
+// Dampers as they are; tuned ones with their mass, tuned again.
+std::vector<Attachment> tuned_again(const VibratingStand &stand, const std::vector<Attachment> &joined,
                                    const int place, const twin::ForceBand &force, const double level)
 {
-  std::vector<Attachment> anew;
+  std::vector<Attachment> tuned;
   for (const Attachment &one : joined)
     if (!(one.mass > 0))
-      anew.push_back(one);
+      tuned.push_back(one);
   for (const Attachment &one : joined)
     if (one.mass > 0) {
       const int mode    = twin::leading_mode(stand, place, one.to, force);
       const double mass = twin::effective_mass(stand, mode, one.to);
       const auto start  = twin::closed_tuning(stand, mode, one.to, one.mass / mass);
-      anew.push_back(twin::tune(stand, anew, place, start, force, level).best);
+      tuned.push_back(twin::tune(stand, tuned, place, start, force, level).best);
     }
-  return anew;
+  return tuned;
 }
 
 class Repeater {
@@ -167,7 +167,7 @@ private:
     const auto there = seen_->joined(action.joined, on_chocks);
     if (!there)
       return;
-    const auto joined = tuned_anew(stand, *there, place_, *force_, level_);
+    const auto joined = tuned_again(stand, *there, place_, *force_, level_);
     // What counts is the last: the critical speed is searched for that alone.
     const bool counts = action.joined.empty() || on_chocks;
     const auto rolled = rolled_ && (counts || !action.process.empty())
@@ -207,7 +207,7 @@ void mark_chain_only(RatedAction &action, const std::string &detailed)
   if (says == action.remarks.end())
     return;
   if (!action.repeated.empty())
-    *says = "six masses have no chocks: what counts is the change in the model of " + detailed +
+    *says = "six masses have no chocks: the decisive change is that in the model of " + detailed +
             ", dampers on the chocks";
   else
     *says += detailed.empty()

@@ -42,7 +42,7 @@ int place_in(const VibratingStand &stand, const Case &the_case, const std::strin
   for (std::string &one : known)
     std::replace(one.begin(), one.end(), ' ', '_');
   throw InputError(place_of_key(the_case, key),
-                   fmt::format("{} = \"{}\" is no place of the stand{}", key, name, suggestion(name, known)));
+                   fmt::format("{} = \"{}\": the stand has no such place{}", key, name, suggestion(name, known)));
 }
 
 std::vector<twin::SpringChoice> spring_choices(const twin::AdvisedStand &advised, const StandAdvice &asked,
@@ -197,8 +197,7 @@ void add_results(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
       change.error_estimate = std::abs(best.spread / best.change);
     else
       change.error_lacks = lacks;
-    change.checks.push_back(
-        {"first order, by slopes", best.first_order, "not the answer: second order is left out"});
+    change.checks.push_back({"linear estimate", best.first_order, "not the answer: second order is left out"});
     if (!best.repeated.empty())
       change.checks.push_back({"six masses", best.change, "which have no chocks"});
     record.results.add("advice.best.change", change);
@@ -259,7 +258,7 @@ std::string level_answer(const twin::LevelAdvice &advice)
                      best.name, 100 * best.verified, best.repeated.back().name, 100 * best.change,
                      100 * best.first_order);
 }
-// The pass beside the level: its critical speed, or why there is none.
+// The pass of the level: its critical speed, or why it has none.
 void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
                     const std::optional<twin::CriticalState> &detailed, const AdvisedModel &model)
 {
@@ -273,7 +272,7 @@ void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
   const twin::CriticalState &now = *advice.pass;
   const double speed             = model.pass->working_speed;
   if (now.no_bite) {
-    record.notes.push_back(fmt::format("there is no steady bite at the working speed of {:.4g} m/s ({}): process "
+    record.notes.push_back(fmt::format("no steady bite exists at the working speed of {:.4g} m/s ({}): process "
                                        "actions and the critical speed are not judged",
                                        speed, now.why));
     return;
@@ -286,13 +285,13 @@ void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
   if (detailed)
     critical_speed(model.detailed->name, *detailed);
   if (now.growth >= 0)
-    record.notes.push_back(
-        fmt::format("vibration grows by itself at the working speed of {:.4g} m/s: it has no level that a process "
-                    "action could lower; raise the critical speed first",
-                    speed));
+    record.notes.push_back(fmt::format(
+        "vibration grows without excitation at the working speed of {:.4g} m/s: it has no level that a process "
+        "action could lower; raise the critical speed first",
+        speed));
   else
     record.notes.push_back(
-        "process actions: the disturbance that makes the force as it is stays, the bite answers it anew, contacts "
+        "process actions: the disturbance behind the present force stays, the bite responds to it again, contacts "
         "follow the rolling force; first order is a slope by differences");
   if (std::isnan(model.pass->process.torque_rise))
     record.notes.push_back(no_torque_limit());

@@ -2,10 +2,12 @@
 #include "app/process/address_space.h"
 #include "app/process/console.h"
 #include "app/twin/analyse/analysed_stand.h"
+#include "app/twin/analyse/analysis_lines.h"
 #include "app/twin/stand/record_options.h"
 #include "core/base/files.h"
 #include "core/base/visible_text.h"
 #include "core/case/monitoring.h"
+#include "core/case/plant.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
 #include "report/twin/analysis/analysis_page.h"
@@ -22,9 +24,11 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring &monitoring)
+twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring &monitoring, const Plant &plant)
 {
   twin::AnalysisSettings settings;
+  if (std::isfinite(plant.mains))
+    settings.mains = plant.mains;
   if (!command.speed.empty())
     settings.speed = option_quantity("--speed", command.speed, "4 m/s");
   settings.limit = own_limit(command, monitoring);
@@ -39,9 +43,11 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
       {"third_octave", monitoring.third_octave[0], monitoring.third_octave[1]},
       {"fifth_octave", monitoring.fifth_octave[0], monitoring.fifth_octave[1]}
   };
-  if (const std::string &folder = command.baseline.empty() ? monitoring.baseline : command.baseline;
-      !folder.empty())
-    settings.baseline = twin::read_baseline(folder);
+  std::vector<std::string> baselines = command.baseline;
+  if (baselines.empty() && !monitoring.baseline.empty())
+    baselines.push_back(monitoring.baseline);
+  if (!baselines.empty())
+    settings.baseline = twin::read_baselines(baselines);
   settings.align = command.align;
   const int wanted =
       command.threads > 0 ? command.threads : int(std::max(1u, std::thread::hardware_concurrency()));
@@ -55,44 +61,31 @@ void write_folder(const std::string &folder, const twin::CleanRecord &record, co
 {
   std::error_code ignored;
   for (const char *old : {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv",
-                          "poles.csv", "singular.csv", "h1.csv", "modes_h1.csv", "report.html"})
+                          "poles.csv", "singular.csv", "h1.csv", "modes_h1.csv", "candidates.csv", "report.html"})
     fs::remove(folder + "/" + old, ignored);
   const auto tables = twin::analysis_tables(analysis);
   for (const auto &[name, table] : tables)
     write_atomically(folder + "/" + name + ".csv", csv_text(table));
+  write_atomically(folder + "/candidates.csv", twin::candidates_csv(analysis));
   const std::string json = twin::analysis_json(record, analysis, stand, settings);
   write_atomically(folder + "/report.html", report::analysis_page(folder, json, tables));
   write_atomically(folder + "/analysis.json", json);
 }
 
-void say_findings(const twin::Analysis &analysis, const std::string &folder)
-{
-  using console::print;
-  for (const twin::ChannelAnalysis &seen : analysis.channels)
-    print(fmt::format("{:<24} rms {:<10.4g} peak {:<10.4g} {:<6} {}\n", visible(seen.name, true), seen.rms,
-                      seen.peak, visible(seen.unit, true),
-                      std::isfinite(seen.velocity_rms) ? fmt::format("{:.3g} mm/s rms", 1e3 * seen.velocity_rms)
-                                                       : ""));
-  for (const twin::Finding &finding : analysis.findings)
-    print(fmt::format("{:<20} {:>10}  {:<22} {}\n", finding.kind,
-                      std::isfinite(finding.frequency) ? fmt::format("{:.2f} Hz", finding.frequency) : "",
-                      visible(finding.channel, true), visible(finding.owner, true)));
-  for (const std::string &note : analysis.notes)
-    print("note: " + visible(note, true) + "\n");
-  print("report: " + folder + "/report.html\n");
-}
 }  // namespace
 
 int analyse_command(const CommandLine &command)
 {
   std::optional<twin::CaseModel> stand;
   Monitoring monitoring;
+  Plant plant;
   if (!command.case_file.empty()) {
     stand      = analysed_stand(read_case(command.case_file, command.sets));
     monitoring = monitoring_of(command.case_file, command.sets);
+    plant      = plant_of(command.case_file, command.sets);
   }
   const twin::ReadOptions reading       = read_options(command, monitoring);
-  const twin::AnalysisSettings settings = settings_of(command, monitoring);
+  const twin::AnalysisSettings settings = settings_of(command, monitoring, plant);
   for (const std::string &path : command.names) {
     const std::string stem   = fs::path(path).stem().string();
     const bool alone         = command.names.size() == 1;
@@ -121,7 +114,8 @@ int analyse_command(const CommandLine &command)
     write_folder(folder, record, analysis, stand ? &*stand : nullptr, settings);
     bar.finish();
     if (!command.quiet)
-      say_findings(analysis, folder);
+      for (const std::string &line : analysis_lines(analysis, folder))
+        console::print(line + "\n");
   }
   return 0;
 }

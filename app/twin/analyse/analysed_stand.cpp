@@ -1,5 +1,6 @@
 #include "app/twin/analyse/analysed_stand.h"
 #include "app/twin/stand/case_chain.h"
+#include "app/verbs/known_modes.h"
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
 #include "dynamics/response/mill_model.h"
@@ -8,11 +9,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace mill {
 namespace {
-constexpr double unknown_error = 0.10;  // of a given stiffness whose accuracy nobody stated
-
 void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsSettings &settings)
 {
   const auto chain = dynamics::mill_model(model, settings);
@@ -25,7 +25,7 @@ void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsS
   std::string unknown;
   for (std::size_t j = 0; j < chain.springs.size(); ++j) {
     stand.springs.push_back(chain.springs[j].name);
-    double error = unknown_error;
+    double error = std::numeric_limits<double>::quiet_NaN();
     if (j < model.K.size() && std::isfinite(model.K[j].error_estimate))
       error = model.K[j].error_estimate;
     else if (chain.springs[j].stiffness > 0)
@@ -33,12 +33,28 @@ void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsS
     stand.spring_error[Eigen::Index(j)] = error;
   }
   if (!unknown.empty())
-    stand.notes.push_back(
-        fmt::format("the accuracy of {} is not known; 10 % was taken where owners are named", unknown));
+    stand.notes.push_back(fmt::format("the case does not state the accuracy of {}: a mode that they support is "
+                                      "named where it is the nearest within 5 %",
+                                      unknown));
   stand.frequency     = modes.frequency;
   stand.shape         = modes.shape;
   stand.strain_share  = modes.strain_share;
   stand.kinetic_share = modes.kinetic_share;
+}
+
+// Accuracy of the frequencies as the last run of this case states it.
+void add_errors_of_run(twin::CaseModel &stand, const Case &the_case)
+{
+  constexpr double same  = 0.02;  // -, of one mode in both models
+  const KnownModes known = known_modes(the_case, "");
+  if (!known.note.empty())
+    return;
+  stand.frequency_error =
+      Eigen::VectorXd::Constant(stand.frequency.size(), std::numeric_limits<double>::quiet_NaN());
+  for (Eigen::Index i = 0; i < stand.frequency.size(); ++i)
+    for (const CampbellMode &mode : known.modes)
+      if (std::abs(mode.frequency / stand.frequency[i] - 1) < same && mode.error_estimate > 0)
+        stand.frequency_error[i] = mode.error_estimate;
 }
 
 void add_roll(twin::CaseModel &stand, const std::string &name, const double diameter)
@@ -66,6 +82,7 @@ twin::CaseModel analysed_stand(const Case &the_case)
   stand.name   = the_case.name;
   stand.source = chain.source;
   add_chain(stand, chain.model, chain.dynamics);
+  add_errors_of_run(stand, the_case);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);
     add_roll(stand, "backup_roll", four->backup_roll.barrel_diameter);

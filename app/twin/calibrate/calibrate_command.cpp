@@ -3,8 +3,9 @@
 #include "app/process/console.h"
 #include "app/twin/calibrate/calibrated_case.h"
 #include "app/twin/calibrate/detailed_prior.h"
+#include "app/twin/calibrate/freed_unknowns.h"
 #include "app/twin/calibrate/levels_text.h"
-#include "app/twin/calibrate/plan_text.h"
+#include "app/twin/calibrate/record_plan.h"
 #include "app/twin/stand/record_options.h"
 #include "core/base/files.h"
 #include "core/base/visible_text.h"
@@ -12,6 +13,7 @@
 #include "core/model/case.h"
 #include "core/records/csv.h"
 #include "report/twin/calibration/calibration_page.h"
+#include "report/twin/calibration/plan_page.h"
 #include "twin/calibration/calibration_files.h"
 #include "twin/calibration/verdict.h"
 #include "twin/calibration/words.h"
@@ -33,15 +35,27 @@ int threads_of(const CommandLine &command)
   return threads_that_start(threads_that_fit(wanted));
 }
 
+double model_error_of(const CalibrateOptions &options)
+{
+  if (options.model_error.empty())
+    return twin::usual_model_error;
+  const double error = option_quantity("--model-error", options.model_error, "5 %");
+  if (!(error <= 0.5))
+    throw InputError("--model-error \"" + options.model_error +
+                     "\": must be above 0 % and at most 50 %, for example \"5 %\"");
+  return error;
+}
+
 twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &chain, const RecordSet &set,
                                 MeasuredPieces pieces)
 {
   twin::CalibrationInput input;
   input.stand          = chain.stand;
-  input.unknowns       = chosen(chain, command.calibrate.free);
+  input.unknowns       = freed_unknowns(chain, command.calibrate.free, pieces.force_recorded);
   input.force_recorded = pieces.force_recorded;
+  input.model_error    = model_error_of(command.calibrate);
   if (command.calibrate.align && !input.force_recorded)
-    throw InputError("--align: no force was recorded, so that there are no two clocks");
+    throw InputError("--align: no force was recorded, so there is no second clock");
   if (command.calibrate.align)
     input.unknowns.push_back({"delay", 0.05, 0});
   input.sensors = pieces.sensors;
@@ -62,7 +76,7 @@ twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &ch
   return input;
 }
 
-// calibration.json leaves first and comes last, so that a folder with it is whole.
+// calibration.json is removed first and written last, so that a folder that holds it is complete.
 void write_calibration(const std::string &folder, const std::string &json,
                        const std::map<std::string, Table> &tables,
                        const std::map<std::string, std::string> &calibrated)
@@ -82,26 +96,26 @@ void write_calibration(const std::string &folder, const std::string &json,
   write_atomically(folder + "/calibration.json", json);
 }
 
-std::string line_of(const twin::Calibrated &u, const std::size_t width, const bool agrees)
+std::string line_of(const twin::Calibrated &u, const std::size_t width, const bool agrees, const bool written)
 {
-  if (!u.told)
+  if (!u.identified)
     return fmt::format("{:<{}} {:>10}  {}\n", u.name, width, "kept", u.why_not);
-  const twin::ShownChange shown = twin::shown_change(u);
-  return fmt::format("{:<{}} {:>10}  95 % {} .. {}\n", u.name, width, agrees ? "agrees" : shown.kept, shown.low,
+  const twin::ShownChange shown = twin::shown_change(u, written);
+  return fmt::format("{:<{}} {:>10}  95 % {} .. {}\n", u.name, width, agrees ? "agrees" : shown.value, shown.low,
                      shown.high);
 }
 
-void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, const std::string &folder)
+void print_result(const twin::Calibration &result, const twin::CalibrationFacts &facts, const std::string &folder)
 {
   using console::print;
   std::size_t width = 6;
   for (const twin::Calibrated &u : result.unknowns)
     width = std::max(width, u.name.size());
   for (const twin::Calibrated &u : result.unknowns)
-    print(line_of(u, width, result.agrees));
+    print(line_of(u, width, result.agrees, !facts.written.empty()));
   for (const std::string &direction : result.unseen)
     print("not seen: " + direction + "\n");
-  print(fmt::format("check records: misfit {:.4g}, before {:.4g}; worst third octave {:.2f} of its limit\n",
+  print(fmt::format("check records: misfit {:.4g}, before {:.4g}; worst third octave at {:.2f} of its limit\n",
                     result.check.after, result.check.before, result.check.worst));
   for (const std::string &note : facts.notes)
     print("note: " + visible(note, true) + "\n");
@@ -117,8 +131,8 @@ void say(const twin::Calibration &result, const twin::CalibrationFacts &facts, c
 void add_notes_without_force(std::vector<std::string> &notes, const Case &the_case, const bool load_given)
 {
   if (std::holds_alternative<FourHigh>(the_case.spec) && !load_given)
-    notes.insert(notes.begin(), "the contacts are those at the load of the first pass; where the records had "
-                                "another, give it in records.toml, for example load = \"976 kN\"");
+    notes.insert(notes.begin(), "the contacts are those at the load of the first pass; if the records had another "
+                                "load, give it in records.toml, for example load = \"976 kN\"");
   notes.insert(notes.begin(), twin::without_force_words());
 }
 
@@ -127,8 +141,8 @@ PriorChain prior_of_case(const CommandLine &command, const Case &the_case, const
   return is_detailed(the_case) ? detailed_prior(command, the_case, load) : prior_chain(the_case, load);
 }
 
-/// A four-high stand at the load of the records: its contacts follow it.  One of finite elements is not made again
-/// for a load that is nearly that of its pass, nor one in files.
+/// A four-high stand at the load of the records, which its contacts follow.  A stand of finite elements is not
+/// computed again for a load near that of its pass; a stand in files stays as it is.
 PriorChain at_load_of(const CommandLine &command, const Case &the_case, const PriorChain &at_first_pass,
                       const double load)
 {
@@ -142,7 +156,9 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   const std::string folder = command.output.empty() ? "out/" + the_case.name + "-calibration" : command.output;
   require_result_folder(folder, "calibration.json", "calibration", command.force_overwrite);
   const PriorChain at_first_pass = prior_of_case(command, the_case, std::nan(""));
-  chosen(at_first_pass, command.calibrate.free);  // a wrong name before long records are read
+  // wrong options are refused before long records are read
+  freed_unknowns(at_first_pass, command.calibrate.free, true);
+  model_error_of(command.calibrate);
   console::ProgressBar bar(
       {
           {"read",   3},
@@ -166,11 +182,12 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   const twin::CalibrationInput input = input_of(command, chain, set, std::move(pieces));
   for (const twin::Unknown &unknown : input.unknowns)
     if (unknown.name.size() > 4 && unknown.name.compare(0, 4, "zeta") == 0)
-      facts.notes.push_back(unknown.name + ": a case has one damping ratio for all modes, so this stands in the "
-                                           "report and in the head of calibrated.toml alone");
+      facts.notes.push_back(unknown.name +
+                            ": a case has one damping ratio for all modes, so this ratio is only in the "
+                            "report and in the head of calibrated.toml");
   const twin::Calibration result = twin::calibrate(input, progress);
   const bool refused             = !result.refusals.empty();
-  if (result.delay && result.delay->told() && !result.delay->too_large())
+  if (result.delay && result.delay->significant() && !result.delay->too_large())
     facts.notes.push_back(result.delay->words(input.rate));
   std::map<std::string, std::string> calibrated;
   if (refused ? command.calibrate.accept : !result.agrees) {
@@ -184,22 +201,44 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
                     calibrated);
   bar.finish();
   if (!command.quiet)
-    say(result, facts, folder);
+    print_result(result, facts, folder);
+  else if (refused && !command.calibrate.accept)
+    console::say("refused: " + visible(result.refusals.front(), true) + "; report: " + folder + "/report.html\n");
   return refused && !command.calibrate.accept ? refused_code : 0;
+}
+
+/// --plan: to the console, and with -o into a folder.
+int plan_record(const CommandLine &command, const Case &the_case)
+{
+  const std::string &folder = command.output;
+  if (!folder.empty())
+    require_result_folder(folder, "plan.json", "plan", command.force_overwrite);
+  const PriorChain prior = prior_of_case(command, the_case, std::nan(""));
+  const bool recorded    = !command.calibrate.without_force;
+  const RecordPlan plan  = record_plan(prior, the_case.name,
+                                       freed_unknowns(prior, command.calibrate.free, recorded), command.calibrate);
+  if (!command.quiet || folder.empty())
+    console::print(plan_text(plan));
+  if (folder.empty())
+    return 0;
+  const std::string json = plan_json(plan);
+  write_atomically(folder + "/report.html", report::plan_page(folder, json));
+  write_atomically(folder + "/plan.json", json);
+  if (!command.quiet)
+    console::print("report: " + folder + "/report.html\n");
+  return 0;
 }
 }  // namespace
 
 int calibrate_command(const CommandLine &command)
 {
   const Case the_case = read_case(command.target, command.sets);
-  if (command.calibrate.plan) {
-    const PriorChain chain = prior_of_case(command, the_case, std::nan(""));
-    console::print(plan_text(chain, chosen(chain, command.calibrate.free), command.calibrate));
-    return 0;
-  }
+  if (command.calibrate.plan)
+    return plan_record(command, the_case);
   if (command.calibrate.measured.empty())
-    throw InputError("millstand calibrate: no records; name their folder with --measured DIR, or ask with --plan "
-                     "what a record would tell");
+    throw InputError(
+        "millstand calibrate: no records; name their folder with --measured DIR, or use --plan to see "
+        "which unknowns a record would identify");
   const RecordSet set = read_record_set(command.calibrate.measured);
   if (set.entries.empty()) {
     console::print(levels_text(prior_of_case(command, the_case, std::nan("")), set));

@@ -1,4 +1,5 @@
 #include "app/twin/calibrate/calibrated_case.h"
+#include "app/twin/calibrate/stated_errors.h"
 #include "app/twin/stand/case_chain.h"
 #include "core/case/fields.h"
 #include "core/case/lumped_model_toml.h"
@@ -22,8 +23,8 @@ std::string calibration_comment(const Case &origin, const twin::Calibration &res
   if (!result.force_recorded())
     text += "# " + twin::without_force_words() + "\n";
   for (const twin::Calibrated &u : result.unknowns)
-    if (const twin::ShownChange shown = twin::shown_change(u); u.told)
-      text += fmt::format("# {:<5} {} (95 % {} .. {})\n", u.name, shown.kept, shown.low, shown.high);
+    if (const twin::ShownChange shown = twin::shown_change(u, true); u.identified)
+      text += fmt::format("# {:<5} {} (95 % {} .. {})\n", u.name, shown.value, shown.low, shown.high);
     else
       text += fmt::format("# {:<5} kept: {}\n", u.name, u.why_not);
   for (const std::string &direction : result.unseen)
@@ -41,6 +42,26 @@ double prior_of_spring(const std::string &name, const double error, const bool c
     return contact ? contact_sd : given_sd;
   return std::max(error, contact ? contact_sd : least_sd);
 }
+
+double prior_of_mass(const double error)
+{
+  return std::isfinite(error) ? std::max(error, least_sd / 2) : given_sd;
+}
+
+namespace {
+void add_prior_notes(PriorChain &chain, const StatedErrors &errors)
+{
+  if (!errors.source.empty())
+    chain.notes.push_back("deviations before the records are the errors stated by " + errors.source);
+  std::string silent;
+  for (const twin::Unknown &spring : chain.springs)
+    if (spring.name != "zeta" && errors.error.count(spring.name) == 0)
+      silent += (silent.empty() ? "" : ", ") + spring.name;
+  if (!silent.empty())
+    chain.notes.push_back("no error is stated for " + silent + ": the deviation before the records is that of a " +
+                          "value without one; run the case first, or state a tolerance");
+}
+}  // namespace
 
 double damping_to_start_from(const DynamicsSettings &dynamics)
 {
@@ -77,41 +98,28 @@ PriorChain prior_chain(const Case &the_case, const double load)
   chain.stand.damping    = Eigen::VectorXd::Constant(chain.stand.chain.M.size(), damping);
   for (const std::string &label : chain.stand.chain.labels)
     chain.places.push_back(place_name(label));
+  const StatedErrors errors = stated_errors(the_case, chain.model, analysed.load);
   for (std::size_t j = 0; j < chain.stand.chain.springs.size(); ++j) {
     const auto &spring = chain.stand.chain.springs[j];
     if (!(spring.stiffness > 0) || j >= chain.model.K.size())
       continue;
     const Parameter &value = chain.model.K[j];
     const bool computed    = value.source == Source::computed || value.source == Source::estimated;
-    chain.springs.push_back({spring.name, prior_of_spring(spring.name, value.error_estimate, computed), 0});
+    const auto error       = errors.error.find(spring.name);
+    chain.springs.push_back(
+        {spring.name,
+         prior_of_spring(spring.name, error == errors.error.end() ? not_given : error->second, computed), 0});
   }
   chain.springs.push_back({"zeta", std::log(2.0), 0});
-  return chain;
-}
-
-std::vector<twin::Unknown> chosen(const PriorChain &chain, const std::string &free)
-{
-  if (free.empty())
-    return chain.springs;
-  std::vector<twin::Unknown> unknowns;
-  std::vector<std::string> known;
-  for (const twin::Unknown &unknown : chain.springs)
-    known.push_back(unknown.name);
-  for (Eigen::Index i = 0; i < chain.stand.damping.size(); ++i)
-    known.push_back("zeta" + std::to_string(i + 1));
-  for (const std::string &name : split(free, ",")) {
-    if (std::find(known.begin(), known.end(), name) == known.end())
-      throw InputError("--free " + free + ": " + name + " is nothing that can be fitted" +
-                       suggestion(name, known));
-    const auto twice =
-        std::any_of(unknowns.begin(), unknowns.end(), [&](const auto &u) { return u.name == name; });
-    if (twice)
-      throw InputError("--free " + free + ": " + name + " is there twice");
-    const auto spring = std::find_if(chain.springs.begin(), chain.springs.end(),
-                                     [&](const twin::Unknown &u) { return u.name == name; });
-    unknowns.push_back(spring != chain.springs.end() ? *spring : twin::Unknown{name, std::log(2.0), 0});
+  for (std::size_t i = 0; i < chain.model.M.size(); ++i) {
+    const std::string name = "M" + std::to_string(i + 1);
+    const auto error       = errors.error.find(name);
+    chain.masses.push_back({name, prior_of_mass(error == errors.error.end() ? not_given : error->second), 0});
+    if (error != errors.error.end())
+      chain.stated.push_back(name);
   }
-  return unknowns;
+  add_prior_notes(chain, errors);
+  return chain;
 }
 
 DynamicsSettings &dynamics_of(Case &the_case)
@@ -124,43 +132,61 @@ Case with_damping(const Case &origin, const twin::Calibration &result)
 {
   Case changed = origin;
   for (const twin::Calibrated &u : result.unknowns)
-    if (u.name == "zeta" && u.told)
+    if (u.name == "zeta" && u.identified)
       dynamics_of(changed).modal_damping *= std::exp(u.kept);
   return changed;
 }
+
+namespace {
+/// K or M of a model by its name; null: it has no such number.
+Parameter *number_of(LumpedModel &model, const std::string &name)
+{
+  if (name.size() != 2 || name[1] < '1')
+    return nullptr;
+  const auto i = std::size_t(name[1] - '1');
+  if (name[0] == 'K')
+    return i < model.K.size() ? &model.K[i] : nullptr;
+  return name[0] == 'M' && i < model.M.size() ? &model.M[i] : nullptr;
+}
+
+void calibrate(Parameter &number, const twin::Calibrated &u, const std::string &method)
+{
+  const twin::ChangeInterval change = twin::change_interval(u, true);
+  const double before               = number.value;
+  number.value                      = before * std::exp(change.value);
+  number.source                     = Source::measured;
+  number.method                     = method;
+  number.error_estimate             = u.sd;
+  number.error_lacks                = {};
+  number.checks                     = {
+                          {"95 % from", before * std::exp(change.low),  ""                       },
+                          {"95 % to",   before * std::exp(change.high), ""                       },
+                          {"before",    before,                         "value of the given case"}
+  };
+}
+}  // namespace
 
 std::string calibrated_toml(const PriorChain &chain, const Case &origin, const twin::Calibration &result,
                             const std::vector<std::string> &files, const bool accepted,
                             const std::string &directory)
 {
-  std::string method = "records ", not_told;
+  std::string method = "records ", not_identified;
   for (std::size_t i = 0; i < files.size(); ++i)
     method += (i ? ", " : "") + files[i];
   for (const twin::Calibrated &u : result.unknowns)
-    if (!u.told)
-      not_told += (not_told.empty() ? "" : ", ") + u.name;
+    if (!u.identified)
+      not_identified += (not_identified.empty() ? "" : ", ") + u.name;
   if (!result.force_recorded())
     method += "; no force recorded";
-  method += "; not told: " + (not_told.empty() ? "none" : not_told);
+  method += "; not identified: " + (not_identified.empty() ? "none" : not_identified);
   if (accepted)
     method += "; refused, accepted by the user";
   LumpedModel model = chain.model;
-  for (const twin::Calibrated &u : result.unknowns) {
-    if (u.name.size() != 2 || u.name[0] != 'K' || !u.told)
-      continue;
-    Parameter &spring     = model.K[std::size_t(u.name[1] - '1')];
-    const double before   = spring.value;
-    spring.value          = before * std::exp(u.kept);
-    spring.source         = Source::measured;
-    spring.method         = "calibrated: " + method;
-    spring.error_estimate = u.sd;
-    spring.error_lacks    = {};
-    spring.checks         = {
-                {"95 % from", before * std::exp(u.low),  ""                       },
-                {"95 % to",   before * std::exp(u.high), ""                       },
-                {"before",    before,                    "value of the given case"}
-    };
-  }
+  for (const twin::Calibrated &u : result.unknowns)
+    if (u.identified)
+      for (const std::string &member : twin::members_of(u.name))
+        if (Parameter *number = number_of(model, member))
+          calibrate(*number, u, "calibrated: " + method);
   return calibration_comment(origin, result, files, accepted) +
          lumped_model_toml(model, with_damping(origin, result), directory);
 }

@@ -22,39 +22,39 @@ struct PriorChain {
   twin::FittedStand stand;
   std::vector<std::string> places;     ///< (6 or more) "upper_frame" ..
   std::vector<twin::Unknown> springs;  ///< every spring that is not zero, then "zeta"
+  std::vector<twin::Unknown> masses;   ///< every mass
+  std::vector<std::string> stated;     ///< masses whose error the case states: free unless --free names others
   std::vector<std::string> notes;
 };
 
-/// Deviations before the records: the error estimate of the value, at least 5 % for computed contacts; 10 % for a
-/// given stiffness without one; a factor of 2 for the damping.  The force of a record is the whole bite force, so
-/// that K4 and the gap damper have no part whatever force_meaning says.
+/// Deviations before the records: the error that the case, its run or the value states; 10 % for a value without
+/// one; a factor of 2 for the damping.  The force of a record is the whole bite force, so that K4 and the gap
+/// damper have no part in the fit, for any force_meaning.
 /// @param load  N, of the records; NaN: of the first pass
 /// @throws InputError  a case without a chain, no damping to start from
 PriorChain prior_chain(const Case &the_case, double load);
 
 /// Deviation of ln K before the records.
-/// @param error     of the value, relative; NaN: not known
-/// @param computed  a contact of rolls (K3, K5) then counts 5 % at least
+/// @param error     of the value, relative; NaN: not stated
+/// @param computed  a contact of rolls (K3, K5) then has 5 % at least
 double prior_of_spring(const std::string &name, double error, bool computed);
+/// Deviation of ln M before the records.
+double prior_of_mass(double error);
 /// @throws InputError  no damping
 double damping_to_start_from(const DynamicsSettings &dynamics);
 /// "upper work-roll chock" -> "upper_work_roll_chock", as the channels of a simulation are called.
 std::string place_name(std::string label);
 
-/// Unknowns by the names of --free; all where it is empty.
-/// @throws InputError  a name that is none
-std::vector<twin::Unknown> chosen(const PriorChain &chain, const std::string &free);
-
-/// Head of a calibrated case: what records made of it, for whoever opens it.
+/// Head of a calibrated case, a comment: its records, and the change and interval of each unknown.
 std::string calibration_comment(const Case &origin, const twin::Calibration &result,
                                 const std::vector<std::string> &files, bool accepted);
 /// Of a case of kind four-high or lumped.
 DynamicsSettings &dynamics_of(Case &the_case);
-/// The case with the damping that is told.
+/// The case with the damping that is identified.
 Case with_damping(const Case &origin, const twin::Calibration &result);
 
-/// calibrated.toml: a case of kind lumped with what is told; what is not told stays as it was.
-/// @param accepted  it was refused and is written all the same, which the text says
+/// calibrated.toml: a case of kind lumped with what is identified; the rest stays as it was.
+/// @param accepted  it was refused and is written because of --accept, which the text says
 std::string calibrated_toml(const PriorChain &chain, const Case &origin, const twin::Calibration &result,
                             const std::vector<std::string> &files, bool accepted, const std::string &directory);
 }  // namespace mill

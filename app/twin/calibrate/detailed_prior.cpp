@@ -1,11 +1,13 @@
 #include "app/twin/calibrate/detailed_prior.h"
 #include "app/stages/stand/mode_results.h"
 #include "app/stages/stand/model_files.h"
+#include "app/twin/calibrate/stated_errors.h"
 #include "app/twin/stand/case_chain.h"
 #include "app/verbs/driven_case.h"
 #include "core/model/case.h"
 #include "core/records/detailed_model.h"
 #include "reduce/stand/stand_modes.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -40,16 +42,38 @@ void follow_load_cell(StandModel &stand, const Connection &before, const double 
     stand.load_cell *= factor;
 }
 
+bool moves(const twin::Calibrated &unknown, const std::string &name)
+{
+  const auto members = twin::members_of(unknown.name);
+  return unknown.name == name || std::find(members.begin(), members.end(), name) != members.end();
+}
+
+void scale_mass(StandModel &stand, const int part, const double factor)
+{
+  for (Eigen::Index i = 0; i < stand.M.rows(); ++i)
+    for (Eigen::Index k = 0; k < stand.M.cols(); ++k)
+      if (stand.part_of[std::size_t(i)] == part && stand.part_of[std::size_t(k)] == part)
+        stand.M(i, k) *= factor;
+  for (CarriedMass &carried : stand.carried)
+    if (carried.carrier == stand.parts[std::size_t(part)])
+      carried.mass *= factor;
+}
+
 StandModel calibrated_stand(const StandModel &prior, const twin::Calibration &result)
 {
   StandModel stand = prior;
   for (const twin::Calibrated &u : result.unknowns)
-    for (Connection &connection : stand.connections)
-      if (u.told && connection.name == u.name) {
-        follow_load_cell(stand, connection, std::exp(u.kept));
-        connection.stiffness *= std::exp(u.kept);
-        connection.error_estimate = u.sd;
-      }
+    if (u.identified) {
+      for (Connection &connection : stand.connections)
+        if (moves(u, connection.name)) {
+          follow_load_cell(stand, connection, std::exp(u.kept));
+          connection.stiffness *= std::exp(u.kept);
+          connection.error_estimate = u.sd;
+        }
+      for (std::size_t part = 0; part < stand.parts.size(); ++part)
+        if (moves(u, "mass " + stand.parts[part]))
+          scale_mass(stand, int(part), std::exp(u.kept));
+    }
   return stand;
 }
 }  // namespace
@@ -61,6 +85,29 @@ bool is_detailed(const Case &the_case)
   const auto *lumped = std::get_if<Lumped>(&the_case.spec);
   return lumped && lumped->detailed;
 }
+
+namespace {
+/// Masses of the parts, with the errors that the masses of the chain state: M1 upper frame .. M6 lower frame.
+void add_masses(PriorChain &prior, const Case &the_case)
+{
+  std::map<std::string, double> error;
+  if (std::holds_alternative<FourHigh>(the_case.spec)) {
+    const CaseChain chain        = case_chain(the_case, "calibrate", prior.load);
+    const StatedErrors stated    = stated_errors(the_case, chain.model, chain.load);
+    const std::string of_chain[] = {"upper frame",     "upper backup roll", "upper work roll",
+                                    "lower work roll", "lower backup roll", "lower frame"};
+    for (std::size_t i = 0; i < 6; ++i)
+      if (const auto found = stated.error.find("M" + std::to_string(i + 1)); found != stated.error.end())
+        error["mass " + of_chain[i]] = found->second;
+  }
+  for (const twin::ReducedMass &mass : prior.stand.detailed->masses) {
+    const auto found = error.find(mass.name);
+    prior.masses.push_back({mass.name, prior_of_mass(found == error.end() ? not_given : found->second), 0});
+    if (found != error.end())
+      prior.stated.push_back(mass.name);
+  }
+}
+}  // namespace
 
 PriorChain detailed_prior(const CommandLine &command, const Case &the_case, const double load)
 {
@@ -90,6 +137,7 @@ PriorChain detailed_prior(const CommandLine &command, const Case &the_case, cons
     prior.springs.push_back(
         {connection.name, prior_of_spring(connection.name, connection.error_estimate, true), 0});
   prior.springs.push_back({"zeta", std::log(2.0), 0});
+  add_masses(prior, the_case);
   Case given                = the_case;
   const std::string meaning = dynamics_of(given).force_meaning;
   if (meaning != DynamicsSettings().force_meaning)

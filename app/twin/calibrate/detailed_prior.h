@@ -5,7 +5,7 @@
 #include <string>
 
 namespace mill {
-/// Does the case drive rolls as beams or component modes, by itself or from files?
+/// Does the case drive rolls as beams or component modes, computed or from files?
 bool is_detailed(const Case &the_case);
 
 /// Its connections before the records: a four-high by its stages at the load, files as they are.
@@ -14,7 +14,7 @@ bool is_detailed(const Case &the_case);
 PriorChain detailed_prior(const CommandLine &command, const Case &the_case, double load);
 
 /// calibrated.toml and the files of the model that it names, by their paths in the folder: connections by what is
-/// told, bodies as they were.
+/// identified, bodies as they were.
 std::map<std::string, std::string> calibrated_model(const PriorChain &stand, const Case &origin,
                                                     const twin::Calibration &result,
                                                     const std::vector<std::string> &files, bool accepted,

@@ -8,7 +8,7 @@
 namespace mill {
 namespace {
 constexpr double g        = 9.80665;        // m/s2
-constexpr double factor_2 = 0.69314718056;  // ln: damping, and bandwidth of a force nobody recorded
+constexpr double factor_2 = 0.69314718056;  // ln: damping, and bandwidth of a force that was not recorded
 
 std::string measured(const MeasuredLevel &level)
 {
@@ -23,7 +23,7 @@ std::string levels_text(const PriorChain &chain, const RecordSet &set)
   for (const MeasuredLevel &level : set.levels) {
     const auto at = std::find(chain.places.begin(), chain.places.end(), level.place);
     if (at == chain.places.end())
-      throw InputError(set.folder + "/records.toml: " + level.place + " is no place of the chain" +
+      throw InputError(set.folder + "/records.toml: " + "the chain has no place " + level.place +
                        suggestion(level.place, chain.places));
     places.push_back(at - chain.places.begin());
   }
@@ -56,19 +56,21 @@ std::string levels_text(const PriorChain &chain, const RecordSet &set)
     text += "\n";
     A += row.transpose() * row / (set.levels[j].error * set.levels[j].error);
   }
-  const twin::Told told = twin::told(A, unknowns);
+  const twin::Identification found = twin::identification(A, unknowns);
   text += "  singular values in units of the priors:";
-  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(told.singular.size(), Eigen::Index(places.size())); ++i)
-    text += fmt::format(" {:.3g}", told.singular[i]);
+  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(found.singular.size(), Eigen::Index(places.size())); ++i)
+    text += fmt::format(" {:.3g}", found.singular[i]);
   text += "\n";
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     text += fmt::format("  {:<10} {:.2g} of its prior deviation is left: {}\n", unknowns[i].name,
-                        told.shrink[Eigen::Index(i)], told.shrink[Eigen::Index(i)] <= 0.5 ? "told" : "not told");
-  const int numbers = int((told.singular.array() > std::sqrt(3.0)).count());
-  text += fmt::format("refused: these levels determine {} {}, damping x bandwidth of the force (both slopes near "
-                      "-0.5); neither of the two is given, and no case is written\n",
-                      numbers, numbers == 1 ? "number" : "numbers");
+                        found.shrink[Eigen::Index(i)],
+                        found.shrink[Eigen::Index(i)] <= 0.5 ? "identified" : "not identified");
+  const int numbers = int((found.singular.array() > std::sqrt(3.0)).count());
+  text +=
+      fmt::format("refused: these levels determine {} {}, damping x bandwidth of the force (both slopes are near "
+                  "-0.5); neither of the two is printed, and no case is written\n",
+                  numbers, numbers == 1 ? "number" : "numbers");
   return text +
-         "what would tell them: a record of force and accelerations; ask with --plan which sensors, how long\n";
+         "a record of force and accelerations would identify them; --plan shows which sensors, and how long\n";
 }
 }  // namespace mill

@@ -1,6 +1,7 @@
 #include "app/twin/calibrate/record_set.h"
 #include "core/base/valid_text.h"
 #include "core/case/fields.h"
+#include "core/case/record_set_rows.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -11,58 +12,7 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-constexpr double shortest_piece = 1;  // s: below it the transients of the low modes leave nothing to fit
-
-using E = RecordEntry;
-const std::vector<Field<E>> &entry_rows()
-{
-  static const std::vector<Field<E>> rows{
-      {"file",    &E::file, "path", {},       required, "pass-1.csv", "record, relative to the folder"},
-      {"role",
-       &E::role,
-       "text",                      {},
-       absent,                                          "check",
-       "fit or check; without any role the last third of each record is the check"                    },
-      {"load",
-       &E::load,
-       "kN",                        {1, 1e5},
-       absent,                                          "976 kN",
-       "mean rolling force, where the record's force channel does not hold it"                        },
-      {"between",
-       &E::between,
-       "smooth | lines",            {},
-       "smooth",                                        "smooth",
-       "how the force went between its samples: a simulated record was driven by straight lines"      },
-  };
-  return rows;
-}
-
-const std::vector<Field<MeasuredLevel>> &level_rows()
-{
-  using L = MeasuredLevel;
-  static const std::vector<Field<L>> rows{
-      {"place", &L::place, "text", {},          required, "upper_work_roll", "where it was measured"               },
-      {"rms",   &L::rms,   "g",    {1e-6, 1e4}, absent,   "0.4 g",           "root mean square of the acceleration"},
-      {"peak",  &L::peak,  "g",    {1e-6, 1e4}, absent,   "1.2 g",           "0-peak, where no rms was measured"   },
-      {"error", &L::error, "1",    {1e-4, 1},   0.03,     "0.03",            "relative standard deviation"         },
-  };
-  return rows;
-}
-
-const std::vector<Field<RecordSet>> &set_rows()
-{
-  using S = RecordSet;
-  static const std::vector<Field<S>> rows{
-      {"band",            &S::band,            "Hz", {1, 1e5},    absent, "[\"20 Hz\", \"900 Hz\"]", "that is fitted"},
-      {"level_force",
-       &S::level_force,
-       "kN",                                         {1e-6, 1e5},
-       absent,                                                            "1 kN",
-       "rms of the force behind the levels, where somebody knows it"                                                 },
-      {"level_bandwidth", &S::level_bandwidth, "Hz", {1, 1e5},    1000,   "1000 Hz",                 "of that force" },
-  };
-  return rows;
-}
+constexpr double shortest_piece = 1;  // s: in a shorter piece the transients of the low modes explain everything
 
 void read_channels(const Section &section, RecordEntry &entry, Reading &reading)
 {
@@ -72,14 +22,14 @@ void read_channels(const Section &section, RecordEntry &entry, Reading &reading)
   if (channels->value.kind != Node::Kind::table) {
     reading.add(channels->value.place,
                 section.key("channels") +
-                    " is no table of names, for example { \"AI_07\" = \"upper_work_roll\" }");
+                    " must be a table of names, for example { \"AI_07\" = \"upper_work_roll\" }");
     return;
   }
   for (const Node::Entry &pair : channels->value.entries)
     if (pair.value.kind == Node::Kind::text)
       entry.channels[pair.key] = pair.value.text;
     else
-      reading.add(pair.value.place, fmt::format("{}.{} = {} is no place, for example \"upper_work_roll\"",
+      reading.add(pair.value.place, fmt::format("{}.{} = {} must be a place, for example \"upper_work_roll\"",
                                                 section.key("channels"), pair.key, shown(pair.value)));
 }
 
@@ -106,12 +56,12 @@ RecordSet described_set(const std::string &folder, const std::string &path)
   reading.folder = folder;
   RecordSet set;
   set.folder = folder;
-  read(Section{&root, ""}, set_rows(), set, reading, {"record", "level"});
+  read(Section{&root, ""}, record_set_rows(), set, reading, {"record", "level"});
   if (!(set.band[1] > set.band[0]))
     reading.add(reading.place("band"), reading.as_written("band") + ": the upper end is above the lower one");
   each_table(root, "record", reading, [&](const Section &section) {
     RecordEntry entry;
-    read(section, entry_rows(), entry, reading, {"channels"});
+    read(section, record_rows(), entry, reading, {"channels"});
     read_channels(section, entry, reading);
     if (!entry.role.empty() && entry.role != "fit" && entry.role != "check")
       reading.add(reading.place(section.key("role")),
@@ -134,7 +84,7 @@ RecordSet described_set(const std::string &folder, const std::string &path)
   return set;
 }
 
-/// Samples of a record in which force and all sensors are whole.
+/// Samples of a record in which force and all sensors are complete.
 std::vector<twin::Span> common_pieces(const twin::CleanRecord &record, const std::vector<std::string> &names)
 {
   std::vector<twin::Span> common{
@@ -238,7 +188,7 @@ RecordSet read_record_set(const std::string &folder)
   for (const auto &file : fs::directory_iterator(folder))
     if (file.is_regular_file() && twin::is_record_file(file.path().string()))
       set.entries.push_back({file.path().string(), "", std::numeric_limits<double>::quiet_NaN(), "smooth", {}});
-  std::sort(set.entries.begin(), set.entries.end(), [](const E &a, const E &b) { return a.file < b.file; });
+  std::sort(set.entries.begin(), set.entries.end(), [](const RecordEntry &a, const RecordEntry &b) { return a.file < b.file; });
   if (set.entries.empty())
     throw InputError("--measured " + folder + ": no record in it; .csv, .npy, .uff and .mat are read");
   return set;

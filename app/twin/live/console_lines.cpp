@@ -39,8 +39,8 @@ std::string ConsoleLines::take(const live::LiveBlock &block)
 std::string ConsoleLines::line(const live::LiveBlock &block)
 {
   const std::int64_t end = block.first + block.force.size();
-  std::string text =
-      fmt::format("{:>10.2f} s  force {:.1f} kN", double(end) / block.rate, force_ / double(n_) / 1e3);
+  std::string text       = fmt::format("{:>10.2f} s", double(end) / block.rate) +
+                     (block.driven ? fmt::format("  force {:.1f} kN", force_ / double(n_) / 1e3) : "");
   for (std::size_t p = 0; p < source_.places.size(); ++p) {
     const auto channel = std::find_if(source_.channels.begin(), source_.channels.end(), [&](const auto &c) {
       return c.name == source_.places[p] && c.unit == "m/s2";
@@ -50,8 +50,9 @@ std::string ConsoleLines::line(const live::LiveBlock &block)
     if (!shown)
       continue;
     const double g = dynamics::standard_gravity;
-    text += fmt::format("  {} {:.4g} g twin", source_.places[p],
-                        std::sqrt(simulated_[Eigen::Index(p)] / double(n_)) / g);
+    text += "  " + source_.places[p];
+    if (block.driven)
+      text += fmt::format(" {:.4g} g twin", std::sqrt(simulated_[Eigen::Index(p)] / double(n_)) / g);
     if (channel != source_.channels.end()) {
       const auto c = channel - source_.channels.begin();
       text += counted_[c] > 0 ? fmt::format(" {:.4g} g measured", std::sqrt(measured_[c] / counted_[c]) / g)

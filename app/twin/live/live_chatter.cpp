@@ -8,15 +8,7 @@
 
 namespace mill {
 namespace {
-std::vector<live::WatchedBand> chatter_bands()
-{
-  auto bands       = live::bands_over("third octave", 125, 240);
-  const auto fifth = live::bands_over("fifth octave", 550, 650);
-  bands.insert(bands.end(), fifth.begin(), fifth.end());
-  return bands;
-}
-
-// Springs that were adopted beside the mill, and their damping in modes, in place of what the case gives.
+// Adopted springs and their modal damping, in place of the values of the case.
 ChatterCase with_adopted(ChatterCase spec, const live::TwinModel &model)
 {
   if (model.adopted.empty())
@@ -33,10 +25,10 @@ LiveChatter of_condition(const ChatterCase &spec)
   LiveChatter chatter;
   chatter.setup.model = chatter_model(question);
   if (spec.conditions.size() > 1)
-    chatter.notes.push_back(
-        fmt::format("the critical speed is that of {}, the first of {}; tensions and thicknesses "
-                    "of the stream take the place of its own",
-                    question.label, spec.conditions.size()));
+    chatter.notes.push_back(fmt::format(
+        "the critical speed is that of {}, the first of {} conditions; tensions and thicknesses of the "
+        "stream replace its values",
+        question.label, spec.conditions.size()));
   return chatter;
 }
 
@@ -49,6 +41,14 @@ LiveChatter of_pass(const FourHigh &stand, const live::TwinModel &model)
   return chatter;
 }
 }  // namespace
+
+std::vector<live::WatchedBand> watched_bands(const Monitoring &monitoring)
+{
+  auto bands       = live::bands_over("third octave", monitoring.third_octave[0], monitoring.third_octave[1]);
+  const auto fifth = live::bands_over("fifth octave", monitoring.fifth_octave[0], monitoring.fifth_octave[1]);
+  bands.insert(bands.end(), fifth.begin(), fifth.end());
+  return bands;
+}
 
 std::optional<LiveChatter> live_chatter(const Case &the_case, const live::TwinModel &model)
 {
@@ -66,8 +66,6 @@ std::optional<LiveChatter> live_chatter(const Case &the_case, const live::TwinMo
         const SolverError &) {  // no steady bite in the middle of the range; a search finds where there is one
     }
   }
-  if (chatter)
-    chatter->bands = chatter_bands();
   return chatter;
 }
 }  // namespace mill

@@ -7,7 +7,7 @@ struct LiveInput {
   enum class Kind { replay, tail, lines, tcp, mqtt } kind = Kind::tcp;
   std::string target = "127.0.0.1:8461";  ///< path, ADDR:PORT, HOST:PORT/STAND
 };
-/// @throws InputError  none of them
+/// @throws InputError  not one of them
 LiveInput live_input(const std::string &text);
 
 /// An address with a port.

@@ -35,7 +35,8 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
   if (input_.kind != LiveInput::Kind::replay)
     arrival_.emplace();
   if (!options.keep.empty() && options.record.empty())
-    throw InputError("--keep says how much of a recording is kept; name its folder with --record");
+    throw InputError(
+        "--keep sets how much of a recording is kept; name the folder of the recording with --record");
   if (!options.token_file.empty())
     token_ = live::token_of_file(options.token_file);
   engine_ = std::make_unique<live::Engine>(model_, hooks());
@@ -71,6 +72,7 @@ void LiveRun::open_folder()
   if (error || !fs::is_directory(folder))
     refuse_file(error.value(), "the folder " + folder + " cannot be made" + (error ? ": " + error.message() : "") +
                                    "; choose another with --record");
+  record_lock_.emplace(folder);
   state_.emplace(folder);
   finished_ = live::finish_parts(folder, [&](const std::string &text) { print(text + "\n"); });
   live::RecorderSettings settings;
@@ -138,8 +140,12 @@ live::EngineHooks LiveRun::hooks()
     if (comparison_) {
       live::ComparisonNews news = comparison_->take(block);
       for (const live::PageAlarm &alarm : news.alarms) {
-        if (!alarm.over)
+        if (!alarm.over && printed_[alarm.id] != alarm.level)
           print(fmt::format("{}: {}\n", alarm.level, visible(alarm.text, true)));
+        if (alarm.over)
+          printed_.erase(alarm.id);
+        else
+          printed_[alarm.id] = alarm.level;
         show_alarm(alarm);
       }
       news.alarms.clear();
@@ -171,7 +177,7 @@ live::EngineHooks LiveRun::hooks()
 }
 
 namespace {
-// Springs that a re-calibration may move: K4 is none where the force is measured.
+// Springs that a re-calibration may move; K4 is not one of them where the force is measured.
 std::vector<twin::Unknown> fitted_springs(const live::TwinModel &model)
 {
   const auto springs = live::tuned(model, {}).springs;
@@ -198,7 +204,7 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.dynamics = live::tuned_dynamics(model_, engine_->tuning());
   setup.limit    = limit_;
   setup.unknowns = fitted_springs(model_);
-  // faster than real time nothing would be ready when it is needed; and so a record gives the same twice
+  // a record that is played faster than real time waits for every result, so that it gives the same twice
   setup.wait     = command_.live.speed == "max";
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
   if (auto chatter = live_chatter(the_case_, model_)) {
@@ -207,9 +213,9 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
     for (const std::string &note : used ? chatter->notes : std::vector<std::string>{})
       print("note: " + visible(note, true) + "\n");
     setup.chatter = std::move(chatter->setup);
-    setup.bands   = chatter->bands;
   }
-  if (comparison_)  // another source, or the same one anew: of the same mill
+  setup.bands = watched_bands(monitoring_of(command_.target, command_.sets));
+  if (comparison_)  // another source, or the same one again: of the same mill
     learned_ = std::make_unique<nlohmann::json>(comparison_->state());
   comparison_.emplace(std::move(setup));
   for (const std::string &note : comparison_->notes())
@@ -299,7 +305,7 @@ void LiveRun::tick(const double now)
   each_second();
 }
 
-// A rate that is wrong stays an alarm until it is right; a jump is told and was.
+// A wrong rate stays an alarm until it is right; a jump is reported once.
 void LiveRun::tell_arrival(const std::optional<live::ArrivalWatch::News> &news)
 {
   using Kind = live::ArrivalWatch::News::Kind;

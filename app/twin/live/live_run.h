@@ -76,6 +76,7 @@ private:
   std::string token_;
   std::mutex console_;
   std::unique_ptr<live::Background> background_ = std::make_unique<live::Background>();
+  std::optional<RecordLock> record_lock_;
   std::optional<LiveState> state_;
   std::optional<live::Recorder> recorder_;
   std::optional<ResponseFile> response_;
@@ -87,7 +88,7 @@ private:
   live::LowPriorityTask<live::PageAdvice> advice_;
   live::PlaceSpectrum spectrum_;
   std::optional<live::Comparison> comparison_;
-  std::unique_ptr<nlohmann::json> learned_;    // of a comparison before, for the next one
+  std::unique_ptr<nlohmann::json> learned_;    // state of the last comparison, for the next one
   std::optional<live::ArrivalWatch> arrival_;  // of a source that sets its own pace
   std::optional<double> limit_;                // m/s2, 0-peak: the mill's own
   std::string critical_of_;                    // adopted springs that the critical speed is computed with
@@ -95,7 +96,8 @@ private:
   live::AlarmBook alarms_{
       1'000'000};  // of source and recording; those of the comparison have numbers of their own
   mutable std::mutex alarm_lock_;
-  std::map<std::int64_t, live::PageAlarm> shown_alarms_;  // as the page was told last
+  std::map<std::int64_t, live::PageAlarm> shown_alarms_;  // last state sent to the page
+  std::map<std::int64_t, std::string> printed_;           // level of each open alarm on the console
   std::string origin_ = "the case", place_ = "upper_work_roll";
   live::TwinModel model_;
   std::unique_ptr<live::Engine> engine_;
@@ -104,7 +106,7 @@ private:
   std::vector<live::FinishedPart> finished_;  // of a program that was killed
   bool has_state_ = false;
   std::optional<live::SourceHead> assumed_;
-  std::atomic<std::int64_t> next_{-1};  // told to senders
+  std::atomic<std::int64_t> next_{-1};  // sent to senders
   double last_second_ = 0;
   std::string metrics_text_;
   mutable std::mutex metrics_lock_;

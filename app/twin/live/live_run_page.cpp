@@ -113,10 +113,9 @@ live::CommandReply LiveRun::take_command(const std::string &json)
     using Kind                      = live::PageCommandKind;
     if ((command.kind == Kind::set && !has_key) ||
         (command.kind == Kind::reset && !command.key.empty() && !has_key))
-      return refuse("there is no key \"" + visible(command.key, true) + "\"; K1 to K7 and damping can be set");
+      return refuse("unknown key \"" + visible(command.key, true) + "\"; K1 to K7 and damping can be set");
     if (command.kind == Kind::acknowledge)
-      return acknowledge(command.id) ? live::CommandReply{}
-                                     : refuse(fmt::format("there is no alarm {}", command.id));
+      return acknowledge(command.id) ? live::CommandReply{} : refuse(fmt::format("unknown alarm {}", command.id));
     if (!commands_.push(command))
       return live::CommandReply{409, nlohmann::json{{"error", "too many commands wait"}}.dump()};
     return live::CommandReply{202, "{}"};

@@ -15,7 +15,7 @@ constexpr std::size_t most_shown = 400;  // as many as a run keeps
 constexpr std::int64_t no_number = std::numeric_limits<std::int64_t>::min();
 }  // namespace
 
-// Alarms as the page was told them; of those that are over the last ones.
+// Alarms as they were sent to the page; of those that are over the last ones.
 void LiveRun::store_state()
 {
   using Json       = nlohmann::json;
@@ -43,7 +43,7 @@ void LiveRun::store_state()
   states_ += state_->write(state, *background_, [this](const std::string &why) { say("recording", why); });
 }
 
-// What an earlier program of the same case left beside its recording.
+// The state that an earlier program of the same case left with its recording.
 void LiveRun::resume()
 {
   if (!state_ || command_.fresh)
@@ -103,9 +103,9 @@ void LiveRun::resume_recording(const std::int64_t recorded)
   if (source.name == input_.target)
     skip_to_ = engine_->resumed_at();
   assumed_         = live::SourceHead{source.rate, source.start_time, source.name, source.channels, source.factor};
-  const auto some  = std::int64_t(120 * source.rate);  // a file is no longer than that
+  const auto some  = std::int64_t(120 * source.rate);  // a file is at most that long
   const auto known = recorded_up_to(command_.live.record, source, engine_->resumed_at() - some);
-  // a number ahead of what was seen is no number of ours: nothing would be recorded up to it
+  // a number ahead of every sample that was seen is wrong: nothing would be recorded up to it
   recorder_->resume(std::max(known.value_or(0), std::min(recorded, engine_->resumed_at())));
 }
 }  // namespace mill

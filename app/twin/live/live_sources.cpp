@@ -20,7 +20,7 @@ LiveSources::LiveSources(const LiveInput &input, const LiveOptions &options, con
   switch (input.kind) {
   case Kind::replay:
     if (!fs::is_regular_file(input.target))
-      throw InputError("there is no file " + input.target);
+      throw InputError("the file " + input.target + " does not exist");
     description_ = "record " + input.target;
     start([file, &queue](const std::atomic<bool> &stop) { live::replay_csv(file, queue, stop); });
     break;

@@ -3,17 +3,41 @@
 #include "core/base/files.h"
 #include "twin/live/recording/npy_header.h"
 #include "twin/live/recording/recorder.h"
+#include <cerrno>
 #include <cstdlib>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sys/file.h>
+#include <unistd.h>
 
 namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
 constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20;  // bytes
+}
+
+RecordLock::RecordLock(const std::string &folder) : path_(folder + "/.recording")
+{
+  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+  if (file_ < 0)
+    return;  // the recording itself reports why nothing can be written
+  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+    ::close(file_);
+    throw InputError("the folder " + folder +
+                     " is in use: another millstand live records into it; choose another with --record");
+  }
+}
+
+RecordLock::~RecordLock()
+{
+  if (file_ < 0)
+    return;
+  ::unlink(path_.c_str());
+  ::close(file_);
 }
 
 LiveState::LiveState(std::string folder) : path_(std::move(folder) + "/state.json") {}
@@ -30,7 +54,7 @@ std::optional<nlohmann::json> LiveState::read(const std::function<void(const std
     return json;
   const std::string aside = path_ + ".damaged";
   fs::rename(path_, aside, error);
-  said(fmt::format("the stored state {} is damaged and cannot be read; the twin starts anew{}", path_,
+  said(fmt::format("the stored state {} is damaged and cannot be read; the twin starts without it{}", path_,
                    error ? "" : ", it is kept as " + aside));
   return {};
 }
@@ -40,7 +64,7 @@ bool LiveState::write(const nlohmann::json &state, live::Background &background,
 {
   if (background.waiting() > 2)
     return false;
-  // names that are no UTF-8 are stored with marks in their places rather than not at all
+  // bytes that are not UTF-8 are replaced, so that the state is stored in any case
   background.run([path = path_, text = state.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace),
                   failed = std::move(failed)] {
     try {
@@ -68,7 +92,7 @@ std::optional<std::int64_t> recorded_up_to(const std::string &folder, const live
     const auto text    = text_if_readable(entry.path().parent_path() / (entry.path().stem().string() + ".json"));
     const auto sidecar = nlohmann::json::parse(text ? *text : "", nullptr, false);
     const auto start   = live::utc_text(source.start_time + double(first) / source.rate);
-    if (!sidecar.is_object() || sidecar.value("start", "") != start)
+    if (!sidecar.is_object() || !sidecar.contains("start") || sidecar["start"] != start)  // of any type
       continue;
     std::ifstream file(entry.path(), std::ios::binary);
     std::string bytes(1 << 17, '\0');

@@ -8,11 +8,25 @@
 #include <string>
 
 namespace mill {
-/// The state of a twin beside its recording, FOLDER/state.json, written aside and renamed.
+/// Held while a program records into a folder: two programs would write into each other's files and state.
+class RecordLock {
+public:
+  /// @throws InputError  another program holds it
+  explicit RecordLock(const std::string &folder);
+  ~RecordLock();
+  RecordLock(const RecordLock &)            = delete;
+  RecordLock &operator=(const RecordLock &) = delete;
+
+private:
+  std::string path_;
+  int file_ = -1;
+};
+
+/// The state of a twin in the folder of its recording, FOLDER/state.json, written under another name and renamed.
 class LiveState {
 public:
   explicit LiveState(std::string folder);
-  /// What was stored; nothing where there is none, or where it cannot be read: then it is put aside as
+  /// The stored state; nothing where there is none, or where it cannot be read: then it is renamed to
   /// state.json.damaged.
   /// @param said  why it cannot be read, a sentence
   std::optional<nlohmann::json> read(const std::function<void(const std::string &)> &said) const;
@@ -25,7 +39,7 @@ private:
   std::string path_;
 };
 
-/// Number behind the last sample that recordings of this source hold, of those that begin at `from` or later:
+/// Number after the last sample that recordings of this source hold, of those that begin at `from` or later:
 /// files whose start is that of the source at their first number.  Nothing when there are none.
 std::optional<std::int64_t> recorded_up_to(const std::string &folder, const live::LiveSource &source,
                                            std::int64_t from);

@@ -3,17 +3,27 @@
 #include "core/base/units.h"
 #include <cerrno>
 #include <cstring>
+#include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
 #include <iterator>
+#include <sys/stat.h>
 
 namespace mill {
-ResponseFile::ResponseFile(std::string path, const bool overwrite)
-    : path_(std::move(path)), file_(std::fopen(path_.c_str(), overwrite ? "we" : "wxe"))
+ResponseFile::ResponseFile(std::string path, const bool overwrite) : path_(std::move(path))
 {
-  if (!file_ && errno == EEXIST)
+  const int mode = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | (overwrite ? O_TRUNC : O_EXCL);
+  const int file = ::open(path_.c_str(), mode, 0666);
+  const int why  = errno;
+  if (file >= 0)
+    file_ = ::fdopen(file, "w");
+  if (file < 0 && (why == ELOOP || std::filesystem::is_symlink(std::filesystem::symlink_status(path_))))
+    throw InputError(path_ + " is a symbolic link, and live does not write through it; name the file itself with "
+                             "--response");
+  if (file < 0 && why == EEXIST)
     throw InputError("the file " + path_ + " exists; choose another with --response, or give --force-overwrite");
   if (!file_)
-    refuse_file(errno, "cannot write " + path_ + ": " + std::strerror(errno));
+    refuse_file(why, "cannot write " + path_ + ": " + std::strerror(why));
 }
 
 ResponseFile::~ResponseFile()
@@ -54,6 +64,6 @@ void ResponseFile::finish()
   std::fclose(file_);
   file_ = nullptr;
   if (!whole)
-    throw SystemError(path_ + ": not everything could be written");
+    throw SystemError(path_ + ": the file could not be written completely");
 }
 }  // namespace mill

@@ -1,6 +1,7 @@
 #include "core/case/advice_rows.h"
 #include "core/case/kinds.h"
 #include "core/case/monitoring.h"
+#include "core/case/plant.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
 #include <utility>
@@ -32,6 +33,7 @@ std::vector<SectionRows> chatter_sections()
   add("condition", Repeat::list, true, "what rolls at one working point", rows_of(condition_rows()));
   add("analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows()));
   all.push_back(monitoring_section());
+  all.push_back(plant_section());
   all.push_back(chatter_advice_section());
   return all;
 }
@@ -57,6 +59,7 @@ const CaseKind &case_kind(const ChatterCase *)
            {"analysis",               "",                 {},                                                                                                    {"speeds"}                                                                                                        }
     };
     k.notes.push_back(monitoring_note());
+    k.notes.push_back(plant_note());
     k.notes.push_back(chatter_advice_note());
     k.repeated = [](const CaseSpec &spec, const std::string &section) {
       const auto &the_case = std::get<ChatterCase>(spec);

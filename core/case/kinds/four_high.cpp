@@ -3,6 +3,7 @@
 #include "core/case/given_instead.h"
 #include "core/case/kinds.h"
 #include "core/case/monitoring.h"
+#include "core/case/plant.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
 #include <algorithm>
@@ -110,6 +111,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.campbell           = read_campbell(root, campbell_rows(), reading);
   stand.drive              = read_drive_orders(root, reading);
   stand.span               = read_stand_span(root, reading);
+  read_plant(root, reading);
   read_monitoring(root, reading);  // checked here, used by those who read records
   stand.analysis  = read_chatter_analysis(root, reading);
   stand.advice    = read_four_high_advice(root, stand.passes, reading);
@@ -168,6 +170,7 @@ std::vector<SectionRows> four_high_sections()
               rows_of(stand_span_rows())                                                                                                 },
       {"analysis",      Repeat::once, false, "how chatter is searched",                           rows_of(chatter_analysis_rows())},
       monitoring_section(),
+      plant_section(),
       given_section(stand_given_rows(), false),
       published_section(stand_published_rows())
   };
@@ -197,6 +200,7 @@ std::vector<TemplateNote> four_high_notes()
       {"strip.friction",        "",{},                                      {},                                                        true}, // [strip] says it in a number
       drive_order_note(),
       monitoring_note(),
+      plant_note(),
       {"work_roll",        "",                             {{"estimate", "true"}},                                  {}},
       {"backup_roll", "",{{"estimate", "true"}},{}     },
       {"frame",        "",                                    {{"estimate", "true"}},                                                                                                 {"modulus"}},

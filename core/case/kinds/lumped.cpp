@@ -2,6 +2,7 @@
 #include "core/case/chain_curves.h"
 #include "core/case/kinds.h"
 #include "core/case/monitoring.h"
+#include "core/case/plant.h"
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
 
@@ -86,6 +87,7 @@ Lumped read_lumped(const Node &root, Reading &reading)
   lumped.campbell           = read_campbell(root, chain_campbell_rows(), reading);
   lumped.drive              = read_drive_orders(root, reading);
   lumped.advice             = read_stand_advice(root, reading);
+  read_plant(root, reading);
   read_monitoring(root, reading);  // checked here, used by those who read records
   check_turning_shafts(lumped.campbell, lumped.drive, reading);
   if (!lumped.detailed)
@@ -114,13 +116,15 @@ const CaseKind &case_kind(const Lumped *)
         frequency_response_section(),
         campbell_section(chain_campbell_rows()),
         drive_order_section(),
-        monitoring_section()
+        monitoring_section(),
+        plant_section()
     };
     for (const SectionRows &section : stand_advice_sections())
       k.sections.push_back(section);
     k.notes = {
         drive_order_note(),
         monitoring_note(),
+        plant_note(),
         {"model",              "", {},     {},                true}, // [given] says it
         {"curve",                    "",                {}, {}, true}, // numbers say it
         {"pass",                "",                  {{"synthetic", "true"}},                   {"synthetic_range"}                  },

@@ -14,14 +14,14 @@ namespace {
 constexpr double gap_unit = 0.01;  // gap that weighs as much as a pressure of one, over the entry thickness
 
 // Row i: shares of the values at `at` (rising) that make the linear interpolation at to[i].
-MatrixXd linear(const VectorXd &at, const VectorXd &to)
+MatrixXd linear(const VectorXd &position, const VectorXd &to)
 {
-  MatrixXd W = MatrixXd::Zero(to.size(), at.size());
+  MatrixXd W = MatrixXd::Zero(to.size(), position.size());
   for (Eigen::Index i = 0; i < to.size(); ++i) {
     Eigen::Index k = 0;
-    while (k + 2 < at.size() && at[k + 1] < to[i])
+    while (k + 2 < position.size() && position[k + 1] < to[i])
       ++k;
-    const double t = (to[i] - at[k]) / (at[k + 1] - at[k]);
+    const double t = (to[i] - position[k]) / (position[k + 1] - position[k]);
     if (t < -1e-9 || t > 1 + 1e-9)
       continue;
     W(i, k)     = 1 - t;
@@ -50,15 +50,16 @@ ElasticRoll elastic_roll(const ElasticPass &pass, const ElasticGrid &grid, const
   MatrixXd influence    = bite::half_plane_flexibility(x, steel, pass.bite->roll_radius).influence;
   MatrixXd slope        = bite::half_plane_slope(x, steel);
   if (flexibility) {
-    const VectorXd &at = flexibility->position;
-    if (at[0] > x[0] || at[at.size() - 1] < x[m - 1])
-      throw InputError(bite::sentence("the flexibility of the roll's surface is given from ", at[0] * 1e3, " to ",
-                                      at[at.size() - 1] * 1e3, " mm; the strip may touch the roll from ",
-                                      x[0] * 1e3, " to ", x[m - 1] * 1e3, " mm"));
+    const VectorXd &positions = flexibility->position;
+    if (positions[0] > x[0] || positions[positions.size() - 1] < x[m - 1])
+      throw InputError(bite::sentence("the flexibility of the roll's surface is given from ", positions[0] * 1e3,
+                                      " to ", positions[positions.size() - 1] * 1e3,
+                                      " mm; the strip may touch the roll from ", x[0] * 1e3, " to ",
+                                      x[m - 1] * 1e3, " mm"));
     // What the roll differs from a half plane is smooth and can be interpolated.
     const MatrixXd rest =
-        flexibility->influence - bite::half_plane_flexibility(at, steel, pass.bite->roll_radius).influence;
-    const MatrixXd more = linear(at, x) * rest * linear(x, at);
+        flexibility->influence - bite::half_plane_flexibility(positions, steel, pass.bite->roll_radius).influence;
+    const MatrixXd more = linear(positions, x) * rest * linear(x, positions);
     influence += more;
     for (int i = 0; i < m; ++i) {
       const int a = std::max(i - 1, 0), b = std::min(i + 1, m - 1);
@@ -236,27 +237,28 @@ void ElasticAssembly::contact()
 
 void ElasticAssembly::bulk()
 {
-  const auto at   = [&](const Bulk b) { return grid.bulk(b); };
-  const auto of   = [&](const Bulk b) { return unknowns[grid.bulk(b)]; };
-  const auto give = [&](const Bulk b, const double given) {
-    out.residual[at(b)] += of(b) - given;
-    add(at(b), at(b), 1);
+  const auto value_at = [&](const Bulk b) { return grid.bulk(b); };
+  const auto entry_of = [&](const Bulk b) { return unknowns[grid.bulk(b)]; };
+  const auto give     = [&](const Bulk b, const double given) {
+    out.residual[value_at(b)] += entry_of(b) - given;
+    add(value_at(b), value_at(b), 1);
   };
   const Strip &strip = pass.bite->strip;
   // Ends: the strip moves as a whole under its tension.
   const int last = int(grid.x.size()) - 1, outlet = grid.height(last, grid.n_through);
-  const double s1 = of(Bulk::entry_tension), s2 = of(Bulk::exit_tension), h1 = of(Bulk::entry_thickness);
-  out.residual[at(Bulk::entry_speed)] += 0.5 * s1 * h1;
-  add(at(Bulk::entry_speed), at(Bulk::entry_tension), 0.5 * h1);
-  add(at(Bulk::entry_speed), at(Bulk::entry_thickness), 0.5 * s1);
-  out.residual[at(Bulk::exit_speed)] -= s2 * unknowns[outlet];
-  add(at(Bulk::exit_speed), at(Bulk::exit_tension), -unknowns[outlet]);
-  add(at(Bulk::exit_speed), outlet, -s2);
+  const double s1 = entry_of(Bulk::entry_tension), s2 = entry_of(Bulk::exit_tension),
+               h1 = entry_of(Bulk::entry_thickness);
+  out.residual[value_at(Bulk::entry_speed)] += 0.5 * s1 * h1;
+  add(value_at(Bulk::entry_speed), value_at(Bulk::entry_tension), 0.5 * h1);
+  add(value_at(Bulk::entry_speed), value_at(Bulk::entry_thickness), 0.5 * s1);
+  out.residual[value_at(Bulk::exit_speed)] -= s2 * unknowns[outlet];
+  add(value_at(Bulk::exit_speed), value_at(Bulk::exit_tension), -unknowns[outlet]);
+  add(value_at(Bulk::exit_speed), outlet, -s2);
   for (int J = 1; J <= grid.n_through; ++J) {
     const double share = 0.5 * J / grid.n_through;
     out.residual[grid.height(0, J)] += unknowns[grid.height(0, J)] - share * h1;
     add(grid.height(0, J), grid.height(0, J), 1);
-    add(grid.height(0, J), at(Bulk::entry_thickness), -share);
+    add(grid.height(0, J), value_at(Bulk::entry_thickness), -share);
   }
   // Stress at the inlet: tension, plane strain, elastic
   const double nu = strip.poisson_ratio;
@@ -264,19 +266,19 @@ void ElasticAssembly::bulk()
        {std::pair(Bulk::inlet_pressure, -(1 + nu) / 3), std::pair(Bulk::inlet_xx, (2 - nu) / 3),
         std::pair(Bulk::inlet_yy, -(1 + nu) / 3)}) {
     give(which, share * s1);
-    add(at(which), at(Bulk::entry_tension), -share);
+    add(value_at(which), value_at(Bulk::entry_tension), -share);
   }
   const bool rolled_before = !std::isnan(strip.initial_thickness);
   give(Bulk::inlet_strain, rolled_before ? std::log(strip.initial_thickness / pass.length / h1) : 0);
   if (rolled_before)
-    add(at(Bulk::inlet_strain), at(Bulk::entry_thickness), 1 / h1);
+    add(value_at(Bulk::inlet_strain), value_at(Bulk::entry_thickness), 1 / h1);
   // Height of the roll
-  const int height   = at(Bulk::roll_height);
+  const int height   = value_at(Bulk::roll_height);
   const bool follows = roll.displacement.size() > 0 && !stage.held_shape;
   const int gauge    = follows ? grid.height(stage.thinnest, grid.n_through) : height;
-  out.residual[height] += unknowns[gauge] - 0.5 * of(Bulk::exit_thickness);
+  out.residual[height] += unknowns[gauge] - 0.5 * entry_of(Bulk::exit_thickness);
   add(height, gauge, 1);
-  add(height, at(Bulk::exit_thickness), -0.5);
+  add(height, value_at(Bulk::exit_thickness), -0.5);
   give(Bulk::entry_thickness, 1);
   give(Bulk::exit_thickness, pass.exit);
   give(Bulk::entry_tension, strip.entry_tension / pass.stress);
@@ -286,21 +288,21 @@ void ElasticAssembly::bulk()
   for (const auto &[end, spine] :
        {std::pair(Bulk::entry_end, grid.entry_spine), std::pair(Bulk::exit_end, grid.exit_spine)})
     if (grid.ends_of_contact) {
-      out.residual[at(end)] += unknowns[grid.force(spine)] / grid.tributary[spine];
-      add(at(end), grid.force(spine), 1 / grid.tributary[spine]);
+      out.residual[value_at(end)] += unknowns[grid.force(spine)] / grid.tributary[spine];
+      add(value_at(end), grid.force(spine), 1 / grid.tributary[spine]);
     } else {
       give(end, grid.moves() ? grid.x[spine] : 0);
     }
   if (grid.moves() && !grid.ends_of_contact) {
     using D   = bite::Dual<3>;
-    const D a = D::variable(h1, 0), b = D::variable(of(Bulk::exit_thickness), 1),
-            R      = D::variable(of(Bulk::radius), 2);
+    const D a = D::variable(h1, 0), b = D::variable(entry_of(Bulk::exit_thickness), 1),
+            R      = D::variable(entry_of(Bulk::radius), 2);
     const D centre = R - 0.5 * (a - b), arc = -grid.entry_ratio * sqrt(R * R - centre * centre);
-    const int row = at(Bulk::entry_end);
+    const int row = value_at(Bulk::entry_end);
     out.residual[row] += grid.x[grid.entry_spine] - arc.value;
-    add(row, at(Bulk::entry_thickness), -arc.by[0]);
-    add(row, at(Bulk::exit_thickness), -arc.by[1]);
-    add(row, at(Bulk::radius), -arc.by[2]);
+    add(row, value_at(Bulk::entry_thickness), -arc.by[0]);
+    add(row, value_at(Bulk::exit_thickness), -arc.by[1]);
+    add(row, value_at(Bulk::radius), -arc.by[2]);
   }
   if (!slides(strip.friction)) {
     give(Bulk::friction, 0);
@@ -309,15 +311,15 @@ void ElasticAssembly::bulk()
          bite::coulomb_coefficient(strip.friction, bite::Inlet<double>{pass.speed, 0, 0, 1, 1, 1}));
   } else {
     using D    = bite::Dual<2>;
-    const D in = D::variable(of(Bulk::entry_speed), 0), leaves = D::variable(of(Bulk::exit_speed), 1);
-    const double k = material_flow_stress(material, of(Bulk::inlet_strain)) * pass.stress;
+    const D in = D::variable(entry_of(Bulk::entry_speed), 0), leaves = D::variable(entry_of(Bulk::exit_speed), 1);
+    const double k = material_flow_stress(material, entry_of(Bulk::inlet_strain)) * pass.stress;
     const D mu     = bite::coulomb_coefficient(
             strip.friction,
             bite::Inlet<D>{D(pass.speed), pass.speed * in, pass.speed * leaves, D(pass.bite->roll_radius),
                            D(pass.arc_length * pass.length), D(k - strip.entry_tension)});
     give(Bulk::friction, mu.value);
-    add(at(Bulk::friction), at(Bulk::entry_speed), -mu.by[0]);
-    add(at(Bulk::friction), at(Bulk::exit_speed), -mu.by[1]);
+    add(value_at(Bulk::friction), value_at(Bulk::entry_speed), -mu.by[0]);
+    add(value_at(Bulk::friction), value_at(Bulk::exit_speed), -mu.by[1]);
   }
 }
 

@@ -103,7 +103,7 @@ std::vector<double> elastic_lines(const std::vector<double> &fixed, double from,
 /// Unknowns of a state on another grid, by interpolation along and through the strip.
 Eigen::VectorXd interpolated(const ElasticGrid &from, const Eigen::VectorXd &unknowns, const ElasticGrid &to);
 
-/// Spine where the touching strip is thinnest; `before` counts where no other is thinner, 0: none yet.
+/// Spine where the touching strip is thinnest; `before` is taken where no other is thinner, 0: none yet.
 int thinnest_spine(const ElasticGrid &grid, const Eigen::VectorXd &unknowns, int before);
 
 /// The same polynomials at 0, 1/2, 1.

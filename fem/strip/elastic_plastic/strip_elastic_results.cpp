@@ -13,7 +13,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
-constexpr double touching = 1e-6;  // roll pressure over the unit of stress that counts as contact
+constexpr double touching = 1e-6;  // roll pressure over the unit of stress that is taken as contact
 
 // Stress (deviatoric) and strain of a row at its upstream face, its first and its last Radau point.
 std::array<std::array<double, 4>, 3> row_values(const ElasticGrid &grid, const ElasticEquations &e,
@@ -38,15 +38,15 @@ void add_fields(StripFlow &flow, const ElasticPass &pass, const ElasticGrid &gri
 {
   const int columns = int(grid.x.size()), rows = 2 * grid.n_through + 1, last = columns - 1;
   size_fields(flow, columns, rows);
-  MatrixXd count = MatrixXd::Zero(columns, rows);
-  const auto at  = [&](const int id) { return id < 0 ? 0 : u[id]; };
+  MatrixXd count      = MatrixXd::Zero(columns, rows);
+  const auto value_at = [&](const int id) { return id < 0 ? 0 : u[id]; };
   for (int i = 0; i < columns; ++i)
     for (int j = 0; j < rows; ++j) {
-      const int c   = last - i;  // columns of the result run the other way
-      flow.x(c, j)  = -grid.x[i] * pass.length;
-      flow.y(c, j)  = 0.5 * (at(grid.height(i, j / 2)) + at(grid.height(i, (j + 1) / 2))) * pass.length;
-      flow.vx(c, j) = -at(grid.velocity(i, j, 0)) * pass.speed;
-      flow.vy(c, j) = at(grid.velocity(i, j, 1)) * pass.speed;
+      const int c  = last - i;  // columns of the result run the other way
+      flow.x(c, j) = -grid.x[i] * pass.length;
+      flow.y(c, j) = 0.5 * (value_at(grid.height(i, j / 2)) + value_at(grid.height(i, (j + 1) / 2))) * pass.length;
+      flow.vx(c, j) = -value_at(grid.velocity(i, j, 0)) * pass.speed;
+      flow.vy(c, j) = value_at(grid.velocity(i, j, 1)) * pass.speed;
     }
   const GaussRows &gauss = gauss_rows();
   const std::array<double, 3> along{0, radau_point[0], radau_point[1]};

@@ -30,7 +30,7 @@ constexpr double start_tolerance = 1e-2;
 constexpr int picard_steps       = 6;
 
 // Length to which predicted directions are cut, by the residual; 0.7 where a level begins.  A direction of length
-// one cannot leave the yield surface, whatever the step: points that are to become rigid need it shorter, and as
+// one cannot leave the yield surface, for any step: points that are to become rigid need it shorter, and as
 // the residual goes to zero it may not disturb the quadratic convergence.
 double longest_direction(const double residual)
 {
@@ -176,9 +176,10 @@ private:
     remedy = "a rigid-plastic strip has a pressure step at both ends, which an elastic roll answers to with an "
              "infinite slope: take the elastic-plastic strip, or Hitchcock's circle";
   if (pass.flexibility) {
-    const auto &at = pass.flexibility->position;
-    remedy += "; the flexibility given reaches from " + short_number(at[0] * 1e3, 3) + " to " +
-              short_number(at[at.size() - 1] * 1e3, 3) + " mm from the line of centres, the contact had come to " +
+    const auto &result = pass.flexibility->position;
+    remedy += "; the flexibility given reaches from " + short_number(result[0] * 1e3, 3) + " to " +
+              short_number(result[result.size() - 1] * 1e3, 3) +
+              " mm from the line of centres, the contact had come to " +
               short_number(-c.u[c.grid.whole(Whole::exit)] * pass.length * 1e3, 3) + " to " +
               short_number(-c.u[c.grid.whole(Whole::entry)] * pass.length * 1e3, 3) + " mm";
   }

@@ -50,16 +50,16 @@ void StripAssembly::contact()
     columns[13] = grid.input(bite::Input::flow_stress);
     columns[14] = grid.input(bite::Input::gap_rate);
     columns[15] = grid.input(bite::Input::roll_speed);
-    Node of[16];
+    Node unknown_of_spine[16];
     for (int m = 0; m < 16; ++m)
-      of[m] = Node::variable(value(columns[m]), m);
-    const Node &entry = of[0], &exit = of[1], &pressure = of[4];
+      unknown_of_spine[m] = Node::variable(value(columns[m]), m);
+    const Node &entry = unknown_of_spine[0], &exit = unknown_of_spine[1], &pressure = unknown_of_spine[4];
     // Outward normal times the share of the surface, of the edges in contact on both sides.
     Node nx(0.), ny(0.);
     const auto add_edge = [&](const int I, const int a) {
       const Node half = 0.5 * (spine_place(grid, 2 * I + 2, entry, exit) - spine_place(grid, 2 * I, entry, exit));
       for (int b = 0; b < 3; ++b)
-        nx -= turning[a][b] * of[7 + 2 * I + b - i];
+        nx -= turning[a][b] * unknown_of_spine[7 + 2 * I + b - i];
       ny += share[a] * half;
     };
     if (i % 2)
@@ -69,16 +69,20 @@ void StripAssembly::contact()
     if (i % 2 == 0 && i < grid.last)
       add_edge(i / 2, 0);
     const Node size = sqrt(nx * nx + ny * ny), tx = ny / size, ty = -(nx / size);
-    const Node rise   = of[3] - 0.5 * of[14] / of[15];  // relative to a roll that moves with half the gap rate
-    const Node slip   = of[2] * tx + rise * ty - 1.0;
-    const Node strain = i % 2 ? 0.5 * (of[10] + of[11]) : of[10];
-    const Node flow_stress = of[13] * scaled_flow_stress(pass, strain), shear_yield = 0.5 * flow_stress;
-    const auto traction_law = bite::traction_of(law, of[12]);
+    const Node rise =
+        unknown_of_spine[3] -
+        0.5 * unknown_of_spine[14] / unknown_of_spine[15];  // relative to a roll that moves with half the gap rate
+    const Node slip         = unknown_of_spine[2] * tx + rise * ty - 1.0;
+    const Node strain       = i % 2 ? 0.5 * (unknown_of_spine[10] + unknown_of_spine[11]) : unknown_of_spine[10];
+    const Node flow_stress  = unknown_of_spine[13] * scaled_flow_stress(pass, strain),
+               shear_yield  = 0.5 * flow_stress;
+    const auto traction_law = bite::traction_of(law, unknown_of_spine[12]);
     Node limit = bite::traction_limit(traction_law, pressure.value > 0 ? pressure : Node(0.), flow_stress,
                                       slip.value < 0 ? 1 : -1);  // (18.11)
     if (stage.picard)
-      limit = traction_law.slides ? Node(std::min(1.2 * of[12].value * flow_stress.value, shear_yield.value))
-                                  : Node(limit.value);
+      limit = traction_law.slides
+                  ? Node(std::min(1.2 * unknown_of_spine[12].value * flow_stress.value, shear_yield.value))
+                  : Node(limit.value);
     const Node regularised = sqrt(slip * slip + stage.cutoff_slip * stage.cutoff_slip);
     double direction       = slip.value / regularised.value;
     if (before) {  // as in the bulk
@@ -95,14 +99,14 @@ void StripAssembly::contact()
     const Node fx = pressure * nx - traction * size * tx, fy = pressure * ny - traction * size * ty;
     add(columns[2], fx, columns);
     add(columns[3], fy, columns);
-    add(grid.contact(i), of[2] * nx + rise * ny, columns);
+    add(grid.contact(i), unknown_of_spine[2] * nx + rise * ny, columns);
     add(out.force, fy, columns);
     add(out.traction, traction * size, columns);
     out.force_x -= fx.value;
     out.friction_power += std::abs(traction.value * slip.value) * size.value;
     out.nodes.row(i - grid.first) << spine_place(grid, i, entry, exit).value, pressure.value, traction.value,
         slip.value, size.value,
-        (traction_law.slides ? of[12].value * pressure.value : limit.value) / shear_yield.value;
+        (traction_law.slides ? unknown_of_spine[12].value * pressure.value : limit.value) / shear_yield.value;
   }
 }
 
@@ -114,10 +118,13 @@ void StripAssembly::roll_shape()
     const std::array<int, 6> columns{grid.height(i, top),       grid.whole(Whole::entry),
                                      grid.whole(Whole::exit),   grid.whole(Whole::offset),
                                      grid.whole(Whole::radius), grid.input(bite::Input::exit_thickness)};
-    Height of[6];
+    Height unknown_of_spine[6];
     for (int m = 0; m < 6; ++m)
-      of[m] = Height::variable(value(columns[m]), m);
-    add(columns[0], of[0] - circle_height(of[5], of[3], of[4], spine_place(grid, i, of[1], of[2])), columns);
+      unknown_of_spine[m] = Height::variable(value(columns[m]), m);
+    add(columns[0],
+        unknown_of_spine[0] - circle_height(unknown_of_spine[5], unknown_of_spine[3], unknown_of_spine[4],
+                                            spine_place(grid, i, unknown_of_spine[1], unknown_of_spine[2])),
+        columns);
   }
   if (!pass.flexibility || stage.flexibility == 0)
     return;
@@ -141,19 +148,19 @@ void StripAssembly::roll_shape()
 
 FlattenedArc flattened_arc(const StripPass &pass, const StripGrid &grid, const Eigen::VectorXd &unknowns)
 {
-  using Place              = Dual<2>;
-  const auto &flexibility  = *pass.flexibility;
-  const Eigen::VectorXd at = flexibility.position / pass.length;
-  const int n = grid.last - grid.first + 1, m = int(at.size());
+  using Place                     = Dual<2>;
+  const auto &flexibility         = *pass.flexibility;
+  const Eigen::VectorXd positions = flexibility.position / pass.length;
+  const int n = grid.last - grid.first + 1, m = int(positions.size());
   const Place entry = Place::variable(unknowns[grid.whole(Whole::entry)], 0);
   const Place exit  = Place::variable(unknowns[grid.whole(Whole::exit)], 1);
-  std::vector<Place> place(n);  // towards the entry, as the flexibility counts: falls with the spine
+  std::vector<Place> place(n);  // towards the entry, in the order of the flexibility: falls with the spine
   Eigen::VectorXd pressure(n);
   for (int i = 0; i < n; ++i) {
     place[i]    = -spine_place(grid, grid.first + i, entry, exit);
     pressure[i] = unknowns[grid.contact(grid.first + i)];
   }
-  if (!(place[0].value <= at[m - 1] && place[n - 1].value >= at[0])) {  // a step too far
+  if (!(place[0].value <= positions[m - 1] && place[n - 1].value >= positions[0])) {  // a step too far
     const Eigen::VectorXd nothing = Eigen::VectorXd::Constant(n, not_given);
     return {nothing, nothing, Eigen::MatrixXd::Constant(n, 2, not_given),
             Eigen::MatrixXd::Constant(n, n, not_given)};
@@ -163,17 +170,18 @@ FlattenedArc flattened_arc(const StripPass &pass, const StripGrid &grid, const E
   int k = 0;
   for (int i = n - 1; i > 0; --i) {
     const Place &from = place[i], &to = place[i - 1];
-    while (k > 0 && at[k] > from.value)
+    while (k > 0 && positions[k] > from.value)
       --k;
-    while (k < m - 2 && at[k + 1] <= from.value)
+    while (k < m - 2 && positions[k + 1] <= from.value)
       ++k;
-    for (int cell = k; cell < m - 1 && at[cell] < to.value; ++cell) {
-      const Place low  = from.value > at[cell] ? from : Place(at[cell]);
-      const Place high = to.value < at[cell + 1] ? to : Place(at[cell + 1]);
+    for (int cell = k; cell < m - 1 && positions[cell] < to.value; ++cell) {
+      const Place low  = from.value > positions[cell] ? from : Place(positions[cell]);
+      const Place high = to.value < positions[cell + 1] ? to : Place(positions[cell + 1]);
       for (int q = 0; q < 3; ++q) {  // Simpson's rule: exact for the product of two straight lines
         const Place x      = q == 0 ? low : q == 2 ? high : 0.5 * (low + high);
         const Place weight = (high - low) * (q == 1 ? 4. / 6 : 1. / 6);
-        const Place right = (x - at[cell]) / (at[cell + 1] - at[cell]), there = (x - from) / (to - from);
+        const Place right  = (x - positions[cell]) / (positions[cell + 1] - positions[cell]),
+                    there  = (x - from) / (to - from);
         for (const bool up : {false, true})
           for (const bool ahead : {false, true}) {
             const Place c = weight * (up ? right : 1.0 - right) * (ahead ? there : 1.0 - there);
@@ -186,7 +194,8 @@ FlattenedArc flattened_arc(const StripPass &pass, const StripGrid &grid, const E
     }
   }
   for (int r = 0; r < m; ++r) {
-    const double width = 0.5 * ((r > 0 ? at[r] - at[r - 1] : 0) + (r < m - 1 ? at[r + 1] - at[r] : 0));
+    const double width =
+        0.5 * ((r > 0 ? positions[r] - positions[r - 1] : 0) + (r < m - 1 ? positions[r + 1] - positions[r] : 0));
     gather.row(r) /= width;
     gather_by[0].row(r) /= width;
     gather_by[1].row(r) /= width;
@@ -198,10 +207,10 @@ FlattenedArc flattened_arc(const StripPass &pass, const StripGrid &grid, const E
                                    scale * (flexibility.influence * (gather_by[1] * pressure))};
   FlattenedArc out{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::MatrixXd(n, 2), Eigen::MatrixXd(n, n)};
   for (int i = 0; i < n; ++i) {
-    const auto *begin  = at.data();
+    const auto *begin  = positions.data();
     const int cell     = std::clamp(int(std::upper_bound(begin, begin + m, place[i].value) - begin) - 1, 0, m - 2);
-    const double t     = (place[i].value - at[cell]) / (at[cell + 1] - at[cell]);
-    const double slope = (u[cell + 1] - u[cell]) / (at[cell + 1] - at[cell]);
+    const double t     = (place[i].value - positions[cell]) / (positions[cell + 1] - positions[cell]);
+    const double slope = (u[cell + 1] - u[cell]) / (positions[cell + 1] - positions[cell]);
     out.displacement[i]    = (1 - t) * u[cell] + t * u[cell + 1];
     out.slope[i]           = -slope;  // along the strip
     out.by_pressure.row(i) = (1 - t) * answer.row(cell) + t * answer.row(cell + 1);
@@ -285,21 +294,22 @@ void StripAssembly::friction()
       grid.whole(Whole::friction), grid.input(Input::friction),           grid.input(Input::roll_speed),
       grid.velocity(0, 0, 0),      grid.velocity(2 * grid.n_along, 0, 0), grid.whole(Whole::radius),
       grid.whole(Whole::entry),    grid.input(Input::entry_tension)};
-  Speed of[8];
+  Speed unknown_of_spine[8];
   for (int m = 0; m < 8; ++m)
-    of[m] = Speed::variable(value(columns[m]), m);
+    unknown_of_spine[m] = Speed::variable(value(columns[m]), m);
   Speed coefficient(0.);
   if (slides(strip.friction)) {
-    const Speed roll = pass.speed * of[2];
+    const Speed roll = pass.speed * unknown_of_spine[2];
     coefficient      = bite::coulomb_coefficient(
              strip.friction,
-             bite::Inlet<Speed>{roll, of[3] * roll, of[4] * roll, pass.length * of[5], -pass.length * of[6],
-                                pass.stress * (scaled_flow_stress(pass, Speed(0.)) - of[7])});
+             bite::Inlet<Speed>{roll, unknown_of_spine[3] * roll, unknown_of_spine[4] * roll,
+                                pass.length * unknown_of_spine[5], -pass.length * unknown_of_spine[6],
+                                pass.stress * (scaled_flow_stress(pass, Speed(0.)) - unknown_of_spine[7])});
   }
   if (slides(strip.friction))
     coefficient *= stage.friction;
   else  // a law of factors: what is added to both
     coefficient += (stage.friction - 1) * std::max(strip.friction.entry_factor, strip.friction.exit_factor);
-  add(columns[0], of[0] - coefficient - of[1], columns);
+  add(columns[0], unknown_of_spine[0] - coefficient - unknown_of_spine[1], columns);
 }
 }  // namespace mill::fem

@@ -32,10 +32,11 @@ void start_from_slab(StripPass &p)
     }
   if (!state)
     state = slab(bite::Arc::rigid);
-  p.exit_slip      = state->forward_slip;
-  p.friction       = slides(p.bite->strip.friction) ? state->friction : 0;
-  const double own = p.bite->roll_radius;
-  if (state->flattened_radius > 1.2 * own || bite::friction_margin(resting, own, p.friction) < safe_margin)
+  p.exit_slip               = state->forward_slip;
+  p.friction                = slides(p.bite->strip.friction) ? state->friction : 0;
+  const double rigid_radius = p.bite->roll_radius;
+  if (state->flattened_radius > 1.2 * rigid_radius ||
+      bite::friction_margin(resting, rigid_radius, p.friction) < safe_margin)
     p.start_radius = state->flattened_radius / p.length;
   const double margin = bite::friction_margin(resting, p.start_radius * p.length, p.friction);
   p.more_friction     = std::max(1., safe_margin / margin);

@@ -157,8 +157,8 @@ StripDirections interpolated(const StripGrid &from, const StripDirections &direc
   out.slip           = Eigen::MatrixXd::Zero(3, to.last - to.first + 1);
   const VectorXd old = along_strip(from.lines), lines = along_strip(to.lines);
   const StripShapes &shapes = strip_shapes();
-  const auto gauss_point    = [&](const VectorXd &of, const int cell, const int k) {
-    return of[cell] + 0.5 * (of[cell + 1] - of[cell]) * (1 + shapes.point[k]);
+  const auto gauss_point    = [&](const VectorXd &values, const int cell, const int k) {
+    return values[cell] + 0.5 * (values[cell + 1] - values[cell]) * (1 + shapes.point[k]);
   };
   for (int I = 0; I < to.n_along; ++I)
     for (int J = 0; J < to.n_through; ++J)

@@ -37,7 +37,7 @@ struct StripGrid : StripNodes {
   {
     return strain_of[3 * (I * n_through + J) + k];
   }
-  /// Pressure of the roll on spine i; -1 beside the contact.
+  /// Pressure of the roll on spine i; -1 outside the contact.
   int contact(const int i) const
   {
     return contact_of[i];

@@ -1,7 +1,7 @@
 #pragma once
 #include <Eigen/Core>
 
-// Films with a closed solution, beside the grid of film.h; units of FilmReactions.  theory.md 29.6
+// Films with a closed solution, in addition to the grid of film.h; units of FilmReactions.  theory.md 29.6
 namespace mill::bearing {
 /// Short bearing (Ocvirk), film ruptured over the diverging half: force, rad between load and line of centres.
 double ocvirk_force(double length_ratio, double eccentricity);

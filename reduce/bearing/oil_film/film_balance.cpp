@@ -51,10 +51,10 @@ public:
   {
     return largest_eccentricity(of, direction);
   }
-  Trial trial(const Place &at, const Film *start)
+  Trial trial(const Place &trial_place, const Film *start)
   {
-    const double e  = eccentricity_at(at, room(at.direction));
-    of.displacement = {e * std::cos(at.direction), e * std::sin(at.direction)};
+    const double e  = eccentricity_at(trial_place, room(trial_place.direction));
+    of.displacement = {e * std::cos(trial_place.direction), e * std::sin(trial_place.direction)};
     Trial t;
     t.film = std::make_shared<Film>(of, film_grid(of, mesh), start);
     if (t.film->failure() != FilmFailure::none)
@@ -64,14 +64,14 @@ public:
     return t;
   }
   // Newton's step of (s, direction).
-  Eigen::Vector2d step(const Place &at, const Trial &t) const
+  Eigen::Vector2d step(const Place &place, const Trial &t) const
   {
-    const double full = room(at.direction), e = eccentricity_at(at, full);
+    const double full = room(place.direction), e = eccentricity_at(place, full);
     const Eigen::Matrix2d K = film_coefficients(*t.film, false).stiffness;
-    const Eigen::Vector2d along(std::cos(at.direction), std::sin(at.direction)), f = t.force;
+    const Eigen::Vector2d along(std::cos(place.direction), std::sin(place.direction)), f = t.force;
     const Eigen::Vector2d by_s = K * along * (e * (full - e) / full);
     constexpr double turn      = 1e-6;  // rad; the room is smooth but for a sign of the tilt
-    const double room_turn     = (room(at.direction + turn) - room(at.direction - turn)) / (2 * turn);
+    const double room_turn     = (room(place.direction + turn) - room(place.direction - turn)) / (2 * turn);
     const Eigen::Vector2d by_turn =
         K * (Eigen::Vector2d(-along[1], along[0]) * e + along * (e / full * room_turn));
     const double f2  = f.squaredNorm();
@@ -115,26 +115,26 @@ BalancedFilm balance_film(FilmProblem problem, const FilmMesh &mesh, const doubl
   if (near)
     problem.displacement = near->film->problem().displacement;
   Search search(problem, mesh, W);
-  Place at   = first_place(problem, W);
-  Trial best = search.trial(at, near ? near->film.get() : nullptr);
+  Place place = first_place(problem, W);
+  Trial best  = search.trial(place, near ? near->film.get() : nullptr);
   for (int turn = 0; turn < most_turns; ++turn) {
     if (best.film->failure() != FilmFailure::none) {  // begin with a thicker film
-      at.s -= 0.7;
-      if (at.s < -16)
+      place.s -= 0.7;
+      if (place.s < -16)
         refuse(best.film->failure(), search.of, W);
-      best = search.trial(at, nullptr);
+      best = search.trial(place, nullptr);
       continue;
     }
     if (best.error.norm() < tolerance)
       return {best.film, film_reactions(*best.film)};
-    Eigen::Vector2d step = search.step(at, best);
+    Eigen::Vector2d step = search.step(place, best);
     if (!step.allFinite())
       refuse(FilmFailure::no_convergence, search.of, W);
     step *= std::min(1., std::min(2.5 / (std::abs(step[0]) + 1e-300), 0.8 / (std::abs(step[1]) + 1e-300)));
     Trial next;
-    Place there = at;
+    Place there = place;
     for (int half = 0; half < 12; ++half, step /= 2) {
-      there = {std::min(at.s + step[0], 12.), at.direction + step[1]};
+      there = {std::min(place.s + step[0], 12.), place.direction + step[1]};
       next  = search.trial(there, best.film.get());
       if (next.film->failure() == FilmFailure::none && next.error.norm() < best.error.norm())
         break;
@@ -145,8 +145,8 @@ BalancedFilm balance_film(FilmProblem problem, const FilmMesh &mesh, const doubl
       refuse(next.film->failure() != FilmFailure::none ? next.film->failure() : FilmFailure::no_convergence,
              search.of, W);
     }
-    at   = there;
-    best = std::move(next);
+    place = there;
+    best  = std::move(next);
   }
   refuse(FilmFailure::no_convergence, search.of, W);
 }

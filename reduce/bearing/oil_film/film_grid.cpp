@@ -87,12 +87,12 @@ void hold_nodes(FilmGrid &grid, const FilmProblem &p)
   if (!p.from_widest_gap)
     return;
   const double widest = even_angle(p).widest;
-  Eigen::Index at     = 0;
+  Eigen::Index place  = 0;
   for (Eigen::Index i = 0; i < grid.columns(); ++i)
     if (std::abs(std::remainder(grid.angle[i] - widest, 2 * M_PI)) <
-        std::abs(std::remainder(grid.angle[at] - widest, 2 * M_PI)))
-      at = i;
-  grid.held.col(at).setZero();
+        std::abs(std::remainder(grid.angle[place] - widest, 2 * M_PI)))
+      place = i;
+  grid.held.col(place).setZero();
 }
 }  // namespace
 
@@ -117,8 +117,8 @@ FilmGrid film_grid(const FilmProblem &p, const FilmMesh &mesh)
 
 double rigid_film(const FilmProblem &p, const double angle, const double z)
 {
-  const Eigen::Vector2d at = p.displacement + z * p.tilt;
-  return 1 - at[0] * std::cos(angle) - at[1] * std::sin(angle);
+  const Eigen::Vector2d position = p.displacement + z * p.tilt;
+  return 1 - position[0] * std::cos(angle) - position[1] * std::sin(angle);
 }
 
 double least_rigid_film(const FilmProblem &p)

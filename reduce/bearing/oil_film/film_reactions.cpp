@@ -30,7 +30,7 @@ void add_friction(const Film &film, FilmReactions &r)
   const double a    = film.problem().pressure_viscosity;
   r.friction = r.friction_streamers = 0;
   for (Eigen::Index j = 0; j < g.rows(); ++j) {
-    // The strips at the ends, whose nodes the grid does not keep, shear as the rows beside them.
+    // The strips at the ends, whose nodes the grid does not keep, shear as the rows next to them.
     const double length = g.z_width[j] + (j + 1 == g.rows() ? g.z_gap[j + 1] / 2 : 0) +
                           (j == 0 && g.mirror == 1 ? g.z_gap[0] / 2 : 0);
     double full = 0, streamers = 0, ruptured_at = 0;
@@ -54,9 +54,9 @@ void add_friction(const Film &film, FilmReactions &r)
   double by_slope = 0;
   for (Eigen::Index i = 0; i < g.columns(); ++i)
     for (Eigen::Index j = 0; j < g.rows(); ++j) {
-      const Eigen::Vector2d at = e + g.z[j] * t;
+      const Eigen::Vector2d position = e + g.z[j] * t;
       by_slope += film.pressure()(j, i) * g.width[i] * g.z_width[j] *
-                  (at[0] * std::sin(g.angle[i]) - at[1] * std::cos(g.angle[i]));
+                  (position[0] * std::sin(g.angle[i]) - position[1] * std::cos(g.angle[i]));
     }
   r.friction -= g.mirror * by_slope / 2;
   r.friction_streamers -= g.mirror * by_slope / 2;

@@ -108,22 +108,22 @@ OilFilmState state_of(const OilFilmBearing &b, const OilFilmLoad &load, const Wa
 {
   const FilmReactions &r = w.film.reactions;
   OilFilmState s;
-  s.viscosity              = viscosity_at(b, w.temperature);
-  const Units u            = units_of(b, load, s.viscosity);
-  const Eigen::Vector2d at = w.film.film->problem().displacement;
-  s.eccentricity           = at.norm();
-  s.attitude               = std::atan2(at[1], at[0]);
-  s.least_film             = r.least_film * u.clearance;
-  s.peak_pressure          = r.peak_pressure * u.pressure;
-  s.temperature            = w.temperature;
-  s.outlet_temperature     = b.inlet_temperature + warming(b, load, w.film, w.temperature);
-  s.sommerfeld             = sommerfeld_number(load.load / u.force);
-  s.friction_torque        = r.friction * u.torque;
-  s.power_loss             = s.friction_torque * load.speed;
-  s.power_streamers        = r.friction_streamers * u.torque * load.speed;
-  s.side_flow              = r.side_flow * u.flow;
-  const double compliance  = layer_compliance(b);
-  const double W           = load.load / u.force;
+  s.viscosity                    = viscosity_at(b, w.temperature);
+  const Units u                  = units_of(b, load, s.viscosity);
+  const Eigen::Vector2d position = w.film.film->problem().displacement;
+  s.eccentricity                 = position.norm();
+  s.attitude                     = std::atan2(position[1], position[0]);
+  s.least_film                   = r.least_film * u.clearance;
+  s.peak_pressure                = r.peak_pressure * u.pressure;
+  s.temperature                  = w.temperature;
+  s.outlet_temperature           = b.inlet_temperature + warming(b, load, w.film, w.temperature);
+  s.sommerfeld                   = sommerfeld_number(load.load / u.force);
+  s.friction_torque              = r.friction * u.torque;
+  s.power_loss                   = s.friction_torque * load.speed;
+  s.power_streamers              = r.friction_streamers * u.torque * load.speed;
+  s.side_flow                    = r.side_flow * u.flow;
+  const double compliance        = layer_compliance(b);
+  const double W                 = load.load / u.force;
   s.layer_stiffness = compliance > 0 ? W * W / squared_pressure(*w.film.film) * u.force / (compliance * u.pressure)
                                      : std::numeric_limits<double>::infinity();
   w.film.film->place_rupture();

@@ -43,18 +43,18 @@ Eigen::Vector2d parabolic_force(const double length_ratio, const double e)
   int first = n_angles / 4, last = 3 * n_angles / 4;
   for (int turn = 0; turn < 4 * n_angles; ++turn) {
     solve_between(right, diagonal, rhs, first, last, g);
-    const auto at    = [&](const int i) { return g[std::size_t(i)]; };
-    const auto gains = [&](const int i, const double neighbour) {  // an end that would carry
+    const auto value_at = [&](const int i) { return g[std::size_t(i)]; };
+    const auto gains    = [&](const int i, const double neighbour) {  // an end that would carry
       return rhs[std::size_t(i)] + neighbour > 0;
     };
     int moved = 0;
-    if (first > 1 && gains(first, right[std::size_t(first)] * at(first + 1)))
+    if (first > 1 && gains(first, right[std::size_t(first)] * value_at(first + 1)))
       --first, ++moved;
-    else if (at(first + 1) < 0)
+    else if (value_at(first + 1) < 0)
       ++first, ++moved;
-    if (last < n_angles - 1 && gains(last, right[std::size_t(last - 1)] * at(last - 1)))
+    if (last < n_angles - 1 && gains(last, right[std::size_t(last - 1)] * value_at(last - 1)))
       ++last, ++moved;
-    else if (at(last - 1) < 0)
+    else if (value_at(last - 1) < 0)
       --last, ++moved;
     if (moved == 0)
       break;

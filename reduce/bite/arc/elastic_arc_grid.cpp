@@ -24,7 +24,7 @@ constexpr double growth = 1.0 / 5;  // of the spacing per spacing
 std::vector<double> marched(const ArcEnds &e, const double wide)
 {
   const double contact = e.last - e.first, margin = 0.08 * contact;
-  // Spacing wanted at a place, least over what stands there.
+  // Spacing wanted at a place, least of all wishes for that place.
   const struct {
     double at, spacing;
   } fine[] = {

@@ -196,7 +196,7 @@ private:
       advance(entries[c], entries[c - 1], exit_cell + static_cast<int>(c) - 1, +1);
     exit_pressure  = exits[0].p;
     entry_pressure = entries[n_places - 1].p;
-    // Both are there from exit to entry; the smaller pressure counts.
+    // Both are there from exit to entry; the smaller pressure is taken.
     const auto gap = [&](const std::size_t j) { return exits[j].f - entries[j].f; };
     std::size_t j  = 0;
     while (j + 1 < exits.size() && value_of(gap(j + 1)) < 0)

@@ -34,14 +34,14 @@ FitPoint point_at(const FitProblem &problem, const VectorXd &x, const bool slope
   point.residual = VectorXd(m);
   point.slope    = MatrixXd(slopes ? m : 0, n);
   PredictedPass predicted;
-  std::size_t of = problem.passes.size();
+  std::size_t predicted_for = problem.passes.size();
   for (Index i = 0; i < m; ++i) {
     const FitDatum &datum    = data[std::size_t(i)];
     const MeasuredPass &pass = problem.passes[datum.pass];
     const std::size_t kind   = std::size_t(datum.kind);
-    if (datum.pass != of)
+    if (datum.pass != predicted_for)
       predicted = predict_pass(pass.bite, problem.arc, problem.unknowns, x, slopes);
-    of                = datum.pass;
+    predicted_for     = datum.pass;
     const double y    = pass.factor[kind] * predicted.value[Index(kind)] + pass.shift[kind];
     point.residual[i] = (y - pass.value[kind]) / pass.deviation[kind];
     if (slopes)

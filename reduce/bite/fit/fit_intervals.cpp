@@ -58,8 +58,8 @@ Reach reach_of(const Rise &rise, const double limit, const double guess)
 /// Misfit with some unknowns at given values and the others at their best; nothing where no pass exists.
 class HeldMisfit {
 public:
-  HeldMisfit(const FitProblem &of, const FitPoint &from, std::vector<bool> which)
-      : problem(of), last(from), held(std::move(which))
+  HeldMisfit(const FitProblem &the_problem, const FitPoint &from, std::vector<bool> which)
+      : problem(the_problem), last(from), held(std::move(which))
   {
     for (const bool h : held)
       all_held = all_held && h;
@@ -110,8 +110,8 @@ FitInterval profile_interval(const FitProblem &problem, const FitPoint &best, co
         one_number, guess);
   };
   const Reach down = along(-1), up = along(1);
-  const double at = best.x[Index(i)];
-  return {at - down.distance, at + up.distance, down.open, up.open};
+  const double best_value = best.x[Index(i)];
+  return {best_value - down.distance, best_value + up.distance, down.open, up.open};
 }
 
 Eigen::MatrixXd confidence_region(const FitProblem &problem, const FitPoint &best, const std::size_t i,
@@ -128,7 +128,7 @@ Eigen::MatrixXd confidence_region(const FitProblem &problem, const FitPoint &bes
     const double angle       = 2 * M_PI * k / (n - 1);
     const Eigen::Vector2d to = root * Eigen::Vector2d(std::cos(angle), std::sin(angle));
     HeldMisfit misfit(problem, best, held);
-    const auto at = [&](const double distance) {
+    const auto value_at = [&](const double distance) {
       VectorXd x = best.x;
       x[Index(i)] += distance * to[0];
       x[Index(j)] += distance * to[1];
@@ -136,11 +136,11 @@ Eigen::MatrixXd confidence_region(const FitProblem &problem, const FitPoint &bes
     };
     const Reach reach = reach_of(
         [&](const double distance) -> std::optional<double> {
-          const auto there = misfit.at(at(distance));
+          const auto there = misfit.at(value_at(distance));
           return there ? std::optional(*there - best.misfit) : std::nullopt;
         },
         two_numbers, std::sqrt(two_numbers));
-    const VectorXd x = at(reach.distance);
+    const VectorXd x = value_at(reach.distance);
     edge.row(k) << x[Index(i)], x[Index(j)];
   }
   return edge;

@@ -71,16 +71,16 @@ Eigen::Vector3d measured_value(const RollBite &bite, const CircularBite &s)
 // A law of factors has no coefficient to differentiate by: a central difference on the arc as it is.
 Eigen::Vector3d by_factors(const RollBite &bite, const double radius, const CircularBite &s)
 {
-  constexpr double step = 1e-4;  // third derivatives of order one: an error of 1e-9 beside rounding of 1e-7
+  constexpr double step = 1e-4;  // third derivatives of order one: an error of 1e-9, next to rounding of 1e-7
   KarmanOptions quick;
-  quick.derivatives = false;
-  quick.points      = 0;
-  const auto at     = [&](const double factor) {
+  quick.derivatives   = false;
+  quick.points        = 0;
+  const auto value_at = [&](const double factor) {
     RollBite other       = bite;
     other.strip.friction = scaled(bite.strip.friction, factor);
     return measured_value(other, solve_on_circle(other, Theory::karman, radius, 0, quick, s.neutral_share));
   };
-  return (at(1 + step) - at(1 - step)) / (2 * step);
+  return (value_at(1 + step) - value_at(1 - step)) / (2 * step);
 }
 }  // namespace
 
@@ -93,7 +93,8 @@ FitUnknown fit_unknown(const std::string &name)
   for (const FrictionConstant &constant : friction_constants())
     if (name == constant.key)
       return {Role::constant, name, constant.member};
-  throw InputError("bite.fit_for knows no '" + name + "'");
+  throw InputError("bite.fit_for must be friction, flow_stress or a constant of the friction law, not '" + name +
+                   "'");
 }
 
 Strip with_factors(Strip strip, const std::vector<FitUnknown> &unknowns, const Eigen::VectorXd &log_factors)
@@ -129,12 +130,12 @@ double largest_log_factor(const Strip &strip, const FitUnknown &unknown)
 PredictedPass predict_pass(const RollBite &bite, const Arc arc, const std::vector<FitUnknown> &unknowns,
                            const Eigen::VectorXd &log_factors, const bool derivatives)
 {
-  RollBite own = bite;
-  own.strip    = with_factors(bite.strip, unknowns, log_factors);
+  RollBite scaled_bite = bite;
+  scaled_bite.strip    = with_factors(bite.strip, unknowns, log_factors);
   KarmanOptions options;
   options.points        = 0;
   options.derivatives   = false;
-  const BiteState state = solve_karman(own, Theory::karman, arc, nullptr, options);
+  const BiteState state = solve_karman(scaled_bite, Theory::karman, arc, nullptr, options);
   PredictedPass out;
   out.value    = {state.force, state.forward_slip, state.torque};
   out.friction = state.friction;
@@ -146,16 +147,19 @@ PredictedPass predict_pass(const RollBite &bite, const Arc arc, const std::vecto
 
   options.derivatives  = true;
   const double radius  = state.flattened_radius;
-  const bool slides_on = slides(own.strip.friction);
+  const bool slides_on = slides(scaled_bite.strip.friction);
   const double mu      = slides_on ? state.friction : 0;
-  const CircularBite s = solve_on_circle(own, Theory::karman, radius, mu, options);
-  const Slope slip     = s.neutral_thickness * s.neutral_cosine / own.strip.exit_thickness;
-  const auto by        = [&](const int direction) { return measured_by(own, s.force, slip, s.torque, direction); };
+  const CircularBite s = solve_on_circle(scaled_bite, Theory::karman, radius, mu, options);
+  const Slope slip     = s.neutral_thickness * s.neutral_cosine / scaled_bite.strip.exit_thickness;
+  const auto by        = [&](const int direction) {
+    return measured_by(scaled_bite, s.force, slip, s.torque, direction);
+  };
   const Eigen::Vector3d by_mu = by(mu_at), by_k = by(k_at), by_R = by(R_at);
-  const double follows = arc == Arc::hitchcock ? own.roll_radius * flattening_compliance(own) /
-                                                     (own.strip.entry_thickness - own.strip.exit_thickness)
-                                               : 0;  // m/N, dR' by the force
-  const LawNumber law  = slides_on ? coefficient_by_law(own, s, radius) : LawNumber(0.0);
+  const double follows = arc == Arc::hitchcock
+                             ? scaled_bite.roll_radius * flattening_compliance(scaled_bite) /
+                                   (scaled_bite.strip.entry_thickness - scaled_bite.strip.exit_thickness)
+                             : 0;  // m/N, dR' by the force
+  const LawNumber law  = slides_on ? coefficient_by_law(scaled_bite, s, radius) : LawNumber(0.0);
 
   // Coefficient and radius follow what is changed, and each other: (31.4)
   Eigen::Matrix2d closed;
@@ -170,11 +174,11 @@ PredictedPass predict_pass(const RollBite &bite, const Arc arc, const std::vecto
       law_moves = law.by[1];
     } else if (unknowns[j].role == Role::constant) {
       const auto constant = unknowns[j].constant;
-      law_moves = law.by[std::size_t(first_constant + place_of(constant))] * own.strip.friction.*constant;
+      law_moves = law.by[std::size_t(first_constant + place_of(constant))] * scaled_bite.strip.friction.*constant;
     } else if (slides_on) {
       law_moves = mu;
     } else {
-      held = by_factors(own, radius, s);
+      held = by_factors(scaled_bite, radius, s);
     }
     const Eigen::Vector2d moved = inverse * Eigen::Vector2d(law_moves, follows * held[0]);
     out.by.col(Eigen::Index(j)) = held + by_mu * moved[0] + by_R * moved[1];

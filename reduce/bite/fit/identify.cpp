@@ -31,7 +31,7 @@ double worst_deviation(const FitAnswer &answer)
   return answer.problem.unknowns.size() == 1 ? 0 : directions_of(answer.best).front().deviation;
 }
 
-// The fit with the number kept that is not told; nothing where the data refuse the case's value for it: slopes
+// The fit without the number that is not identified; nothing where the data refuse the case's value for it: slopes
 // that vanish at the fitted point, next to skidding, do not yet leave it open.
 std::optional<FitAnswer> without_worst_known(const FitAnswer &answer)
 {
@@ -54,7 +54,7 @@ FitAnswer identify(FitProblem problem, const bool one_number)
   while (answer.problem.unknowns.size() > 1 && (one_number || worst_deviation(answer) > endless))
     keep_worst_known(answer);
   answer.best = least_misfit(answer.problem, answer.best);
-  while (worst_deviation(answer) > told_apart) {
+  while (worst_deviation(answer) > identified_within) {
     auto other = without_worst_known(answer);
     if (!other)
       break;

@@ -11,18 +11,18 @@ struct KeptUnknown {
 };
 
 struct FitAnswer {
-  FitProblem problem;  ///< with the unknowns that are told apart
+  FitProblem problem;  ///< with the unknowns that are identified
   FitPoint best;
   std::vector<KeptUnknown> kept;
   std::vector<FitInterval> intervals;  ///< of the unknowns, by find_intervals()
 };
 
-/// Along a direction known worse than this (a factor of 1.6 either way with 95 %) numbers are not told apart.
-constexpr double told_apart = 0.25;
+/// Along a direction known worse than this (a factor of 1.6 either way with 95 %) numbers are not identified.
+constexpr double identified_within = 0.25;
 
-/// Least misfit over the unknowns that the data tell apart; the number with the largest share in a direction that
-/// they do not know keeps its value, unless they refuse that value.
-/// @param one_number  measured values of one kind: one unknown is left, whatever the passes seem to tell
+/// Least misfit over the unknowns that the data identify; the number with the largest share in a direction that
+/// they do not determine keeps its value, unless they refuse that value.
+/// @param one_number  measured values of one kind: one unknown is left, even if the passes seem to identify more
 /// @throws InputError   a pass that no friction and no flow stress makes possible
 /// @throws SolverError  as least_misfit
 FitAnswer identify(FitProblem problem, bool one_number);

@@ -30,17 +30,17 @@ template <class T> StripLaws<T> directed_laws(const RollBite &bite)
 
 template <class T> PassInputs<T> directed_inputs(const RollBite &bite, const Direction &radius)
 {
-  const auto of      = [&](const PassNumber number) { return T(variable(bite, number)); };
-  auto in            = pass_inputs<T>(bite, radius.value);
-  in.entry_thickness = of(PassNumber::entry_thickness);
-  in.exit_thickness  = of(PassNumber::exit_thickness);
-  in.entry_tension   = of(PassNumber::entry_tension);
-  in.exit_tension    = of(PassNumber::exit_tension);
-  in.flow_stress     = of(PassNumber::stress_factor);
-  in.roll_speed      = of(PassNumber::roll_speed);
-  in.radius          = T(radius);
+  const auto entry_of = [&](const PassNumber number) { return T(variable(bite, number)); };
+  auto in             = pass_inputs<T>(bite, radius.value);
+  in.entry_thickness  = entry_of(PassNumber::entry_thickness);
+  in.exit_thickness   = entry_of(PassNumber::exit_thickness);
+  in.entry_tension    = entry_of(PassNumber::entry_tension);
+  in.exit_tension     = entry_of(PassNumber::exit_tension);
+  in.flow_stress      = entry_of(PassNumber::stress_factor);
+  in.roll_speed       = entry_of(PassNumber::roll_speed);
+  in.radius           = T(radius);
   if (!std::isnan(bite.strip.initial_thickness))
-    in.initial_thickness = of(PassNumber::initial_thickness);
+    in.initial_thickness = entry_of(PassNumber::initial_thickness);
   follow_entry(bite, in);
   return in;
 }
@@ -61,8 +61,8 @@ Steady steady_bite(const RollBite &bite, const BiteState &state)
       variable(bite, PassNumber::entry_thickness) - variable(bite, PassNumber::exit_thickness);
   const Direction compliance =
       16.0 * (1.0 - poisson * poisson) / (M_PI * variable(bite, PassNumber::youngs_modulus) * width);
-  double speed  = state.entry_speed;
-  const auto at = [&](const Direction &radius) {
+  double speed        = state.entry_speed;
+  const auto value_at = [&](const Direction &radius) {
     Steady s;
     const auto in    = directed_inputs<Direction>(bite, radius);
     s.contact        = settled_bland_ford(bite.strip, laws, in, speed);
@@ -72,13 +72,13 @@ Steady steady_bite(const RollBite &bite, const BiteState &state)
     return s;
   };
   // (27.2): one step from the root, where Phi(R') = R', with the slope of Phi.
-  const Direction root  = at(Direction(state.flattened_radius)).radius;
+  const Direction root  = value_at(Direction(state.flattened_radius)).radius;
   const double by_force = bite.roll_radius * compliance.value / reduction.value;
   const double slope    = by_force * by(state.force_by, Input::arc_radius);
   Direction radius(state.flattened_radius);
   for (int i = 0; i < n_pass_numbers; ++i)
     radius.by[i] = root.by[i] / (1 - slope);
-  Steady s = at(radius);
+  Steady s = value_at(radius);
   s.radius = radius;
   return s;
 }

@@ -43,7 +43,7 @@ template <class T> void end_before_thick_strip(const UnsteadyBite &u, PassInputs
     in.gap_rate = fastest;
 }
 
-// Exit thickness by the steady speed: only for the edge at which a tension counts as too high.
+// Exit thickness by the steady speed: only for the edge at which a tension is too high.
 template <class T> T exit_thickness(const UnsteadyBite &u, const PassInputs<T> &in)
 {
   using std::sqrt;

@@ -42,7 +42,7 @@ struct BiteAnswer {
 };
 
 /// Bland and Ford's bite with moving gap (8.5)-(8.8), (8.15)-(8.21) at one moment, by the scheme.
-/// A tension beyond `tension_limit` of the flow stress counts as that, so that a solver may look across the edge.
+/// A tension beyond `tension_limit` of the flow stress is replaced by that, so that a solver may look across the edge.
 /// @throws SolverError  implicit scheme: film and speeds do not settle
 /// @throws InputError   strain outside a table
 /// Cost: 5 us, 12 points on each side of the neutral point.
@@ -64,7 +64,7 @@ std::array<double, 2> neutral_reserve(const UnsteadyBite &bite, const Moment &mo
 /// Not positive: the strip does not touch the rolls.
 double contact_reserve(const UnsteadyBite &bite, const Moment &moment);
 
-/// Share of the plane-strain flow stress at which a tension counts as tearing the strip.
+/// Share of the plane-strain flow stress at which a tension tears the strip.
 constexpr double tension_limit = 0.999;
 
 /// 1 - tension/(limit flow stress) at entry and exit; below zero the strip yields under its tension.

@@ -11,6 +11,6 @@ namespace mill::bite {
 double force_on_arc(const RollBite &bite, Theory theory, double radius);
 
 /// Radius of the arc under a force that is known, m: that of the roll, or Hitchcock's, (8.9).
-/// @throws InputError  Arc::elastic, which is no circle
+/// @throws InputError  Arc::elastic, which is not a circle
 double radius_under(const RollBite &bite, Arc arc, double force);
 }  // namespace mill::bite

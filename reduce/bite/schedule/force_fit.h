@@ -1,7 +1,7 @@
 #pragma once
 #include "reduce/bite/slab/slab_bite.h"
 
-// One unknown of a pass from its force: one equation, one unknown.  The force is met whatever the model, so that
+// One unknown of a pass from its force: one equation, one unknown.  The force is met with any model, so that
 // the agreement says nothing about it.  theory.md 39.2
 namespace mill::bite {
 /// The unknown that meets the force, and the pass with it.

@@ -5,9 +5,9 @@ namespace mill::bite {
 namespace {
 constexpr double met_within = 1e-9;  // of the wanted value; the halving ends far below it where there is no jump
 
-RisingRoot end_of(const double at, const double value, const double wanted)
+RisingRoot end_of(const double argument, const double value, const double wanted)
 {
-  return {at, value, std::abs(value - wanted) <= met_within * std::abs(wanted)};
+  return {argument, value, std::abs(value - wanted) <= met_within * std::abs(wanted)};
 }
 }  // namespace
 

@@ -47,13 +47,13 @@ PassFit fitted_stress(const RollBite &bite, const bool flattened, const double f
 {
   PassFit fit;
   attempt(fit.refused, [&] {
-    const ForceFit found = fit_flow_stress(bite, theory_for(bite), arc_of(flattened), force);
-    const BiteState &s   = found.state;
-    fit.flow_stress      = found.value;
-    fit.radius           = s.flattened_radius;
-    fit.mean_pressure    = force / (bite.strip.width * (s.arc_length - s.exit_position));
-    fit.neutral_point    = s.neutral_position / s.arc_length;
-    fit.peak_pressure    = s.peak_pressure;
+    const ForceFit fitted = fit_flow_stress(bite, theory_for(bite), arc_of(flattened), force);
+    const BiteState &s    = fitted.state;
+    fit.flow_stress       = fitted.value;
+    fit.radius            = s.flattened_radius;
+    fit.mean_pressure     = force / (bite.strip.width * (s.arc_length - s.exit_position));
+    fit.neutral_point     = s.neutral_position / s.arc_length;
+    fit.peak_pressure     = s.peak_pressure;
   });
   return fit;
 }
@@ -164,21 +164,21 @@ double force_by_stress(const RollBite &bite, const bool flattened, const double 
 
 void add_law(ScheduleRecord &record, const std::vector<ScheduledPass> &passes, const bool flattened)
 {
-  const std::size_t all    = passes.size();
-  const HardeningFit found = fit_hardening(points_of(record, flattened, all));
+  const std::size_t all     = passes.size();
+  const HardeningFit fitted = fit_hardening(points_of(record, flattened, all));
   ScheduleLaw law;
   law.flattened   = flattened;
-  law.Y           = found.Y;
-  law.n           = found.n;
-  law.Y_deviation = found.Y_deviation;
-  law.n_deviation = found.n_deviation;
-  law.unknowns    = found.unknowns;
-  law.data        = found.data;
+  law.Y           = fitted.Y;
+  law.n           = fitted.n;
+  law.Y_deviation = fitted.Y_deviation;
+  law.n_deviation = fitted.n_deviation;
+  law.unknowns    = fitted.unknowns;
+  law.data        = fitted.data;
   for (std::size_t i = 0; i < all; ++i) {
     const RollBite &bite  = passes[i].bite;
     const PassForce &pass = record.passes[i];
     LawPass of;
-    of.flow_stress = found.flow_stress(pass.strain);
+    of.flow_stress = fitted.flow_stress(pass.strain);
     attempt(of.refused, [&] { of.force = force_by_stress(bite, flattened, of.flow_stress); });
     if (pass.fitted_to > 0)
       attempt(of.refused, [&] {
@@ -187,7 +187,7 @@ void add_law(ScheduleRecord &record, const std::vector<ScheduledPass> &passes, c
                           .value;
       });
     const auto others = points_of(record, flattened, i);
-    if (others.size() > 1 && others.size() < std::size_t(found.data))
+    if (others.size() > 1 && others.size() < std::size_t(fitted.data))
       attempt(of.refused, [&] {
         of.blind_force = force_by_stress(bite, flattened, fit_hardening(others).flow_stress(pass.strain));
       });
@@ -210,9 +210,9 @@ void add_dynamics(ScheduleRecord &record, const std::vector<ScheduledPass> &pass
                        passes[i].dynamic});
     in_fit.push_back(passes[i].in_common_fit);
   }
-  DynamicForces found = dynamic_forces(dynamic, in_fit);
-  found.flattened     = flattened;
-  record.dynamics.push_back(std::move(found));
+  DynamicForces fitted = dynamic_forces(dynamic, in_fit);
+  fitted.flattened     = flattened;
+  record.dynamics.push_back(std::move(fitted));
 }
 }  // namespace
 

@@ -31,7 +31,7 @@ void sample(BiteState &state, const RollBite &bite, const PassInputs<double> &in
   const double scale     = std::sqrt(in.radius * in.exit_thickness);
   const double per_angle = 2 * c.friction * std::sqrt(in.radius / in.exit_thickness);
   const double entry = c.entry_factor / in.entry_thickness, exit = c.exit_factor / c.exit_thickness;
-  const auto at = [&](const double x, const bool entry_side) {  // (8.5), (8.6)
+  const auto value_at = [&](const double x, const bool entry_side) {  // (8.5), (8.6)
     const double h = in.exit_thickness + x * x / in.radius, t = std::atan(x / scale);
     const double k = stress_at(bite.strip.flow_stress, in, std::min(h, in.entry_thickness));
     const double p = entry_side ? entry * k * h * std::exp(per_angle * (c.entry_angle - t))
@@ -41,10 +41,10 @@ void sample(BiteState &state, const RollBite &bite, const PassInputs<double> &in
     state.peak_pressure = std::max(state.peak_pressure, p);
     return p;
   };
-  at(c.neutral_position, true);
+  value_at(c.neutral_position, true);
   if (points < 2) {
-    at(c.exit_position, false);
-    at(c.entry_position, true);
+    value_at(c.exit_position, false);
+    value_at(c.entry_position, true);
     return;
   }
   state.position       = curve_positions(c.exit_position, c.neutral_position, c.entry_position, points);
@@ -53,7 +53,7 @@ void sample(BiteState &state, const RollBite &bite, const PassInputs<double> &in
   state.shear.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
     const bool entry_side = i >= points;
-    state.pressure[i]     = at(state.position[i], entry_side);
+    state.pressure[i]     = value_at(state.position[i], entry_side);
     state.shear[i]        = i == points - 1 ? 0 : (entry_side ? 1 : -1) * c.friction * state.pressure[i];
   }
   fill_curves(state, in, c.entry_speed);

@@ -46,14 +46,14 @@ FlattenedArc flattened_arc(const RollBite &bite, const std::function<double(doub
   struct Point {
     double s, gap, next_radius;
   };
-  const auto at = [&](const double s) {
+  const auto value_at = [&](const double s) {
     ++arc.evaluations;
     arc.radius        = s * s;
     arc.force         = force_of_radius(arc.radius);
     const double next = hitchcock_radius(bite, arc.force);
     return Point{s, next / s - s, next};
   };
-  Point last = at(std::sqrt(bite.roll_radius)), before = last;
+  Point last = value_at(std::sqrt(bite.roll_radius)), before = last;
   double slope = -INFINITY;  // of the last chord; it must rise as long as the function is convex
   bool chords  = true;
   while (arc.evaluations < most_evaluations) {
@@ -75,12 +75,12 @@ FlattenedArc flattened_arc(const RollBite &bite, const std::function<double(doub
       s = std::sqrt(last.next_radius);
     if (s <= last.s)
       return arc;  // at rest to the last digit
-    const Point trial = at(s);
+    const Point trial = value_at(s);
     if (trial.gap < 0) {
       if (trial.gap >= -1e-14 * s)
         return arc;
       chords              = false;
-      const Point careful = at(std::sqrt(last.next_radius));  // cannot pass the root
+      const Point careful = value_at(std::sqrt(last.next_radius));  // cannot pass the root
       before              = last;
       last                = careful;
       continue;

@@ -153,7 +153,7 @@ BiteState solve_karman(const RollBite &bite, const Theory theory, const Arc arc,
     throw InputError("the integrated slab theories are karman, orowan and sims");
   if (arc == Arc::elastic && theory != Theory::karman)
     throw InputError(
-        "the elastic arc is known to the theory karman only: the pressure along an arc that is no circle is "
+        "the elastic arc is known to the theory karman only: the pressure along an arc that is not a circle is "
         "integrated with it");
   if (needs_speed(bite.strip.friction) && !(bite.roll_speed > 0))
     throw InputError("strip.friction.law = \"" + name_of(bite.strip.friction.law) +

@@ -156,7 +156,7 @@ void sample(BranchPath &path, const SliceInputs<double> &in, const int side, con
 {
   SliceEquation<double> equation(in, side);
   std::size_t node = 0;
-  double at        = path.nodes()[0].t;
+  double place     = path.nodes()[0].t;
   double f         = path.nodes()[0].y[0];
   const auto slope = [&](const double x, const double y) { return equation(x, {y, 0, 0})[0]; };
   for (Eigen::Index j = 0; j < t.size(); ++j) {
@@ -164,16 +164,17 @@ void sample(BranchPath &path, const SliceInputs<double> &in, const int side, con
     const auto &nodes    = path.nodes();
     while (node + 1 < nodes.size() && (side > 0 ? nodes[node + 1].t >= t[i] : nodes[node + 1].t <= t[i])) {
       ++node;
-      at = nodes[node].t;
-      f  = nodes[node].y[0];
+      place = nodes[node].t;
+      f     = nodes[node].y[0];
     }
     equation.piece    = nodes[node].piece;
     equation.at_limit = nodes[node].at_limit;
-    const double h    = t[i] - at;
+    const double h    = t[i] - place;
     if (h != 0) {
-      const double a = slope(at, f), b = slope(at + h / 2, f + h / 2 * a), c = slope(at + h / 2, f + h / 2 * b);
+      const double a = slope(place, f), b = slope(place + h / 2, f + h / 2 * a),
+                   c = slope(place + h / 2, f + h / 2 * b);
       f += h / 6 * (a + 2 * b + 2 * c + slope(t[i], f + h * c));
-      at = t[i];
+      place = t[i];
     }
     const Slice<double> s    = equation.slice(t[i], f);
     out.thickness[first + i] = s.thickness;

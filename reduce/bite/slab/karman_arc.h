@@ -36,7 +36,7 @@ struct CircularBite {
 /// @param theory   karman or orowan
 /// @param mu       -, Coulomb's coefficient; not used where the friction is a factor
 /// @param share    -, guess of CircularBite::neutral_share
-/// Where there is no neutral point the branch that reaches through the whole arc is taken and `skids` is set: what
+/// Without a neutral point the branch that reaches through the whole arc is taken and `skids` is set: what
 /// an iteration over the radius needs on its way.
 CircularBite solve_on_circle(const RollBite &bite, Theory theory, double radius, double mu,
                              const KarmanOptions &options, double share = 0.35);

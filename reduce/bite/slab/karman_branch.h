@@ -16,7 +16,7 @@ struct FlowPiece {
 
 /// What the slices are made of.  Stresses Pa, lengths m; T is double or a number with derivatives.
 template <class T> struct SliceInputs {
-  T entry_thickness, exit_thickness, strain_reference;  // the strain counts from the last
+  T entry_thickness, exit_thickness, strain_reference;  // the strain is measured from the last
   T entry_tension, exit_tension;
   Traction<T> friction;
   T flow_factor;   // on the flow stress

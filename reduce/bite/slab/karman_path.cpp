@@ -68,10 +68,10 @@ PathNode BranchPath::event(const PathNode &from, const double length)
   return stepped(from, 0.5 * (a + b));
 }
 
-void BranchPath::refuse_crawling(const PathNode &at, const double length) const
+void BranchPath::refuse_crawling(const PathNode &node_reached, const double length) const
 {
   throw SolverError({"roll bite: the pressure could not be integrated along the arc",
-                     sentence("after ", n_attempts_, " steps it stands at ", at.t / span_,
+                     sentence("after ", n_attempts_, " steps it stands at ", node_reached.t / span_,
                               " of the arc, with steps of ", std::abs(length) / span_),
                      "a strip far thinner than the arc is long, or friction just at its limit",
                      "check strip.exit_thickness, strip.friction and the tensions", ""});

@@ -4,7 +4,7 @@
 namespace mill::bite {
 /// Neutral position and thickness of a state from its slip along the arc: where the slip changes its sign, found
 /// and not prescribed; of several changes (a zone without slip) the middle.  Both nan where there is none.
-/// @param least  -, slip below it counts as none, so that rounding in a zone without slip is no neutral point
+/// @param least  -, slip below it is taken as zero, so that rounding in a zone without slip is not a neutral point
 /// @return changes of sign
 int find_neutral_point(BiteState &state, double least);
 

@@ -25,7 +25,7 @@ template <class T> T &input(PassInputs<T> &in, const Input which)
   return *members[static_cast<int>(which)];
 }
 
-/// Of a bite on an arc of the given radius.  A roll speed that is not given counts as 1 m/s: a theory without film
+/// Of a bite on an arc of the given radius.  A roll speed that is not given is taken as 1 m/s: a theory without film
 /// and with a gap at rest gives speeds over that of the roll.
 template <class T> PassInputs<T> pass_inputs(const RollBite &bite, const double radius)
 {
@@ -93,7 +93,7 @@ template <class T> T tension_factor(const T &tension, const T &stress)
 }
 
 /// Exit abscissa of a moving gap, m: where the strip stops getting thinner, (8.16).
-/// Never a division by the gap rate, so a gap at rest is no special case.
+/// Never a division by the gap rate, so a gap at rest needs no special case.
 template <class T> T exit_position(const PassInputs<T> &in, const T &entry_position, const T &entry_speed)
 {
   using std::sqrt;

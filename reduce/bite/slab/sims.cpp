@@ -114,13 +114,13 @@ BiteState solve_sims(const RollBite &bite, const Arc arc, const int points)
     state.flattened_radius  = flat.radius;
     state.iterations        = flat.evaluations;
   }
-  const auto of = [](const double value, const Input which) {
+  const auto entry_of = [](const double value, const Input which) {
     return Slope::variable(value, static_cast<int>(which));
   };
-  const Slope h1          = of(strip.entry_thickness, Input::entry_thickness),
-              h2          = of(strip.exit_thickness, Input::exit_thickness);
-  const Slope yield       = of(1, Input::flow_stress) * mean_flow_stress(bite, h1, h2);
-  const Slope radius      = of(state.flattened_radius, Input::arc_radius);
+  const Slope h1          = entry_of(strip.entry_thickness, Input::entry_thickness),
+              h2          = entry_of(strip.exit_thickness, Input::exit_thickness);
+  const Slope yield       = entry_of(1, Input::flow_stress) * mean_flow_stress(bite, h1, h2);
+  const Slope radius      = entry_of(state.flattened_radius, Input::arc_radius);
   const Sticking<Slope> s = sticking(radius, bite.roll_radius, h1, h2, yield);
   state.force             = width * s.force.value;
   state.torque            = width * s.torque.value;

@@ -18,7 +18,7 @@ struct SimsForce {
 /// Source: R. B. Sims, Proc. Inst. Mech. Eng. 168 (1954) 191; the formula derived again from (17.4) with w = pi/4.
 SimsForce sims_force(double radius, double arm, double entry_thickness, double exit_thickness, double yield);
 
-/// Force factors of two fits to Sims and its kin, for reports beside the theories, with what is known of them.
+/// Force factors of two fits to Sims and its kin, for reports next to the theories, with what is known of them.
 struct ForceFactor {
   const char *name;
   double factor;     ///< -, force / (k sqrt(R dh))

@@ -7,7 +7,7 @@ namespace mill::bite {
 /// below one the rolls skid.  Coulomb's coefficient or both factors are multiplied.
 /// @param radius  m, of the arc
 /// @param mu      -, Coulomb's coefficient; not used by a law of factors
-/// @return  -, between 1e-3 and 1e3; at those ends there is no limit or no friction is enough
+/// @return  -, between 1e-3 and 1e3; at those ends a limit does not exist or no friction suffices
 /// Cost: some 15 integrations along the arc, 1 ms.
 double friction_margin(const RollBite &bite, double radius, double mu);
 }  // namespace mill::bite

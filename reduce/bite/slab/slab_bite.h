@@ -23,7 +23,7 @@ struct SlabModel {
 std::string model_name(const SlabModel &model);
 
 /// Force, torque, pressure, film, flattened arc and every derivative of one pass by a slab theory.
-/// Where Strip::initial_thickness is not given the strain counts from the entry thickness, and the derivative by
+/// Where Strip::initial_thickness is not given the strain is measured from the entry thickness, and the derivative by
 /// the entry thickness takes that reference along.
 ///
 /// @param flexibility  of the roll's surface, for Arc::elastic only

@@ -117,7 +117,7 @@ std::string action_table(const json &document, const bool above)
       rows += action_row(action, above, models, margin);
   const std::string wide = "<th style=\"min-width:16em\">";
   return "<table class=\"results\"><thead><tr><th>rank</th>" + wide + "action</th>" +
-         (models ? "<th>counts</th><th>six masses</th>" : "<th>computed anew</th>") +
+         (models ? "<th>decisive</th><th>six masses</th>" : "<th>recomputed</th>") +
          "<th>first order</th><th>one after the other</th>" + wide + "side effects</th>" +
          (margin ? "<th>wanted margin</th>" : "") + wide +
          (above ? "what it rests on" : "why it is below the line") + "</th></tr></thead>\n<tbody>\n" + rows +
@@ -144,9 +144,9 @@ std::string bar_drawing(const json &document)
   plot.x.quantity = "rank of the action";
   plot.x.unit     = "-";
   plot.y          = {"change", "%"};
-  plot.bars.push_back({has_other_models(document) ? "what counts, in the detailed model" : "computed anew",
-                       column(really), Pen::dark});
-  plot.bars.push_back({"first order, by slopes", column(slope), Pen::pale});
+  plot.bars.push_back(
+      {has_other_models(document) ? "decisive, in the detailed model" : "recomputed", column(really), Pen::dark});
+  plot.bars.push_back({"linear estimate", column(slope), Pen::pale});
   return svg_plot(plot);
 }
 
@@ -171,7 +171,7 @@ std::string curves_drawing(const Table &table, const Axis &x, const Axis &y, con
 std::string of_six_masses(const json &document)
 {
   return has_other_models(document)
-             ? " These are the six masses; what counts, in the detailed model, stands in the table "
+             ? " These are the six masses; the decisive values, in the detailed model, are in the table "
                "of the actions."
              : "";
 }
@@ -284,7 +284,7 @@ void value_section(Page &page, const json &values)
   }
   page.section("values", "All values", Depth::expert);
   page.table("<table class=\"results\"><thead><tr><th>result</th><th>value</th><th>unit</th><th>accuracy</th>"
-             "<th>source</th><th>beside it</th></tr></thead>\n<tbody>\n" +
+             "<th>source</th><th>compared with</th></tr></thead>\n<tbody>\n" +
                  rows + "</tbody></table>\n",
              "Values of <code>advice.json</code>, SI.");
 }
@@ -296,17 +296,17 @@ void action_sections(Page &page, const json &document)
   page.section("actions", "Ranked actions", Depth::manager);
   if (above > 0) {
     if (const std::string drawing = bar_drawing(document); !drawing.empty())
-      page.figure({drawing}, "Change of the goal by each action, computed anew for the changed mill, and what the "
-                             "slopes would have said. Where the two part, the slopes are wrong.");
+      page.figure({drawing}, "Change of the goal by each action, recomputed for the changed mill, and the linear "
+                             "estimate. Where the two differ, the linear estimate is wrong.");
     page.table(
         action_table(document, true),
-        "Single actions at their bounds and pairs of the best three, by what they really do. A pair is computed "
-        "as a pair; beside it what its parts would give one after the other.");
+        "Single actions at their bounds and pairs of the best three, ranked by the recomputed change. A pair is "
+        "computed as a pair; the sum of its two actions is shown for comparison.");
   } else
-    page.paragraph("No action that was tried helps and keeps the limits.");
+    page.paragraph("No action that was tried helps within the limits.");
   if (std::size_t(above) < actions.size()) {
-    page.heading("Below the line");
-    page.table(action_table(document, false), "What was tried and does not help, or violates a limit.");
+    page.heading("Rejected actions");
+    page.table(action_table(document, false), "Actions that were tried and do not help, or violate a limit.");
   }
 }
 }  // namespace

@@ -49,7 +49,7 @@ std::string findings_table(const json &findings)
             cell("<b>" + escaped(f["owner"].get<std::string>()) + "</b><br/>" + evidence) + "</tr>\n";
   }
   return "<table class=\"results\"><thead><tr><th>kind</th><th>frequency [Hz]</th><th>95 %</th><th>0-peak</th>"
-         "<th>channel</th><th>whose it is, and why</th></tr></thead>\n<tbody>\n" +
+         "<th>channel</th><th>source, and why</th></tr></thead>\n<tbody>\n" +
          rows + "</tbody></table>\n";
 }
 
@@ -124,9 +124,9 @@ std::string spectrum_drawing(const Table &table, const std::size_t column, const
     for (const json &f : findings)
       if (const double at = number_in(f["frequency"]);
           std::isfinite(at) && f["kind"] != "alarm" && f["kind"] != "bearing" && f["kind"] != "bearing fault" &&
-          marked.size() < 12 && std::none_of(marked.begin(), marked.end(), [&](const double m) {
-            return std::abs(m / at - 1) < 0.03;
-          })) {
+          f["kind"] != "lost samples" && marked.size() < 12 &&
+          std::none_of(marked.begin(), marked.end(),
+                       [&](const double m) { return std::abs(m / at - 1) < 0.03; })) {
         plot.marks.push_back({at, fixed(at, 1)});
         marked.push_back(at);
       }
@@ -168,13 +168,50 @@ std::string map_drawing(const Table &table, const std::size_t column)
   return heat_map(map);
 }
 
+// Largest peak of a channel with its source, or that nothing stands out: only where the account says so.
+std::string largest_of(const json &account)
+{
+  const json &largest    = account["largest"];
+  const double frequency = number_in(largest["frequency"]);
+  if (std::isfinite(frequency))
+    return fixed(frequency, 2) + " Hz, " + significant(number_in(largest["amplitude"]), 3) + " " +
+           escaped(unit_sign(largest["unit"].get<std::string>())) + ", " +
+           fixed(number_in(largest["over_floor"]), 0) +
+           " dB over the floor: " + escaped(largest["source"].get<std::string>());
+  return account["only_noise"].get<bool>() ? "nothing stands out of the noise" : "no peak above the threshold";
+}
+
+std::string account_table(const json &accounts)
+{
+  std::string rows;
+  for (const json &one : accounts) {
+    const auto share = [&](const char *key) { return number_cell(fixed(number_in(one[key]), 1)); };
+    rows += "<tr><th scope=\"row\">" + escaped(one["channel"].get<std::string>()) + "</th>" + share("lines") +
+            share("families") + share("modes") + share("floor") + share("not_explained") + cell(largest_of(one)) +
+            "</tr>\n";
+  }
+  return "<table class=\"results\"><thead><tr><th>channel</th><th>lines [%]</th><th>families [%]</th><th>modes "
+         "[%]</th><th>noise floor [%]</th><th>not explained [%]</th><th>largest "
+         "peak</th></tr></thead>\n<tbody>\n" +
+         rows + "</tbody></table>\n";
+}
+
+bool only_noise(const json &document)
+{
+  if (!document.contains("account") || document["account"].empty())
+    return false;
+  const auto &accounts = document["account"];
+  return std::all_of(accounts.begin(), accounts.end(),
+                     [](const json &one) { return one["only_noise"].get<bool>(); });
+}
+
 std::string verdict(const json &document)
 {
   std::size_t urgent = 0, unowned = 0;
   for (const json &f : document["findings"]) {
     const std::string kind = f["kind"], owner = f["owner"];
     urgent += kind == "alarm" || kind == "near instability" || kind == "bearing fault";
-    unowned += owner == "no mode of the case";
+    unowned += owner.rfind("source not identified", 0) == 0;
   }
   const std::size_t n = document["findings"].size();
   std::string text =
@@ -182,7 +219,7 @@ std::string verdict(const json &document)
       (urgent == 0 ? std::string("no alarm, no mode near instability and no bearing fault among them")
                    : std::to_string(urgent) + " of them alarms, modes near instability or bearing faults");
   if (!document["stand"].is_null())
-    text += "; " + std::to_string(unowned) + " that no mode of the case explains";
+    text += "; the source of " + std::to_string(unowned) + " of them is not identified";
   return "<div class=\"verdict " + std::string(urgent == 0 ? "ok" : "warnings") + "\"><p>" + text +
          ".</p></div>\n";
 }
@@ -206,7 +243,7 @@ void spectra(Page &page, const json &document, const std::map<std::string, Table
   if (const auto found = tables.find("spectrum"); found != tables.end())
     for (std::size_t c = 1; c < found->second.columns.size(); ++c) {
       if (!(found->second.columns[c].maxCoeff() > 0))
-        continue;  // a speed that stands still
+        continue;  // a constant speed
       page.figure(
           {spectrum_drawing(found->second, c, document["findings"], false)},
           "One-sided density of " + escaped(found->second.names[c]) +
@@ -258,15 +295,15 @@ void modes(Page &page, const std::map<std::string, Table> &tables)
   if (found || poles)
     page.section("modes", "Modes from the response alone");
   if (found)
-    page.table(mode_rows(*found),
-               "Poles that half of the model orders show. Real scatter is about twice the law, three times for a "
-               "close pair. Only those that both halves of the record show are findings.");
+    page.table(mode_rows(*found), "Poles that half of the model orders show. The scatter is about twice the least "
+                                  "standard error, three times for a "
+                                  "close pair. Only those that both halves of the record show are findings.");
   if (poles)
     if (const std::string drawing = stability_drawing(*poles, table_of(tables, "singular")); !drawing.empty())
       page.figure({drawing},
                   "Poles over the order of the model, behind them the first singular value of the cross "
                   "spectra (logarithmic, scaled to the height). A mode is a column of stable dots; a "
-                  "column alone is no proof of a mode, confirmed are those that both halves show.");
+                  "column alone does not prove a mode; confirmed are those that both halves show.");
 }
 }  // namespace
 
@@ -278,19 +315,27 @@ std::string analysis_page(const std::string &directory, const std::string &text,
   const Run run = run_of(directory, document);
   Page page(run);
   page.section("findings", "What the record shows", Depth::manager);
+  if (document.contains("account"))
+    page.table(
+        account_table(document["account"]),
+        "Account of the variance of every channel, 100 % together, and its largest peak. A candidate is a peak "
+        "above the noise floor by more than noise reaches in one record of a thousand; what became of each is in "
+        "<code>candidates.csv</code>.");
   if (document["findings"].empty())
-    page.paragraph("Nothing stands out of the noise.");
+    page.paragraph(only_noise(document) ? "Nothing stands out of the noise."
+                                        : "No finding; what the account leaves unexplained is stated above.");
   else
     page.table(findings_table(document["findings"]),
-               "Findings: modes, then lines and resonances, what is locked to the speed, onset and bearings. The "
+               "Findings: modes, then families of lines, lines and resonances, what is locked to the speed, onset "
+               "and bearings. The "
                "interval is that of the frequency.");
   if (!document["notes"].empty()) {
-    page.heading("What was not said, and why");
+    page.heading("Limits of this analysis");
     page.html(list_of(document["notes"]));
   }
   page.section("cleaning", "What was wrong with the record");
   if (document["cleaning"].empty())
-    page.paragraph("No gap, no missing value, no clipping, nothing that stands still. Offset and drift were taken "
+    page.paragraph("No gap, no missing value, no clipping, no constant value. Offset and drift were taken "
                    "off; they are among the values.");
   else
     page.table(cleaning_table(document["cleaning"]),

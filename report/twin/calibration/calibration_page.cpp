@@ -43,17 +43,17 @@ std::string unknowns_table(const json &unknowns)
 {
   std::string rows;
   for (const json &u : unknowns) {
-    const bool told = u["told"].get<bool>();
+    const bool identified = u["told"].get<bool>();
     rows += "<tr><th scope=\"row\"><code>" + escaped(u["name"].get<std::string>()) + "</code></th>" +
-            figure_cell(told ? "<b>" + change(u, "kept") + "</b>" : "kept") +
+            figure_cell(identified ? "<b>" + change(u, "value") + "</b>" : "kept") +
             figure_cell(change(u, "low") + " … " + change(u, "high")) +
             figure_cell(u["name"] == "delay" ? significant(1e3 * number_in(u["prior_sd"]), 3) + " ms"
                                              : significant(100 * number_in(u["prior_sd"]), 2) + " %") +
             figure_cell(significant(number_in(u["shrink"]), 2)) + figure_cell(fixed(number_in(u["moved"]), 2)) +
-            data(told ? "told" : escaped(u["why_not"].get<std::string>())) + "</tr>\n";
+            data(identified ? "identified" : escaped(u["why_not"].get<std::string>())) + "</tr>\n";
   }
-  return table_of("<th>unknown</th><th>change of the case</th><th>95 %, all freed</th><th>deviation before</th>"
-                  "<th>share left</th><th>moved, in deviations</th><th>what the records say</th>",
+  return table_of("<th>unknown</th><th>change of the case</th><th>95 % interval</th><th>deviation before</th>"
+                  "<th>share left</th><th>moved, in deviations</th><th>result</th>",
                   rows);
 }
 
@@ -91,7 +91,7 @@ std::string bands_table(const json &bands)
     }
   return rows.empty() ? ""
                       : table_of("<th>records</th><th>sensor</th><th>third octave [Hz]</th><th>share of the energy"
-                                 "</th><th>left</th><th>must be left</th><th>ratio</th><th>limit</th>",
+                                 "</th><th>residual</th><th>noise</th><th>ratio</th><th>limit</th>",
                                  rows);
 }
 
@@ -100,7 +100,7 @@ bool force_recorded(const json &document)
   return document.value("force_recorded", true);
 }
 
-/// Sensors that third octaves are told of: each, or all together.
+/// Sensors of the third octaves: each, or all together.
 json sensors_of(const json &bands)
 {
   json sensors = json::array();
@@ -123,55 +123,58 @@ std::string head_of(const json &document)
       fixed(number_in(document["band"][0]), 0) + " to " + fixed(number_in(document["band"][1]), 0) + " Hz</p>\n" +
       (force_recorded(document) ? "" : "<p>" + escaped(document["without_force"].get<std::string>()) + ".</p>\n");
   const std::string status = document["status"];
-  int told                 = 0;
+  int identified           = 0;
   for (const json &u : document["unknowns"])
-    told += u["told"].get<bool>();
+    identified += u["told"].get<bool>();
   const std::string count =
-      fmt::format("{} of {} unknowns are told by these records", told, document["unknowns"].size());
+      fmt::format("{} of {} unknowns are identified by these records", identified, document["unknowns"].size());
   if (status == "ok")
     return text + "<div class=\"verdict ok\"><p>" + count +
-           "; the calibrated stand explains the check records as well as " +
-           (force_recorded(document) ? "a linear model" : "any one force") + " can.</p></div>\n";
+           "; the calibrated stand explains the check records within the noise and a model error of " +
+           significant(100 * document.value("model_error", 0.05), 2) + " % per third octave.</p></div>\n";
   if (status == "agrees")
-    return text + "<div class=\"verdict ok\"><p>The case agrees with these records already: nothing to change, no "
+    return text + "<div class=\"verdict ok\"><p>The case agrees with these records already. No "
                   "calibrated case was written.</p></div>\n";
   return text + "<div class=\"verdict warnings\"><p>" +
-         (status == "accepted" ? "Refused, and written all the same because of <code>--accept</code>: "
-                               : "Refused, no case was written: ") +
-         "this model does not explain these records, so its numbers are none of the stand's.</p></div>\n";
+         (status == "accepted" ? "Refused, but written because of <code>--accept</code>: "
+                               : "Refused, no calibrated case was written: ") +
+         "the reasons are below. The parameters are not valid for this stand.</p></div>\n";
 }
 
-void what_is_told(Page &page, const json &document)
+void add_unknowns(Page &page, const json &document)
 {
-  page.section("unknowns", "What the records say", Depth::manager);
+  page.section("unknowns", "Results", Depth::manager);
   if (!document["refusals"].empty()) {
-    page.heading("Why it is refused");
+    page.heading("Reasons for the refusal");
     page.html(list_of(document["refusals"]));
   }
-  page.table(unknowns_table(document["unknowns"]),
-             "Unknowns. The change is that of the calibrated case, in which what is not told keeps its value; the "
-             "interval is that of the fit in which all are free, by the profile where the valley is curved. The "
-             "share left is the deviation after over that before.");
-  page.figure(
-      {moved_drawing(document["unknowns"])},
-      "How far each unknown moved, counted in deviations of its prior. Beyond 3 it is no correction of this "
-      "stand and the calibration is refused.");
+  page.table(
+      unknowns_table(document["unknowns"]),
+      document.value("written", "").empty()
+          ? "Unknowns of the fit in which all are free, with their 95 % intervals. No case was written. The "
+            "share left is the deviation after the fit over the deviation before."
+          : "Unknowns. The change is that of the calibrated case, in which an unknown that is not identified "
+            "keeps its value. The interval covers this value and the fit in which all unknowns are free. The "
+            "share left is the deviation after the fit over the deviation before.");
+  page.figure({moved_drawing(document["unknowns"])}, "Change of each unknown in standard deviations of its prior. "
+                                                     "Beyond 3 the records contradict the case, and the "
+                                                     "calibration is refused.");
   if (!document["unseen"].empty()) {
-    page.heading("What these records do not show");
+    page.heading("Combinations that these records do not determine");
     page.html(list_of(document["unseen"]));
   }
   if (number_in(document["kept_deviance"]) > 0)
-    page.paragraph("To keep what is not told at its value costs a deviance of " +
+    page.paragraph("Keeping the unknowns that are not identified at their values raises the deviance by " +
                    significant(number_in(document["kept_deviance"]), 2) + ".");
 }
 
-void is_it_right(Page &page, const json &document, const std::map<std::string, Table> &tables)
+void add_check(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
   page.section("check", "Before and after on the check records", Depth::manager);
   const json &values = document["values"];
   page.paragraph("Misfit " + significant(number_in(values["misfit.check.after"]["value"]), 4) + ", before " +
                  significant(number_in(values["misfit.check.before"]["value"]), 4) +
-                 "; 1 is what the noise of the fitted records leaves. No sample of the check was fitted.");
+                 "; 1 corresponds to the noise of the fitted records. No sample of the check was fitted.");
   if (const auto found = tables.find("response"); found != tables.end())
     for (const std::string &drawing : response_drawings(found->second, document["sensors"]))
       page.figure({drawing},
@@ -179,21 +182,22 @@ void is_it_right(Page &page, const json &document, const std::map<std::string, T
                                   ? "Acceleration per bite force: the check records"
                                   : "Acceleration: the check records, with the density of the force "
                                     "that suits them best,") +
-                      " against the stand before and after. "
-                      "Averaged over Hann segments, which lowers sharp resonances of the measured line.");
+                      " compared with the stand before and after. "
+                      "The measured line is averaged over Hann segments, which lowers its sharp resonances.");
   if (const auto found = tables.find("force"); found != tables.end())
     page.figure(
         {force_drawing(found->second)},
-        "Density of the force behind the fitted records, which nobody recorded: smooth over a third octave.");
-  page.section("residuals", "What is left, by third octave");
+        "Estimated density of the force of the fitted records, which was not recorded. It is smooth over a third "
+        "octave.");
+  page.section("residuals", "Residual by third octave");
   const json &bands = document["bands"];
   page.figure(
       {residual_drawing(bands["fit"], sensors_of(bands["fit"]), "fitted records"),
        residual_drawing(bands["check"], sensors_of(bands["check"]), "check records")},
-      std::string("What the stand leaves over what any ") +
-          (force_recorded(document) ? "linear model with this force" : "one force") +
-          " must leave, over its limit 1.05 + 4/√bins. Above 1 the model is wrong there, whatever the misfit "
-          "says.");
+      std::string("Residual of the stand over the residual of any ") +
+          (force_recorded(document) ? "linear model with this force" : "single force") +
+          " and the model error, relative to the limit 1.05 + 4/√bins. Above 1 the model is wrong in this band. A "
+          "band with less than 1 % of the energy is not shown, since it cannot refuse.");
   if (document.contains("levels"))
     page.figure(
         {level_drawing(document["levels"]["fit"], "fitted records"),
@@ -204,18 +208,19 @@ void is_it_right(Page &page, const json &document, const std::map<std::string, T
     page.table(table, "Third octaves at 0.9 of their limit and above.");
 }
 
-void how_sure(Page &page, const json &document, const std::map<std::string, Table> &tables)
+void add_minima(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
-  page.section("profiles", "Valleys and other minima");
+  page.section("profiles", "Profiles and other minima");
   if (const auto found = tables.find("profiles"); found != tables.end()) {
     const auto drawings = profile_drawings(found->second);
     for (std::size_t i = 0; i < drawings.size(); i += 3)
-      page.figure(
-          {drawings.begin() + long(i), drawings.begin() + long(std::min(i + 3, drawings.size()))},
-          "Deviance along a spring, all others fitted again: the interval ends where it reaches 3.84, and a "
-          "second minimum below 9 means not told. Cut at 60.");
+      page.figure({drawings.begin() + long(i), drawings.begin() + long(std::min(i + 3, drawings.size()))},
+                  "Deviance along a spring, with all other unknowns fitted again. The interval ends where it "
+                  "reaches 3.84. "
+                  "With a second minimum below 9 the spring is not identified. Cut at 60.");
   } else
-    page.paragraph("No spring was scanned: all are known to better than a hundredth of their prior.");
+    page.paragraph("No spring was scanned, since the fit determines all of them to a hundredth of their prior or "
+                   "better.");
   std::string basins;
   for (const json &basin : document["basins"])
     basins += "<tr><th scope=\"row\">" + escaped(basin["name"].get<std::string>()) + "</th>" +
@@ -223,9 +228,9 @@ void how_sure(Page &page, const json &document, const std::map<std::string, Tabl
               figure_cell(significant(number_in(basin["deviance"]), 3)) + "</tr>\n";
   if (!basins.empty())
     page.table(table_of("<th>unknown</th><th>change there</th><th>deviance</th>", basins),
-               "Other minima that the scans met.");
+               "Other minima found by the scans.");
   page.table(correlation_table(document["unknowns"], document["correlation"]),
-             "Correlation of the unknowns after the records; beyond 0.9 in bold.");
+             "Correlation of the unknowns after the fit; beyond 0.9 in bold.");
 }
 }  // namespace
 
@@ -236,9 +241,9 @@ std::string calibration_page(const std::string &directory, const std::string &te
       written_document(directory, "calibration.json", text, {"unknowns", "refusals"}, "calibrate again");
   const Run run = run_of(directory, document);
   Page page(run);
-  what_is_told(page, document);
-  is_it_right(page, document, tables);
-  how_sure(page, document, tables);
+  add_unknowns(page, document);
+  add_check(page, document, tables);
+  add_minima(page, document, tables);
   if (!document["notes"].empty()) {
     page.section("notes", "Notes on the records");
     page.html(list_of(document["notes"]));

@@ -75,8 +75,8 @@ std::string moved_drawing(const json &unknowns)
   plot.height = 300;
   plot.x      = {"unknown", "-"};
   plot.y      = {"moved, over the deviation of the prior", "-"};
-  Line told{"told: estimate and 95 %", {}, {}, Pen::dark, true, true},
-      open{"not told", {}, {}, Pen::warm, true, true};
+  Line known{"identified: estimate and 95 %", {}, {}, Pen::dark, true, true},
+      open{"not identified", {}, {}, Pen::warm, true, true};
   // one broken line: low, estimate, high, gap
   std::vector<double> tx, ty, ox, oy;
   int i = 0;
@@ -97,7 +97,7 @@ std::string moved_drawing(const json &unknowns)
     if (!x.empty())
       plot.lines.push_back(line);
   };
-  filled(told, tx, ty);
+  filled(known, tx, ty);
   filled(open, ox, oy);
   const double last = double(std::max(1, i - 1));
   plot.x.low        = -0.5;

@@ -36,11 +36,11 @@ Stiffnesses radial(const RollerBearing &b, const double load, const double tilt 
 std::vector<Check> stribeck_39()
 {
   const RollerBearing b = bearing_266();
-  const auto at         = radial(b, 1000 * kN);
+  const auto state      = radial(b, 1000 * kN);
   return {relative("Q_max Z cos a / F_row", "-",
-                   at.state.roller_load.maxCoeff() * 39 * std::cos(b.cup_angle) / 250e3, 4.0847, 1e-4),
-          exactly("loaded rollers of a row", at.state.loaded_rollers[0], 19),
-          relative("tangent / secant", "-", at.tangent / at.secant, 10.0 / 9, 1e-6)};
+                   state.state.roller_load.maxCoeff() * 39 * std::cos(b.cup_angle) / 250e3, 4.0847, 1e-4),
+          exactly("loaded rollers of a row", state.state.loaded_rollers[0], 19),
+          relative("tangent / secant", "-", state.tangent / state.secant, 10.0 / 9, 1e-6)};
 }
 
 std::vector<Check> four_rows()
@@ -59,11 +59,11 @@ std::vector<Check> four_rows()
   loose.radial_clearance = 0.1 * mm;
   for (const auto &row : table) {
     const auto where = fmt::format(", {:g} kN", row[0]), with = ", 0.1 mm clearance" + where;
-    const auto at = radial(tight, row[0] * kN), open = radial(loose, row[0] * kN);
-    checks.push_back(relative("secant" + where, "kN/mm", at.secant, row[1], 1e-3));
-    checks.push_back(relative("tangent" + where, "kN/mm", at.tangent, row[2], 1e-3));
+    const auto state = radial(tight, row[0] * kN), open = radial(loose, row[0] * kN);
+    checks.push_back(relative("secant" + where, "kN/mm", state.secant, row[1], 1e-3));
+    checks.push_back(relative("tangent" + where, "kN/mm", state.tangent, row[2], 1e-3));
     checks.push_back(
-        relative("heaviest roller" + where, "kN", at.state.roller_load.maxCoeff() / kN, row[3], 2e-3));
+        relative("heaviest roller" + where, "kN", state.state.roller_load.maxCoeff() / kN, row[3], 2e-3));
     checks.push_back(relative("secant" + with, "kN/mm", open.secant, row[4], 1e-3));
     checks.push_back(relative("tangent" + with, "kN/mm", open.tangent, row[5], 1e-3));
     checks.push_back(exactly("loaded rollers of a row" + with, open.state.loaded_rollers[0], row[6]));
@@ -86,16 +86,16 @@ std::vector<Check> four_rows_crown()
   b.profile       = "iso";
   for (const auto &row : table) {
     const auto where = fmt::format(", {:g} kN, 41 slices", row[0]);
-    const auto at    = radial(b, row[0] * kN);
-    checks.push_back(relative("secant" + where, "kN/mm", at.secant, row[1], 1e-3));
-    checks.push_back(relative("tangent" + where, "kN/mm", at.tangent, row[2], 1e-3));
+    const auto state = radial(b, row[0] * kN);
+    checks.push_back(relative("secant" + where, "kN/mm", state.secant, row[1], 1e-3));
+    checks.push_back(relative("tangent" + where, "kN/mm", state.tangent, row[2], 1e-3));
   }
   for (const int n : {101, 201}) {
     b.slices         = n;
     const auto where = fmt::format(", 1000 kN, {} slices", n);
-    const auto at    = radial(b, 1000 * kN);
-    checks.push_back(relative("secant" + where, "kN/mm", at.secant, 1.537e4, 5e-3));
-    checks.push_back(relative("tangent" + where, "kN/mm", at.tangent, 2.078e4, 5e-3));
+    const auto state = radial(b, 1000 * kN);
+    checks.push_back(relative("secant" + where, "kN/mm", state.secant, 1.537e4, 5e-3));
+    checks.push_back(relative("tangent" + where, "kN/mm", state.tangent, 2.078e4, 5e-3));
   }
   return checks;
 }
@@ -110,10 +110,10 @@ std::vector<Check> interference()
   for (const auto &row : table) {
     RollerBearing b    = bearing_266();
     b.radial_clearance = row[0] * mm;
-    const auto at      = radial(b, 1000 * kN);
+    const auto state   = radial(b, 1000 * kN);
     const auto where   = fmt::format(", clearance {:g} mm", row[0]);
-    checks.push_back(relative("secant" + where, "kN/mm", at.secant, row[1], 3e-3));
-    checks.push_back(exactly("loaded rollers of a row" + where, at.state.loaded_rollers[0], row[2]));
+    checks.push_back(relative("secant" + where, "kN/mm", state.secant, row[1], 3e-3));
+    checks.push_back(exactly("loaded rollers of a row" + where, state.state.loaded_rollers[0], row[2]));
   }
   return checks;
 }
@@ -154,23 +154,23 @@ std::vector<Check> tilt_rows()
   };
   std::vector<Check> checks;
   for (const auto &row : table) {
-    const auto at = radial(bearing_266(), row[0] * kN, row[1] * 1e-3);
+    const auto state = radial(bearing_266(), row[0] * kN, row[1] * 1e-3);
     for (int r = 0; r < 4; ++r)
       checks.push_back({fmt::format("share of row {}, {:g} kN, {:g} mrad", r + 1, row[0], row[1]), "%",
-                        100 * at.state.row_share[r], row[2 + r], 0.5, Judged::absolute});
+                        100 * state.state.row_share[r], row[2 + r], 0.5, Judged::absolute});
   }
   const auto untilted = radial(bearing_266(), 1000 * kN);
   checks.push_back(relative("tilting stiffness, 1000 kN, untilted", "N mm/rad",
                             1e3 * bearing::stiffness_along(untilted.state, bearing::radial_drive(1000 * kN), 4),
                             2.324e11, 5e-3));
-  // Said of every tilt up to 1 mrad beside the table of shares.
+  // Stated for every tilt up to 1 mrad, next to the table of shares.
   checks.push_back(known_deviation(at_most("secant, 1000 kN, 1 mrad / untilted", "-",
                                            radial(bearing_266(), 1000 * kN, 1e-3).secant / untilted.secant, 1.10),
                                    {1.1298, 1e-3,
                                     "the bound is that of the lever without the rim's axial motion; an "
                                     "independent bisection of the same equations "
                                     "gives 1.1298 with it, and 1.071 at 0.5 mrad",
-                                    "a bound of 15 % in the specification, beside its corrected shares"}));
+                                    "a bound of 15 % in the specification, in addition to its corrected shares"}));
   // The other arrangements in use, by the bisection mentioned, one lamina.
   const std::pair<const char *, std::array<double, 4>> others[] = {
       {"-+-+", {16.4, 2.8, 48.3, 32.5} },
@@ -180,10 +180,10 @@ std::vector<Check> tilt_rows()
   for (const auto &[hands, shares] : others) {
     RollerBearing other = bearing_266();
     other.row_hands     = hands;
-    const auto at       = radial(other, 1000 * kN, 0.5e-3);
+    const auto state    = radial(other, 1000 * kN, 0.5e-3);
     for (int r = 0; r < 4; ++r)
       checks.push_back({fmt::format("share of row {}, 1000 kN, 0.5 mrad, rows {}", r + 1, hands), "%",
-                        100 * at.state.row_share[r], shares[std::size_t(r)], 0.5, Judged::absolute});
+                        100 * state.state.row_share[r], shares[std::size_t(r)], 0.5, Judged::absolute});
   }
   return checks;
 }
@@ -225,7 +225,7 @@ std::vector<Check> kumar_convention()
     const auto state = BearingAssembly(bearing::rigid_model(b)).solve(axial_drive(row[0] * kN));
     const auto where = fmt::format(", {:g} kN", row[0]);
     checks.push_back(relative("axial tangent" + where, "kN/um", state.tangent(2, 2) * 1e-9, row[1], 0.01));
-    checks.push_back(reported("twice the axial tangent, beside the published one" + where, "kN/um",
+    checks.push_back(reported("twice the axial tangent, compared with the published one" + where, "kN/um",
                               2 * state.tangent(2, 2) * 1e-9, row[2]));
   }
   return checks;
@@ -237,7 +237,7 @@ struct DifferenceCheck {
   double error;      // largest deviation of the tangent / its largest entry
   double asymmetry;  // of the difference itself, the tangent being symmetric by its formula
 };
-DifferenceCheck against_difference(const BearingModel &model, const AssemblyState &at)
+DifferenceCheck against_difference(const BearingModel &model, const AssemblyState &state)
 {
   BearingAssembly assembly(model);
   RingLoading loading;
@@ -247,7 +247,7 @@ DifferenceCheck against_difference(const BearingModel &model, const AssemblyStat
   lever << 1, 1, 1, 0.155, 0.155;
   for (int i = 0; i < 5; ++i) {
     const double step = 2e-10 / lever[i];
-    loading.value     = at.motion;
+    loading.value     = state.motion;
     loading.value[i] += step;
     const Vector5 up = assembly.solve(loading).load;
     loading.value[i] -= 2 * step;
@@ -258,8 +258,8 @@ DifferenceCheck against_difference(const BearingModel &model, const AssemblyStat
         .cwiseAbs()
         .maxCoeff();
   };
-  return {size(difference - at.tangent) / size(at.tangent),
-          size(difference - difference.transpose()) / size(at.tangent)};
+  return {size(difference - state.tangent) / size(state.tangent),
+          size(difference - difference.transpose()) / size(state.tangent)};
 }
 
 std::vector<Check> tangent_difference()
@@ -293,12 +293,13 @@ std::vector<Check> tangent_difference()
     if (s.elastic)
       model.rings = synthetic_rings(4, 3);
     RingLoading loading;
-    loading.value      = s.load;
-    loading.prescribed = {false, false, false, false, false};
-    const auto state   = BearingAssembly(model).solve(loading);
-    const auto found   = against_difference(model, state);
-    checks.push_back(at_most(std::string("tangent against difference: ") + s.name, "-", found.error, 1e-6));
-    checks.push_back(at_most(std::string("asymmetry of the difference: ") + s.name, "-", found.asymmetry, 1e-6));
+    loading.value        = s.load;
+    loading.prescribed   = {false, false, false, false, false};
+    const auto state     = BearingAssembly(model).solve(loading);
+    const auto deviation = against_difference(model, state);
+    checks.push_back(at_most(std::string("tangent against difference: ") + s.name, "-", deviation.error, 1e-6));
+    checks.push_back(
+        at_most(std::string("asymmetry of the difference: ") + s.name, "-", deviation.asymmetry, 1e-6));
   }
   return checks;
 }
@@ -369,7 +370,7 @@ std::vector<Case> assembly_cases()
        four + "Inner ring tilted in the plane of the load, axial motion zero, rows + - + -: the turn presses a "
               "roller by "
               "its full moment p x n, the axial motion of the rim included. Then the same rows arranged in the "
-              "three other ways, which only a drawing tells apart.",
+              "three other ways, which only a drawing distinguishes.",
        table + "; the other arrangements and the secant at 1 mrad: a bisection of (5.11) to (5.13) in another "
                "language",
        "0.5 points and 0.5 %, as asked for: printed to 0.1, and slices, which the print may lack, change 0.1",

@@ -51,14 +51,16 @@ std::vector<Check> elastic_roller_table()
   const bearing::RollerLaw law = bearing::elastic_law(b, {12 * mm, 12 * mm});
   for (const auto &row : table) {
     const double Q   = row[0] * kN;
-    const auto at    = bearing::elastic_roller(b, Q, 12 * mm);
+    const auto state = bearing::elastic_roller(b, Q, 12 * mm);
     const auto where = fmt::format(", {:g} kN", row[0]);
-    checks.push_back(absolute("approach" + where, "um", at.approach / um, row[1], 0.0051));
-    checks.push_back(absolute("of it in the roller" + where, "um", at.roller_part / um, row[2], 0.0051));
-    checks.push_back(absolute("half width, inner" + where, "mm", at.inner_half_width / mm, row[3], 0.00051));
-    checks.push_back(absolute("half width, outer" + where, "mm", at.outer_half_width / mm, row[4], 0.00051));
-    checks.push_back(absolute("peak pressure, inner" + where, "MPa", at.inner_peak_pressure / MPa, row[5], 0.51));
-    checks.push_back(absolute("peak pressure, outer" + where, "MPa", at.outer_peak_pressure / MPa, row[6], 0.51));
+    checks.push_back(absolute("approach" + where, "um", state.approach / um, row[1], 0.0051));
+    checks.push_back(absolute("of it in the roller" + where, "um", state.roller_part / um, row[2], 0.0051));
+    checks.push_back(absolute("half width, inner" + where, "mm", state.inner_half_width / mm, row[3], 0.00051));
+    checks.push_back(absolute("half width, outer" + where, "mm", state.outer_half_width / mm, row[4], 0.00051));
+    checks.push_back(
+        absolute("peak pressure, inner" + where, "MPa", state.inner_peak_pressure / MPa, row[5], 0.51));
+    checks.push_back(
+        absolute("peak pressure, outer" + where, "MPa", state.outer_peak_pressure / MPa, row[6], 0.51));
     checks.push_back(absolute("approach by 41 slices of the law" + where, "um",
                               bearing::roller_approach(law, Q) / um, row[1], 0.0051));
   }
@@ -77,11 +79,11 @@ std::vector<Check> apex_closure_table()
   };
   std::vector<Check> checks;
   for (const auto &row : table) {
-    const auto at    = bearing::apex_closure(311.15 * mm, row[1] * mm, row[0] * degree, 39);
-    const auto where = fmt::format(", cone {:g} deg, roller {:g} mm", row[0], row[1]);
-    checks.push_back(absolute("axis angle" + where, "deg", at.axis_angle / degree, row[2], 0.01));
-    checks.push_back(absolute("cup angle" + where, "deg", at.cup_angle / degree, row[3], 0.01));
-    checks.push_back(absolute("cone angle" + where, "deg", at.cone_angle / degree, row[4], 0.01));
+    const auto closure = bearing::apex_closure(311.15 * mm, row[1] * mm, row[0] * degree, 39);
+    const auto where   = fmt::format(", cone {:g} deg, roller {:g} mm", row[0], row[1]);
+    checks.push_back(absolute("axis angle" + where, "deg", closure.axis_angle / degree, row[2], 0.01));
+    checks.push_back(absolute("cup angle" + where, "deg", closure.cup_angle / degree, row[3], 0.01));
+    checks.push_back(absolute("cone angle" + where, "deg", closure.cone_angle / degree, row[4], 0.01));
   }
   return checks;
 }
@@ -111,10 +113,10 @@ std::vector<Check> fc_ratings()
     RollerBearing b   = bearing_266();
     b.roller_diameter = row[0] * mm;
     b.cup_angle       = row[1] * degree;
-    const auto at     = bearing::ratings(b);
+    const auto rating = bearing::ratings(b);
     const auto where  = fmt::format(", roller {:g} mm, {:g} deg", row[0], row[1]);
-    checks.push_back(absolute("C" + where, "kN", at.dynamic / kN, row[2], 0.51));
-    checks.push_back(absolute("C_0" + where, "kN", at.static_rating / kN, row[3], 0.51));
+    checks.push_back(absolute("C" + where, "kN", rating.dynamic / kN, row[2], 0.51));
+    checks.push_back(absolute("C_0" + where, "kN", rating.static_rating / kN, row[3], 0.51));
   }
   return checks;
 }

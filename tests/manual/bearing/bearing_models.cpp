@@ -48,7 +48,7 @@ bearing::BearingModel bearing_hh926700()
   return model;
 }
 
-// Every factor is positive definite by itself and so is their product: exp(-|r - r'|) between rows, 0.3^|m - m'|
+// Every factor is positive definite and so is their product: exp(-|r - r'|) between rows, 0.3^|m - m'|
 // between harmonics of the chock, a decay over harmonics and modes.
 bearing::RingFlexibility synthetic_rings(const int rows, const int modes)
 {

@@ -118,7 +118,7 @@ std::vector<Case> bearing_motion_cases()
        "The same mass flies through a radial clearance of 50 um at 50 mm/s and is thrown back by a bearing that "
        "is "
        "linear beyond it, ten times. Four unknowns; loss and return of the contact are found as zeros, and the "
-       "formulas start anew there.",
+       "formulas start again there.",
        "straight flight of 2 s/v and half a period of the linear spring, pi sqrt(m/k), in turn",
        "20 restarts at 1e-11 each; the count is exact", bouncing});
   return cases;

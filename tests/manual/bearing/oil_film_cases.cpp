@@ -52,12 +52,12 @@ std::vector<Check> raimondi_boyd()
   };
   std::vector<Check> checks;
   for (const auto &row : table) {
-    const ChartPoint at = chart_point(row[0], row[1], true);
-    const auto where    = fmt::format(", L/D {:g}, e {:g}", row[0], row[1]);
-    checks.push_back(relative("S" + where, "-", at.sommerfeld, row[2], 0.01));
-    checks.push_back(verify::absolute("attitude" + where, "deg", at.attitude / degree, row[3], 0.5));
-    checks.push_back(relative("friction (R/c) f" + where, "-", at.friction, row[4], 0.01));
-    checks.push_back(relative("side flow / (R c N L)" + where, "-", at.side_flow, row[5] * row[6], 0.01));
+    const ChartPoint chart = chart_point(row[0], row[1], true);
+    const auto where       = fmt::format(", L/D {:g}, e {:g}", row[0], row[1]);
+    checks.push_back(relative("S" + where, "-", chart.sommerfeld, row[2], 0.01));
+    checks.push_back(verify::absolute("attitude" + where, "deg", chart.attitude / degree, row[3], 0.5));
+    checks.push_back(relative("friction (R/c) f" + where, "-", chart.friction, row[4], 0.01));
+    checks.push_back(relative("side flow / (R c N L)" + where, "-", chart.side_flow, row[5] * row[6], 0.01));
     const ChartPoint free = chart_point(row[0], row[1], false);
     checks.push_back(reported("S, film with free ends" + where, "-", free.sommerfeld, row[2]));
     checks.push_back(reported("attitude, film with free ends" + where, "deg", free.attitude / degree, row[3]));
@@ -70,13 +70,13 @@ std::vector<Check> short_bearing()
   std::vector<Check> checks;
   constexpr double length_ratio = 1. / 20;
   for (const double e : {0.2, 0.5, 0.8}) {
-    const ChartPoint at = chart_point(length_ratio, e, false);
-    const auto where    = fmt::format(", e {:g}", e);
-    checks.push_back(relative("S" + where, "-", at.sommerfeld,
+    const ChartPoint chart = chart_point(length_ratio, e, false);
+    const auto where       = fmt::format(", e {:g}", e);
+    checks.push_back(relative("S" + where, "-", chart.sommerfeld,
                               bearing::sommerfeld_number(bearing::ocvirk_force(length_ratio, e)), 0.01));
-    checks.push_back(relative("tangent of the attitude" + where, "-", std::tan(at.attitude),
+    checks.push_back(relative("tangent of the attitude" + where, "-", std::tan(chart.attitude),
                               M_PI / 4 * std::sqrt(1 - e * e) / e, 0.01));
-    checks.push_back(relative("side flow / (R c N L)" + where, "-", at.side_flow, 2 * M_PI * e, 0.01));
+    checks.push_back(relative("side flow / (R c N L)" + where, "-", chart.side_flow, 2 * M_PI * e, 0.01));
   }
   return checks;
 }
@@ -107,11 +107,11 @@ std::vector<Check> parabola()
   std::vector<Check> checks;
   for (const double length_ratio : {0.25, 0.5, 1.})
     for (const double e : {0.1, 0.6, 0.9}) {
-      const ChartPoint at     = chart_point(length_ratio, e, false);
+      const ChartPoint chart  = chart_point(length_ratio, e, false);
       const Eigen::Vector2d f = bearing::parabolic_force(length_ratio, e);
       const auto where        = fmt::format(", L/D {:g}, e {:g}", length_ratio, e);
-      checks.push_back(relative("S" + where, "-", at.sommerfeld, bearing::sommerfeld_number(f.norm()), 0.03));
-      checks.push_back(verify::absolute("attitude" + where, "deg", at.attitude / degree,
+      checks.push_back(relative("S" + where, "-", chart.sommerfeld, bearing::sommerfeld_number(f.norm()), 0.03));
+      checks.push_back(verify::absolute("attitude" + where, "deg", chart.attitude / degree,
                                         -std::atan2(f[1], f[0]) / degree, 0.3));
     }
   return checks;
@@ -123,15 +123,16 @@ std::vector<Case> oil_film_cases()
   return {
       {"oil-film-chart",         "benchmark",
        "Full journal bearing, constant viscosity, film from the widest gap: Reynolds equation with rupture on two "
-       "grids of 60 x 6 and 120 x 12 on half the length, extrapolated. The film with free ends stands beside it.", "A. A. Raimondi, J. Boyd, ASLE Trans. 1 (1958) 159, part III, as tabulated in textbooks",
-       "1 %, 0.5 deg: the chart was computed on a coarser grid and is printed with three digits",                                                                                                                                                                                           raimondi_boyd},
+       "grids of 60 x 6 and 120 x 12 on half the length, extrapolated. The film with free ends is listed for "
+       "comparison.",                                                                                              "A. A. Raimondi, J. Boyd, ASLE Trans. 1 (1958) 159, part III, as tabulated in textbooks",
+       "1 %, 0.5 deg: the chart was computed on a coarser grid and is printed with three digits",                                                                                                                                                                                              raimondi_boyd},
       {"oil-film-short-bearing", "verification",
-       "L/D 1/20, film with free ends, against the short bearing in closed form.",                                 "theory.md (29.13), F. W. Ocvirk",                                                        "1 %: finite L/D",                                                             short_bearing},
+       "L/D 1/20, film with free ends, against the short bearing in closed form.",                                 "theory.md (29.13), F. W. Ocvirk",                                                        "1 %: finite L/D",                                                                short_bearing},
       {"oil-film-long-bearing",  "verification",
-       "What length adds to the force of a long film that does not rupture, against the infinitely long one.",     "theory.md 29.5, A. Sommerfeld, Z. Math. Phys. 50 (1904) 97",                             "1e-3: two grids",                                                             long_bearing },
+       "What length adds to the force of a long film that does not rupture, against the infinitely long one.",     "theory.md 29.5, A. Sommerfeld, Z. Math. Phys. 50 (1904) 97",                             "1e-3: two grids",                                                                long_bearing },
       {"oil-film-parabola",      "verification",
-       "Film with free ends against one with a parabola along the bearing, which shares neither grid nor solver.", "theory.md (29.15)",                                                                      "3 %, 0.3 deg: at L/D 1, e 0.9 the pressure along the bearing is no parabola",
-       parabola                                                                                                                                                                                                                                                                                          }
+       "Film with free ends against one with a parabola along the bearing, which shares neither grid nor solver.", "theory.md (29.15)",                                                                      "3 %, 0.3 deg: at L/D 1, e 0.9 the pressure along the bearing is not a parabola",
+       parabola                                                                                                                                                                                                                                                                                             }
   };
 }
 }  // namespace mill::verify

@@ -99,7 +99,7 @@ std::vector<Case> roller_cases()
   cases.push_back(
       {"published-kzc", "benchmark",
        "Published stiffnesses of the demo bearing: four values printed as those of its rows, and a total. "
-       "Beside them one roller by contact elements with the ISO crown, raceways on rigid backs; the assembled "
+       "For comparison one roller by contact elements with the ISO crown, raceways on rigid backs; the assembled "
        "bearing stands in the report of its case.",
        "Preprint doi 10.21203/rs.3.rs-1441429/v1; the exponent of the third row is missing there",
        "The link is arithmetic: values of one roller in each row times Z/5, the load-distribution number of a "

@@ -127,16 +127,17 @@ void check_series(std::vector<Check> &checks, const std::string &name, const Rac
 {
   RollerSection section(race, 0.12 * mm, 0.31 * mm);
   for (const SeriesPoint &point : series) {
-    const auto found     = section.at(point.approach);
-    const std::string at = fmt::format("{}, d {:g} um", name, point.approach / um);
-    checks.push_back(relative("line load P, " + at, "N/mm", found.q / N_per_mm, point.q / N_per_mm, tolerance));
-    checks.push_back(within("P FE / P Johnson, " + at,
-                            found.q / johnson_load(race.radius, race.depth, point.approach), 0.96, 1));
-    checks.push_back(within("secant FE / ISO, " + at, iso_approach(found.q) / point.approach, 1.05, 1.20));
-    checks.push_back(relative("half width / Hertz at P, " + at, "-",
-                              found.half_width / half_width(race.radius, found.q), 1, 0.005));
+    const auto solved       = section.at(point.approach);
+    const std::string where = fmt::format("{}, d {:g} um", name, point.approach / um);
+    checks.push_back(
+        relative("line load P, " + where, "N/mm", solved.q / N_per_mm, point.q / N_per_mm, tolerance));
+    checks.push_back(within("P FE / P Johnson, " + where,
+                            solved.q / johnson_load(race.radius, race.depth, point.approach), 0.96, 1));
+    checks.push_back(within("secant FE / ISO, " + where, iso_approach(solved.q) / point.approach, 1.05, 1.20));
+    checks.push_back(relative("half width / Hertz at P, " + where, "-",
+                              solved.half_width / half_width(race.radius, solved.q), 1, 0.005));
     if (point.half_width > 0)
-      checks.push_back(reported("half width, " + at, "mm", found.half_width / mm, point.half_width / mm));
+      checks.push_back(reported("half width, " + where, "mm", solved.half_width / mm, point.half_width / mm));
   }
 }
 
@@ -206,11 +207,12 @@ private:
     options.direction = Eigen::Vector3d(0, 1, 0);
     const fem::CondensedSurface surface(body.stiffness(), 3, held, body.surface("patch"), options);
     // In the order of the roller's grid: by z, then by x.
-    const MatrixXd &at = surface.surface().points;
-    std::vector<int> order(std::size_t(at.rows()));
+    const MatrixXd &points = surface.surface().points;
+    std::vector<int> order(std::size_t(points.rows()));
     std::iota(order.begin(), order.end(), 0);
     std::sort(order.begin(), order.end(), [&](const int a, const int b) {
-      return std::abs(at(a, 2) - at(b, 2)) > 0.01 * h ? at(a, 2) < at(b, 2) : at(a, 0) < at(b, 0);
+      return std::abs(points(a, 2) - points(b, 2)) > 0.01 * h ? points(a, 2) < points(b, 2)
+                                                              : points(a, 0) < points(b, 0);
     });
     return surface.flexibility()(order, order);
   }

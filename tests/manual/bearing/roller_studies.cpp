@@ -43,9 +43,9 @@ std::vector<Check> fe_roller_3d()
       within("secant FE / ISO, narrower", secant * iso / Q, 1.05, 1.20),
       within("secant / Palmgren's 5.415e5 N/mm", secant / N_per_mm / 5.415e5, 0.95, 1.25),
       relative("approach / that of the plane sections", "-", state.approach / plane, 1, 0.01),
-      reported("approach, beside closed-form elasticity", "um", state.approach / um, 16.08),
-      reported("tangent, beside ISO", "N/mm", state.tangent(0, 0) / N_per_mm, 5.82e5),
-      reported("line load at mid-roller, beside the mean", "N/mm", state.inner.line_load[middle] / N_per_mm,
+      reported("approach, compared with closed-form elasticity", "um", state.approach / um, 16.08),
+      reported("tangent, compared with ISO", "N/mm", state.tangent(0, 0) / N_per_mm, 5.82e5),
+      reported("line load at mid-roller, compared with the mean", "N/mm", state.inner.line_load[middle] / N_per_mm,
                q / N_per_mm),
       reported("largest line load, at the end of the roller", "N/mm", state.inner.line_load.maxCoeff() / N_per_mm,
                q / N_per_mm),
@@ -92,22 +92,22 @@ std::vector<Check> roller_slice_law()
 namespace {
 // Largest relative difference of the exact tangent from a central difference.  The curves have a corner where a
 // node joins or leaves: the widest step whose two sides agree has none.
-double tangent_error(fem::RollerContact &contact, const fem::RollerContactState &at)
+double tangent_error(fem::RollerContact &contact, const fem::RollerContactState &state)
 {
   const Eigen::Vector2d unit(1, 1 / (0.5 * roller_length));  // both motions move the end of the roller alike
   double worst = 0;
   for (const int motion : {0, 1}) {
     double error = 1;
-    for (double step = 1e-4 * at.approach; step > 1e-9 * at.approach; step /= 10) {
+    for (double step = 1e-4 * state.approach; step > 1e-9 * state.approach; step /= 10) {
       const Eigen::Vector2d by = Eigen::Vector2d::Unit(motion).cwiseProduct(unit) * step;
-      const auto high          = contact.solve(at.approach + by[0], at.tilt + by[1]),
-                 low           = contact.solve(at.approach - by[0], at.tilt - by[1]);
+      const auto high          = contact.solve(state.approach + by[0], state.tilt + by[1]),
+                 low           = contact.solve(state.approach - by[0], state.tilt - by[1]);
       const auto difference    = [&](const fem::RollerContactState &a, const fem::RollerContactState &b) {
         return Eigen::Vector2d(a.load - b.load, (a.moment - b.moment) * unit[1]);
       };
       const Eigen::Vector2d exact =
-          2 * at.tangent.col(motion).cwiseProduct(Eigen::Vector2d(1, unit[1])) * by[motion];
-      const double corner = (difference(high, at) - difference(at, low)).norm() / exact.norm();
+          2 * state.tangent.col(motion).cwiseProduct(Eigen::Vector2d(1, unit[1])) * by[motion];
+      const double corner = (difference(high, state) - difference(state, low)).norm() / exact.norm();
       error               = (difference(high, low) - exact).norm() / exact.norm();
       if (corner < 1e-7)
         break;
@@ -126,20 +126,20 @@ std::vector<Check> roller_tilt()
     fem::RollerContact contact(roller(), crowned ? demo_roller_drop : std::function<double(double)>());
     for (const double load : {2 * kN, 20 * kN})
       for (const double tilt : {0., 0.4 * mrad, 1.5 * mrad}) {
-        const auto at    = contact.solve(contact.solve_load(load).approach, tilt);
-        tangent          = std::max(tangent, tangent_error(contact, at));
-        asymmetry        = std::max(asymmetry,
-                                    std::abs(at.tangent(0, 1) - at.tangent(1, 0)) / (at.tangent(0, 0) * roller_length));
-        const auto other = contact.solve(at.approach, -tilt);
-        mirror           = std::max(mirror, std::abs(other.load / at.load - 1) +
-                                                std::abs(other.moment + at.moment) / (at.load * roller_length));
-        for (const fem::RollerSide *side : {&at.inner, &at.outer}) {
+        const auto state = contact.solve(contact.solve_load(load).approach, tilt);
+        tangent          = std::max(tangent, tangent_error(contact, state));
+        asymmetry        = std::max(asymmetry, std::abs(state.tangent(0, 1) - state.tangent(1, 0)) /
+                                                   (state.tangent(0, 0) * roller_length));
+        const auto other = contact.solve(state.approach, -tilt);
+        mirror           = std::max(mirror, std::abs(other.load / state.load - 1) +
+                                                std::abs(other.moment + state.moment) / (state.load * roller_length));
+        for (const fem::RollerSide *side : {&state.inner, &state.outer}) {
           const VectorXd force = side->line_load.cwiseProduct(station_length);
           const double moment  = force.dot(roller().grid.z);
-          balance              = std::max({balance, std::abs(force.sum() / at.load - 1),
-                                           std::abs(moment - at.moment) / (at.load * roller_length)});
+          balance              = std::max({balance, std::abs(force.sum() / state.load - 1),
+                                           std::abs(moment - state.moment) / (state.load * roller_length)});
         }
-        residual = std::max({residual, at.residual, other.residual});
+        residual = std::max({residual, state.residual, other.residual});
       }
   }
   fem::RollerContact contact(roller(), demo_roller_drop);
@@ -169,15 +169,17 @@ std::vector<Check> published_rollers()
   std::vector<Check> checks{reported("published per-roller values times Z/5", "N/mm", sum * Z / 5, total),
                             reported("the same times Z cos^2(alpha)/4.0847", "N/mm",
                                      sum * Z * std::pow(std::cos(alpha), 2) / 4.0847, total)};
-  const auto law    = fem::fe_roller_law(roller(), 41, demo_roller_drop);
-  const double at[] = {10 * kN, 20 * kN, 50 * kN};
-  for (const double Q : at) {
+  const auto law       = fem::fe_roller_law(roller(), 41, demo_roller_drop);
+  const double loads[] = {10 * kN, 20 * kN, 50 * kN};
+  for (const double Q : loads) {
     const double approach = bearing::roller_approach(law, Q);
     const double tangent  = bearing::roller_load(law, approach, 0).stiffness;
-    checks.push_back(reported(fmt::format("one roller's tangent at {:.0f} kN, mean of the rows beside", Q / kN),
-                              "N/mm", tangent / N_per_mm, sum / 4));
-    checks.push_back(reported(fmt::format("one roller's secant at {:.0f} kN, mean of the rows beside", Q / kN),
-                              "N/mm", Q / approach / N_per_mm, sum / 4));
+    checks.push_back(
+        reported(fmt::format("one roller's tangent at {:.0f} kN, compared with the mean of the rows", Q / kN),
+                 "N/mm", tangent / N_per_mm, sum / 4));
+    checks.push_back(
+        reported(fmt::format("one roller's secant at {:.0f} kN, compared with the mean of the rows", Q / kN),
+                 "N/mm", Q / approach / N_per_mm, sum / 4));
   }
   return checks;
 }

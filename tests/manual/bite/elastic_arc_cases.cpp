@@ -29,17 +29,17 @@ std::vector<Check> elastic_arcs()
     const std::string id = "B" + std::to_string(row.pass);
     for (const int points : {100, 200, 400}) {
       KarmanOptions options;
-      options.arc_points   = points;
-      options.derivatives  = false;
-      const BiteState s    = solve_karman(uncapped(row.pass), Theory::karman, Arc::elastic, nullptr, options);
-      const std::string at = id + ", " + std::to_string(points) + " points";
-      checks.push_back(relative(at + ", force", "N", s.force, row.F, points == 100 ? 2e-3 : 5e-4));
+      options.arc_points      = points;
+      options.derivatives     = false;
+      const BiteState s       = solve_karman(uncapped(row.pass), Theory::karman, Arc::elastic, nullptr, options);
+      const std::string where = id + ", " + std::to_string(points) + " points";
+      checks.push_back(relative(where + ", force", "N", s.force, row.F, points == 100 ? 2e-3 : 5e-4));
       if (points == 400) {
-        checks.push_back(relative(at + ", peak pressure", "MPa", s.peak_pressure / MPa, row.peak, 1e-3));
+        checks.push_back(relative(where + ", peak pressure", "MPa", s.peak_pressure / MPa, row.peak, 1e-3));
         checks.push_back(
-            {at + ", exit of the plastic arc", "mm", s.exit_position / mm, row.exit, 3e-3, Judged::absolute});
+            {where + ", exit of the plastic arc", "mm", s.exit_position / mm, row.exit, 3e-3, Judged::absolute});
         checks.push_back(
-            {at + ", entry of the plastic arc", "mm", s.arc_length / mm, row.entry, 3e-3, Judged::absolute});
+            {where + ", entry of the plastic arc", "mm", s.arc_length / mm, row.entry, 3e-3, Judged::absolute});
       }
     }
   }

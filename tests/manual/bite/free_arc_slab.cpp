@@ -38,10 +38,10 @@ struct Slice {
 
 // d(h s) = -p dh +- 2 mu p dx, so  ds = ( -(s + p) dh +- 2 mu p dx )/h;  side: +1 behind the neutral point, -1
 // before
-double change_along(const Law &law, const Slice &at, const double h, const double dh, const double dx,
+double change_along(const Law &law, const Slice &slice, const double h, const double dh, const double dx,
                     const int side)
 {
-  return (-(at.along + at.p) * dh + side * 2 * law.s.friction.coefficient * at.p * dx) / h;
+  return (-(slice.along + slice.p) * dh + side * 2 * law.s.friction.coefficient * slice.p * dx) / h;
 }
 
 Slice elastic_step(const Law &law, const Slice &from, const double h0, const double h1, const double dx,
@@ -74,18 +74,18 @@ Slice plastic_step(const Law &law, const Slice &from, const double h0, const dou
 // to nothing.
 double tension_left(const Law &law, const Gap &g, const double p0, VectorXd *pressure, double *end)
 {
-  Slice at{law.yield(g.h[g.thinnest]) - p0, p0};
+  Slice slice{law.yield(g.h[g.thinnest]) - p0, p0};
   for (int i = g.thinnest; i + 1 < g.x.size(); ++i) {
     if (pressure)
-      (*pressure)[i] = at.p;
-    const Slice next = elastic_step(law, at, g.h[i], g.h[i + 1], g.step, 1);
+      (*pressure)[i] = slice.p;
+    const Slice next = elastic_step(law, slice, g.h[i], g.h[i + 1], g.step, 1);
     if (next.p <= 0) {
-      const double share = at.p / (at.p - next.p);
+      const double share = slice.p / (slice.p - next.p);
       if (end)
         *end = g.x[i] + share * g.step;
-      return at.along + share * (next.along - at.along);
+      return slice.along + share * (next.along - slice.along);
     }
-    at = next;
+    slice = next;
   }
   return INFINITY;
 }
@@ -107,10 +107,10 @@ VectorXd answer(const Law &law, const Gap &g, FreeArcSlab &out)
   exit.tail(n - g.thinnest).setZero();
   tension_left(law, g, p0, &exit, &out.exit);
   out.exit_gain = k - p0 - law.s.exit_tension;
-  Slice at{k - p0, p0};
+  Slice slice{k - p0, p0};
   for (int i = g.thinnest; i > 0 && g.h[i - 1] < law.s.entry_thickness; --i) {
-    at          = plastic_step(law, at, g.h[i], g.h[i - 1], -g.step, 1);
-    exit[i - 1] = at.p;
+    slice       = plastic_step(law, slice, g.h[i], g.h[i - 1], -g.step, 1);
+    exit[i - 1] = slice.p;
   }
   // Entry: met where the gap is the strip's thickness, elastic until it yields.
   entry.setZero();
@@ -119,19 +119,19 @@ VectorXd answer(const Law &law, const Gap &g, FreeArcSlab &out)
     --first;
   const double share = (g.h[first] - law.s.entry_thickness) / (g.h[first] - g.h[first + 1]);
   out.entry          = -(g.x[first] + share * g.step);
-  at                 = {law.s.entry_tension, 0};
+  slice              = {law.s.entry_tension, 0};
   bool yields        = false;
   for (int i = first; i < g.thinnest; ++i) {
     const double from = i == first ? law.s.entry_thickness : g.h[i],
                  dx   = i == first ? (1 - share) * g.step : g.step;
     if (!yields) {
-      at     = elastic_step(law, at, from, g.h[i + 1], dx, -1);
-      yields = at.along + at.p >= law.yield(from);
+      slice  = elastic_step(law, slice, from, g.h[i + 1], dx, -1);
+      yields = slice.along + slice.p >= law.yield(from);
       if (yields)
-        at.p = law.yield(g.h[i + 1]) - at.along;
+        slice.p = law.yield(g.h[i + 1]) - slice.along;
     } else
-      at = plastic_step(law, at, from, g.h[i + 1], dx, -1);
-    entry[i + 1] = at.p;
+      slice = plastic_step(law, slice, from, g.h[i + 1], dx, -1);
+    entry[i + 1] = slice.p;
   }
   entry.tail(n - 1 - g.thinnest).setConstant(INFINITY);
   return entry.cwiseMin(exit);

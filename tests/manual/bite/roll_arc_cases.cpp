@@ -136,11 +136,11 @@ std::vector<Check> against_half_plane()
     const VectorXd p = hill(x, shape), u = C * p, v = half_plane(x, p, radius);
     checks.push_back(at_most(std::string(name) + ": shape of the arc, largest difference / range", "-",
                              shape_difference(x, u, v), 0.02));
-    Index zero = 0, at = 0;
+    Index zero = 0, highest = 0;
     x.cwiseAbs().minCoeff(&zero);
-    p.maxCoeff(&at);
-    checks.push_back(
-        relative(std::string(name) + ": flattening at the peak", "um", u[at] / 1e-6, v[at] / 1e-6, 0.02));
+    p.maxCoeff(&highest);
+    checks.push_back(relative(std::string(name) + ": flattening at the peak", "um", u[highest] / 1e-6,
+                              v[highest] / 1e-6, 0.02));
   }
   checks.push_back(at_most("shape of the arc, mesh twice as coarse", "-", roll.result.error_estimate, 0.002));
   const VectorXd p = hill(x, friction_hill);
@@ -188,10 +188,11 @@ std::vector<Check> short_arc()
   // Even friction over the arc tilts a half plane by a known slope.
   const VectorXd tau = hill(x, [](double) { return 10 * MPa; });
   const VectorXd u   = roll.result.shear_influence * tau;
-  Index at           = 0;
-  (x.array() - arc).abs().minCoeff(&at);
+  Index index        = 0;
+  (x.array() - arc).abs().minCoeff(&index);
   checks.push_back(relative("even friction stress: depth of the entry below the exit", "um",
-                            (u[at] - u[zero]) / 1e-6, (1 - 2 * nu) * (1 + nu) / E * 10 * MPa * arc / 1e-6, 0.05));
+                            (u[index] - u[zero]) / 1e-6, (1 - 2 * nu) * (1 + nu) / E * 10 * MPa * arc / 1e-6,
+                            0.05));
   return checks;
 }
 
@@ -199,21 +200,21 @@ std::vector<Check> short_arc()
 double bland_ford(const double x)
 {
   const double h_d = 5 * mm, h_e = 8 * mm, mu = 0.2, h = h_d + x * x / radius;
-  const auto H = [&](const double at) {
-    return 2 * std::sqrt(radius / h_d) * std::atan(at / std::sqrt(radius * h_d));
+  const auto H = [&](const double position) {
+    return 2 * std::sqrt(radius / h_d) * std::atan(position / std::sqrt(radius * h_d));
   };
   return 28 * MPa * std::min(h / h_e * std::exp(mu * (H(arc) - H(x))), h / h_d * std::exp(mu * H(x)));
 }
 
 // Straight line between points.
-VectorXd interpolated(const VectorXd &x, const VectorXd &y, const VectorXd &at)
+VectorXd interpolated(const VectorXd &x, const VectorXd &y, const VectorXd &positions)
 {
-  VectorXd out(at.size());
-  for (Index i = 0; i < at.size(); ++i) {
+  VectorXd out(positions.size());
+  for (Index i = 0; i < positions.size(); ++i) {
     Index k = 1;
-    while (k + 1 < x.size() && x[k] < at[i])
+    while (k + 1 < x.size() && x[k] < positions[i])
       ++k;
-    out[i] = y[k - 1] + (y[k] - y[k - 1]) * (at[i] - x[k - 1]) / (x[k] - x[k - 1]);
+    out[i] = y[k - 1] + (y[k] - y[k - 1]) * (positions[i] - x[k - 1]) / (x[k] - x[k - 1]);
   }
   return out;
 }
@@ -225,11 +226,11 @@ std::vector<Check> path_form()
   const VectorXd &x  = roll.position;
   const VectorXd u   = roll.result.flexibility.influence * hill(x, [](double s) { return bland_ford(s * arc); });
   const auto with    = [&](const int n) {
-    const VectorXd at = VectorXd::LinSpaced(n, 0, arc);
+    const VectorXd positions = VectorXd::LinSpaced(n, 0, arc);
     VectorXd p(n);
     for (Index i = 0; i < n; ++i)
-      p[i] = bland_ford(at[i]);
-    return bite::path_stiffness(at, p, interpolated(x, u, at), width);
+      p[i] = bland_ford(positions[i]);
+    return bite::path_stiffness(positions, p, interpolated(x, u, positions), width);
   };
   const auto coarse = with(49), fine = with(97);
   const double A         = 2 * (1 - std::pow(roll_steel.poisson_ratio, 2)) / (M_PI * roll_steel.youngs_modulus);
@@ -241,7 +242,7 @@ std::vector<Check> path_form()
       {"log2 of sum of forces over mean displacement, against (8.12)", "-", std::log2(fine.sum / flat), 0, 1,
                                                                                          Judged::absolute},
       relative("that sum, 97 nodes against 49", "kN/mm", fine.sum / kN_per_mm, coarse.sum / kN_per_mm, 0.02),
-      reported("plateau, 49 nodes, beside the published K4", "kN/mm", coarse.plateau / kN_per_mm, 1.911e5),
+      reported("plateau, 49 nodes, compared with the published K4", "kN/mm", coarse.plateau / kN_per_mm, 1.911e5),
   };
 }
 }  // namespace

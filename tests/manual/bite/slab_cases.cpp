@@ -95,12 +95,12 @@ std::vector<Check> film_slab_equation()
   std::vector<Check> checks;
   int i = 0;
   for (const auto &[name, bite, s] : working_conditions()) {
-    const SlabIntegral own    = integrate_slab(bite, s.flattened_radius, s.friction, false);
-    const SlabIntegral karman = integrate_slab(bite, s.flattened_radius, s.friction, true);
+    const SlabIntegral integral = integrate_slab(bite, s.flattened_radius, s.friction, false);
+    const SlabIntegral karman   = integrate_slab(bite, s.flattened_radius, s.friction, true);
     checks.push_back(
-        relative(name + "closed form against its own equation", "kN", s.force / 1e3, own.force / 1e3, 1e-9));
+        relative(name + "closed form against its own equation", "kN", s.force / 1e3, integral.force / 1e3, 1e-9));
     checks.push_back(relative(name + "neutral point likewise", "mm", s.neutral_position * 1e3,
-                              own.neutral_position * 1e3, 1e-9));
+                              integral.neutral_position * 1e3, 1e-9));
     checks.push_back(relative(name + "full slab equation", "kN", karman.force / 1e3, full[i][0] / 1e3, 1e-8));
     checks.push_back(
         relative(name + "full, neutral point", "mm", karman.neutral_position * 1e3, full[i][1] * 1e3, 1e-6));

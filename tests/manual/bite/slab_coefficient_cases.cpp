@@ -71,15 +71,16 @@ std::vector<Check> film_coefficients()
       {-2.1489743779564057, 0.007228486539541309, -9.089384659272517e-12,  8.906080527921608e-12,
        2.524433944342786                                                                                             }
   };
-  const auto both = working_conditions();
-  const auto of   = [&](const int i, const Linearisation scheme) {
+  const auto both            = working_conditions();
+  const auto coefficients_of = [&](const int i, const Linearisation scheme) {
     return linear_coefficients(both[i].bite, both[i].state, scheme);
   };
   std::vector<Check> checks;
-  compare(checks, "condition 1, in sequence: ", of(0, Linearisation::sequential), sequential_1, 1e-8);
-  compare(checks, "condition 2, in sequence: ", of(1, Linearisation::sequential), sequential_2, 1e-8);
-  compare(checks, "condition 2, implicit: ", of(1, Linearisation::implicit), implicit, 1e-8);
-  compare(checks, "condition 2, friction frozen: ", of(1, Linearisation::frozen_friction), frozen, 1e-8);
+  compare(checks, "condition 1, in sequence: ", coefficients_of(0, Linearisation::sequential), sequential_1, 1e-8);
+  compare(checks, "condition 2, in sequence: ", coefficients_of(1, Linearisation::sequential), sequential_2, 1e-8);
+  compare(checks, "condition 2, implicit: ", coefficients_of(1, Linearisation::implicit), implicit, 1e-8);
+  compare(checks, "condition 2, friction frozen: ", coefficients_of(1, Linearisation::frozen_friction), frozen,
+          1e-8);
   return checks;
 }
 

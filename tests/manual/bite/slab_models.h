@@ -50,6 +50,6 @@ SlabIntegral integrate_slab(const bite::RollBite &bite, double R, double mu, boo
 /// Smallest x in low..high where a rising function reaches the target, by halving.
 double rising_root(double low, double high, double target, const std::function<double(double)> &function);
 
-/// Force, N; +infinity where the flattening has no root and 0 where there is no neutral point.
+/// Force, N; +infinity where the flattening has no root and 0 without a neutral point.
 double force_or_limit(const bite::RollBite &bite, bite::Arc arc);
 }  // namespace mill::verify

@@ -114,15 +114,15 @@ SlabOnArc slab_on_its_arc(const bite::RollBite &b, const fem::StripElastic &stat
 {
   const Eigen::VectorXd x = -state.flow.state.position.reverse(), h = 2 * state.flow.roll_surface.reverse();
   const int last = int(x.size()) - 1;
-  const auto gap = [&](const double at) {
-    int i      = int(std::upper_bound(x.data(), x.data() + x.size(), at) - x.data()) - 1;
+  const auto gap = [&](const double position) {
+    int i      = int(std::upper_bound(x.data(), x.data() + x.size(), position) - x.data()) - 1;
     i          = std::clamp(i, 0, last - 2);
     double sum = 0;
     for (int a = 0; a < 3; ++a) {
       double l = h[i + a];
       for (int m = 0; m < 3; ++m)
         if (m != a)
-          l *= (at - x[i + m]) / (x[i + a] - x[i + m]);
+          l *= (position - x[i + m]) / (x[i + a] - x[i + m]);
       sum += l;
     }
     return sum;
@@ -137,9 +137,9 @@ const fem::StripElastic &elastic_strip(const std::string &name, const bite::Roll
 {
   static std::map<std::string, fem::StripElastic> states;
   const std::string key = name + "/" + std::to_string(int(arc)) + "/" + std::to_string(along);
-  const auto found      = states.find(key);
-  if (found != states.end())
-    return found->second;
+  const auto match      = states.find(key);
+  if (match != states.end())
+    return match->second;
   fem::StripElasticModel model;
   model.arc              = arc;
   model.elements_along   = along;
@@ -248,7 +248,7 @@ std::vector<Check> elastic_roll()
     checks.push_back(
         {n + "lines of the mesh end the contact", "-", double(state.ends_fitted), 1, 0, Judged::at_least});
     const Eigen::VectorXd &p = state.flow.state.pressure;
-    checks.push_back(at_most(n + "pressure beside the exit over the peak", "-", p[0] / p.maxCoeff(), 0.2));
+    checks.push_back(at_most(n + "pressure next to the exit over the peak", "-", p[0] / p.maxCoeff(), 0.2));
   }
   return checks;
 }

@@ -16,8 +16,8 @@ namespace {
 const fem::StripFlow &reference_flow(const std::string &name)
 {
   static std::map<std::string, fem::StripFlow> solved;
-  const auto found = solved.find(name);
-  return found != solved.end() ? found->second
+  const auto match = solved.find(name);
+  return match != solved.end() ? match->second
                                : solved.emplace(name, rolled(reference_pass(name), 48)).first->second;
 }
 
@@ -256,20 +256,20 @@ std::vector<Check> against_slab()
       const double mean = arc / ratio;
       const bite::RollBite b =
           bite_of({"", radius, mean + draft / 2, mean - draft / 2, 100, family.friction, 0, 0, 0, 0});
-      const double force   = rolled(b, 16, plain).state.force;
-      const double slab    = karman_force(b);
-      const double orowan  = bite::solve_karman(b, bite::Theory::orowan, bite::Arc::rigid).force;
-      const std::string at = fmt::format("{}, L/hm {:.2f}: force over the ", family.name, ratio);
-      checks.push_back(reported(at + "homogeneous slab", "-", force / slab, 1));
-      checks.push_back(reported(at + "inhomogeneous slab", "-", force / orowan, 1));
+      const double force      = rolled(b, 16, plain).state.force;
+      const double slab       = karman_force(b);
+      const double orowan     = bite::solve_karman(b, bite::Theory::orowan, bite::Arc::rigid).force;
+      const std::string where = fmt::format("{}, L/hm {:.2f}: force over the ", family.name, ratio);
+      checks.push_back(reported(where + "homogeneous slab", "-", force / slab, 1));
+      checks.push_back(reported(where + "inhomogeneous slab", "-", force / orowan, 1));
       if (ratio == 0.35)
-        checks.push_back(at_least(at + "slab: above one", "-", force / slab, 1));
+        checks.push_back(at_least(where + "slab: above one", "-", force / slab, 1));
       if (ratio == 1.0)
-        checks.push_back(at_most(at + "slab: below one", "-", force / slab, 1));
+        checks.push_back(at_most(where + "slab: below one", "-", force / slab, 1));
       if (ratio > 5)
-        checks.push_back(absolute(
-            at + (family.friction > 0.1 ? "inhomogeneous slab of a long bite" : "homogeneous slab of a long bite"),
-            "-", force / (family.friction > 0.1 ? orowan : slab), 1, 0.05));
+        checks.push_back(absolute(where + (family.friction > 0.1 ? "inhomogeneous slab of a long bite"
+                                                                 : "homogeneous slab of a long bite"),
+                                  "-", force / (family.friction > 0.1 ? orowan : slab), 1, 0.05));
     }
   return checks;
 }
@@ -305,7 +305,7 @@ std::vector<Check> flattened_roll()
                               flow.state.flattened_radius / b.roll_radius, slab.flattened_radius / b.roll_radius,
                               0.02));
   }
-  // Half plane under a roll that is no circle.
+  // Half plane under a roll that is not circular.
   const bite::RollBite b = reference_pass("B5");
   const double L         = std::sqrt(b.roll_radius * (b.strip.entry_thickness - b.strip.exit_thickness));
   const auto plane =

@@ -67,13 +67,13 @@ std::vector<Check> growth()
     const SixMasses stand  = six_masses(r.stand);
     const auto by          = [](const double speed) { return sequential_point(film_bite(2, speed), speed).by; };
     const double L         = calibrated_distance(stand, by(printed_speed));
-    const auto at          = [&](const double speed) { return growth_rate(matrix_of(stand, L, by(speed))); };
+    const auto value_at    = [&](const double speed) { return growth_rate(matrix_of(stand, L, by(speed))); };
     const std::string name = fmt::format("stand {}: ", r.stand);
     checks.push_back(absolute(name + "distance to the neighbours", "m", L, r.distance, 1e-6));
-    checks.push_back(absolute(name + "growth rate at 18.0 m/s", "1/s", at(18.0), r.below, 1e-3));
-    checks.push_back(absolute(name + "growth rate at 18.2 m/s", "1/s", at(18.2), 0, 1e-3));
-    checks.push_back(absolute(name + "growth rate at 18.4 m/s", "1/s", at(18.4), r.above, 1e-3));
-    const bool signs = at(18.0) < 0 && at(18.4) > 0;
+    checks.push_back(absolute(name + "growth rate at 18.0 m/s", "1/s", value_at(18.0), r.below, 1e-3));
+    checks.push_back(absolute(name + "growth rate at 18.2 m/s", "1/s", value_at(18.2), 0, 1e-3));
+    checks.push_back(absolute(name + "growth rate at 18.4 m/s", "1/s", value_at(18.4), r.above, 1e-3));
+    const bool signs = value_at(18.0) < 0 && value_at(18.4) > 0;
     checks.push_back(absolute(name + "decays below and grows above (1: yes)", "-", signs, 1, 0));
   }
   return checks;
@@ -234,7 +234,7 @@ std::vector<Case> chatter_calibration_cases()
   };
   add("chatter-growth",
       stands +
-          "Condition 2, five readings of the stand, the distance between the stands fitted so that 18.2 m/s is "
+          "Condition 2, five variants of the stand, the distance between the stands fitted so that 18.2 m/s is "
           "critical: decay at 18.0, growth at 18.4 m/s. The zero at 18.2 m/s agrees by construction; all rows "
           "are regression values.",
       liu + "growth", "1e-6 m: fit; 1e-3 1/s: growth rates of 0.05 to 0.7 1/s from roots of modulus 500 to 1000.",

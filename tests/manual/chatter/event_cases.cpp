@@ -48,7 +48,7 @@ Index count(const ChatterRun &run, const ChatterChange change, const double from
 }
 
 // A strip that no roll touches: the stand swings under a constant force, the two spans exchange momentum; both
-// linear, so that one exponential of the motion with a constant beside it is exact.
+// linear, so that one exponential of the motion extended by a constant is exact.
 std::vector<Check> free_strip()
 {
   Set set(18.2, 1e-3);
@@ -105,7 +105,7 @@ std::vector<Check> free_strip()
   return checks;
 }
 
-// Fixed steps of the classical Runge-Kutta method over edges and all, with equations written anew.
+// Fixed steps of the classical Runge-Kutta method over edges and all, with equations written independently.
 VectorXd runge_kutta(const Set &set, VectorXd z, const double duration, const int steps)
 {
   const StandStructure &s   = set.stand.structure;

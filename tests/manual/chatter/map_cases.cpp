@@ -25,10 +25,10 @@ std::vector<Check> constant_friction()
     RollBite bite                   = film_bite(condition, 18.2);
     bite.strip.friction             = Friction{};
     bite.strip.friction.coefficient = 0.04;
-    const StandSpeed found          = critical_speed(chatter_stand("D"), bite, bite::Linearisation::sequential);
+    const StandSpeed critical       = critical_speed(chatter_stand("D"), bite, bite::Linearisation::sequential);
     const std::string name          = "condition " + std::to_string(condition) + ", ";
-    checks.push_back(absolute(name + "critical speed", "m/s", found.speed, reference[condition - 1][0], 1e-5));
-    checks.push_back(relative(name + "force there", "kN", found.at->state.force / 1e3,
+    checks.push_back(absolute(name + "critical speed", "m/s", critical.speed, reference[condition - 1][0], 1e-5));
+    checks.push_back(relative(name + "force there", "kN", critical.at->state.force / 1e3,
                               reference[condition - 1][1] / 1e3, 1e-6));
   }
   return checks;
@@ -49,10 +49,10 @@ std::vector<Check> speed_trend()
   std::vector<Check> checks;
   for (const auto &[speed, force, mu] : reference) {
     const bite::BiteState state = working_point(film_bite(2, speed), speed, bite::Linearisation::sequential).state;
-    std::string at              = std::to_string(speed);
-    at                          = at.substr(0, at.find('.') + 2) + " m/s, ";
-    checks.push_back(relative(at + "force", "kN", state.force / 1e3, force / 1e3, 1e-8));
-    checks.push_back(relative(at + "friction", "-", state.friction, mu, 1e-8));
+    std::string where           = std::to_string(speed);
+    where                       = where.substr(0, where.find('.') + 2) + " m/s, ";
+    checks.push_back(relative(where + "force", "kN", state.force / 1e3, force / 1e3, 1e-8));
+    checks.push_back(relative(where + "friction", "-", state.friction, mu, 1e-8));
   }
   return checks;
 }
@@ -97,9 +97,9 @@ std::vector<Check> maps()
       for (Eigen::Index i = 0; i < speed.size(); ++i) {
         if (std::isnan(one.growth(i, j)))
           continue;
-        const auto at =
+        const auto position =
             working_point(with_quantity(bite, quantity, value[j]), speed[i], bite::Linearisation::sequential);
-        otherwise += (nyquist_count(stand, at.by).unstable > 0) != (one.growth(i, j) > 0);
+        otherwise += (nyquist_count(stand, position.by).unstable > 0) != (one.growth(i, j) > 0);
         // Below the first crossing nothing grows.
         wrong_side += one.growth(i, j) > 0 && speed[i] < one.critical_speed[j];
       }
@@ -137,7 +137,7 @@ std::vector<Case> chatter_map_cases()
       stand + "Maps of the growth rate over speed and reduction, tension, viscosity, 30 x 9 cells each: boundary "
               "against the search, the sign of every cell against Nyquist's criterion, one thread against two.",
       liu + "v_crit.D.seq (fitted for condition 2); winding of Nyquist's curve, which knows no eigenvalue",
-      "1e-5 m/s: root finding; counts exact; with two threads the same numbers bit for bit.", maps);
+      "1e-5 m/s: root finding; numbers of roots exact; with two threads the same numbers bit for bit.", maps);
   return cases;
 }
 }  // namespace mill::verify

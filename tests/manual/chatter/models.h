@@ -13,7 +13,7 @@ struct SixMasses {
   double distance;                  ///< m, to the stands before and behind
 };
 
-/// Five readings of the stand of Liu et al. (2017), whose table of data is only partly legible: "D" (default),
+/// Five variants of the stand of Liu et al. (2017), whose table of data is only partly legible: "D" (default),
 /// "D36" (light upper backup roll), "C" (weak screw-down and lower dampers), "A" (lower backup roll and housing
 /// exchanged), "B" (dampers of 1e8 as printed).  The distances were fitted to the critical speed of condition 2.
 SixMasses six_masses(const std::string &name);

@@ -93,19 +93,19 @@ std::vector<Check> nonlinear_30_ms()
   const ChatterStandModel stand = chatter_stand("D");
   const WorkingPoint point      = condition_2(18.2);
   const char *names[2]          = {"displacements", "tensions"};
-  std::array<double, 2> found[2];
+  std::array<double, 2> result[2];
   std::vector<Check> checks;
   for (const int i : {0, 1}) {
     const VectorXd start = displaced_rolls(stand.structure, i ? 1e-6 : 1e-7);
-    found[i] = distance(run_from(stand, point, Linearisation::sequential, start, 0.03, 1e-10).history.last,
-                        linear_history(stand, point.by, start, 0.03).last);
+    result[i] = distance(run_from(stand, point, Linearisation::sequential, start, 0.03, 1e-10).history.last,
+                         linear_history(stand, point.by, start, 0.03).last);
     for (const int j : {0, 1})
-      checks.push_back(relative(fmt::format("start {} um, {}", i ? 1 : 0.1, names[j]), "1e-6", 1e6 * found[i][j],
+      checks.push_back(relative(fmt::format("start {} um, {}", i ? 1 : 0.1, names[j]), "1e-6", 1e6 * result[i][j],
                                 1e6 * reference[i][j], i ? 5e-5 : 5e-4));
   }
   for (const int j : {0, 1})
     checks.push_back(
-        relative(fmt::format("growth of the distance, {}", names[j]), "-", found[1][j] / found[0][j], 10, 0.05));
+        relative(fmt::format("growth of the distance, {}", names[j]), "-", result[1][j] / result[0][j], 10, 0.05));
   return checks;
 }
 

@@ -66,16 +66,16 @@ std::vector<Check> eigenvalues_of_stand_D()
       {-324.22536578420545,   0                 },
       {-1432.7058666191647,   554.9612454560697 }
   };
-  const Eigen::VectorXcd found = eigenvalues(chatter_matrix(chatter_stand("D"), sequential(2, 18.2).by));
+  const Eigen::VectorXcd roots = eigenvalues(chatter_matrix(chatter_stand("D"), sequential(2, 18.2).by));
   std::vector<Check> checks;
-  checks.push_back(absolute("critical mode, growth rate", "1/s", found[0].real(), reference[0][0], 1e-4));
+  checks.push_back(absolute("critical mode, growth rate", "1/s", roots[0].real(), reference[0][0], 1e-4));
   double largest = 0;
   Eigen::Index i = 0;
   for (const auto &[re, hertz] : reference) {
     const Complex root(re, 2 * M_PI * hertz);
     checks.push_back(relative(fmt::format("root of {:.1f} 1/s and {:.1f} Hz, modulus", re, hertz), "1/s",
-                              std::abs(found[i]), std::abs(root), 1e-6));
-    largest = std::max(largest, std::abs(found[i] - root) / std::abs(root));
+                              std::abs(roots[i]), std::abs(root), 1e-6));
+    largest = std::max(largest, std::abs(roots[i] - root) / std::abs(root));
     i += hertz > 0 ? 2 : 1;
   }
   checks.push_back(at_most("largest deviation of a root over its modulus", "-", largest, 1e-6));
@@ -94,11 +94,11 @@ FineMatrix fine_chatter_matrix(const ChatterStandModel &stand, const bite::Linea
   const StandStructure &m = stand.structure;
   const Eigen::Index n    = m.n();
   const auto fine         = [](const double x) { return static_cast<long double>(x); };
-  const auto row          = [&](const bite::StripRow &of, const long double per_length) {
+  const auto row          = [&](const bite::StripRow &coefficients, const long double per_length) {
     FineMatrix r(1, 2 * n + 2);
     const FineMatrix gap = m.b.cast<long double>().transpose();
-    r << per_length * fine(of[0]) * gap, per_length * fine(of[1]) * gap, per_length * fine(of[2]),
-        per_length * fine(of[3]);
+    r << per_length * fine(coefficients[0]) * gap, per_length * fine(coefficients[1]) * gap,
+        per_length * fine(coefficients[2]), per_length * fine(coefficients[3]);
     return r;
   };
   FineMatrix A = FineMatrix::Zero(2 * n + 2, 2 * n + 2), motion = FineMatrix::Zero(n, 2 * n + 2);
@@ -221,11 +221,11 @@ std::vector<Check> critical_speeds()
   std::vector<Check> checks;
   for (const Reference &r : rows)
     for (const int c : {0, 1}) {
-      const StandSpeed found  = critical_speed(chatter_stand(r.stand), film_bite(c + 1, 18), r.scheme);
-      const std::string where = fmt::format("stand {}, condition {}: ", r.name, c + 1);
-      checks.push_back(absolute(where + "critical speed", "m/s", found.speed, r.speed[c], 1e-5));
+      const StandSpeed critical = critical_speed(chatter_stand(r.stand), film_bite(c + 1, 18), r.scheme);
+      const std::string where   = fmt::format("stand {}, condition {}: ", r.name, c + 1);
+      checks.push_back(absolute(where + "critical speed", "m/s", critical.speed, r.speed[c], 1e-5));
       if (r.frequency[c] > 0)
-        checks.push_back(relative(where + "frequency", "Hz", found.frequency, r.frequency[c], 1e-6));
+        checks.push_back(relative(where + "frequency", "Hz", critical.frequency, r.frequency[c], 1e-6));
     }
   return checks;
 }
@@ -303,16 +303,16 @@ std::vector<Check> damping_scales()
   for (const auto &row : reference)
     for (const int condition : {1, 2}) {
       const SpeedRange range{1, 32};
-      const CriticalSpeed found = critical_speed(chatter_stand(stand_on_damping_scale(row[0])),
-                                                 film_bite(condition, 18), Linearisation::sequential, range);
-      const std::string where   = fmt::format("scale {:g} N s/m, condition {}: ", row[0], condition);
+      const CriticalSpeed critical = critical_speed(chatter_stand(stand_on_damping_scale(row[0])),
+                                                    film_bite(condition, 18), Linearisation::sequential, range);
+      const std::string where      = fmt::format("scale {:g} N s/m, condition {}: ", row[0], condition);
       if (std::isnan(row[condition])) {
-        checks.push_back(absolute(where + "speeds at which a root grows up to 32 m/s", "-",
-                                  double(found.crossings.size()) + (found.verdict != dynamics::Verdict::stable), 0,
-                                  0));
-        checks.push_back(reported(where + "largest growth rate", "1/s", found.margin, 0));
+        checks.push_back(
+            absolute(where + "speeds at which a root grows up to 32 m/s", "-",
+                     double(critical.crossings.size()) + (critical.verdict != dynamics::Verdict::stable), 0, 0));
+        checks.push_back(reported(where + "largest growth rate", "1/s", critical.margin, 0));
       } else
-        checks.push_back(absolute(where + "critical speed", "m/s", found.speed, row[condition], 1e-5));
+        checks.push_back(absolute(where + "critical speed", "m/s", critical.speed, row[condition], 1e-5));
     }
   return checks;
 }
@@ -362,16 +362,16 @@ std::vector<Check> three_counts()
     }
     if (i % 8 > 0)
       continue;
-    const CriticalSpeed found = critical_speed(stand, film_bite(condition, 18), scheme);
-    if (found.verdict == dynamics::Verdict::crossing)
+    const CriticalSpeed critical = critical_speed(stand, film_bite(condition, 18), scheme);
+    if (critical.verdict == dynamics::Verdict::crossing)
       largest =
           std::max(largest, std::abs(boundary_by_routh(matrix_at_speed(stand, film_bite(condition, 18), scheme),
-                                                       found.speed - 0.02, found.speed + 0.02) -
-                                     found.speed));
+                                                       critical.speed - 0.02, critical.speed + 0.02) -
+                                     critical.speed));
   }
   return {reported("systems of which some root grows, of all", "-", unstable, systems),
-          absolute("systems in which Routh's array counts otherwise", "-", routh_differs, 0, 0),
-          absolute("systems in which Nyquist's criterion counts otherwise", "-", nyquist_differs, 0, 0),
+          absolute("systems in which Routh's array has another number of roots", "-", routh_differs, 0, 0),
+          absolute("systems in which Nyquist's criterion has another number of roots", "-", nyquist_differs, 0, 0),
           at_most("critical speeds of five of the stands, largest difference to Routh's", "m/s", largest, 1e-6)};
 }
 }  // namespace
@@ -407,16 +407,17 @@ std::vector<Case> chatter_stand_cases()
       scalar_loop);
   add("chatter-critical-speed", "regression",
       stands +
-          "Lowest roll speed at which a mode begins to grow, with the steady bite solved anew at every speed: "
-          "five readings of the stand in two conditions, and stand D in two further linearisations. The "
+          "Lowest roll speed at which a mode begins to grow, with the steady bite solved again at every speed: "
+          "five variants of the stand in two conditions, and stand D in two further linearisations. The "
           "distances of the stands were fitted to 18.2 m/s in condition 2, in sequence: these rows are "
           "regression values, those of condition 1 and of the other linearisations follow.",
       liu + "v_crit.*", "1e-5 m/s: root finding of the reference; 1e-6 of the frequency.", critical_speeds);
   add("chatter-routh", "verification",
-      stands + "Critical speed without eigenvalues: characteristic polynomial and Routh's array in 100 digits, "
-               "halving. Beside it stand B, whose dampers of 1e8 N s/m spread the roots over five decades: there "
-               "the same array in double precision finds unstable roots where none is.",
-      liu + "v_crit.D.seq, by eigenvalues", "2e-6 m/s: halving; counts exact.", routh);
+      stands +
+          "Critical speed without eigenvalues: characteristic polynomial and Routh's array in 100 digits, "
+          "halving. For comparison stand B, whose dampers of 1e8 N s/m spread the roots over five decades: there "
+          "the same array in double precision finds unstable roots where none is.",
+      liu + "v_crit.D.seq, by eigenvalues", "2e-6 m/s: halving; numbers of roots exact.", routh);
   add("chatter-printed-signs", "regression",
       stands + "Negative test: with the signs as printed in the source (force of opposite sign on the work rolls, "
                "gap as their sum) stand D in condition 2 is unstable at every speed.",
@@ -434,7 +435,8 @@ std::vector<Case> chatter_stand_cases()
       "linearisations from 5 to 30 m/s: number of growing roots by eigenvalues, by Routh's array and by the "
       "winding "
       "of Nyquist's curve.",
-      "three methods that share nothing but the matrix", "counts: exact; 1e-6 m/s: halving.", three_counts);
+      "three methods that share nothing but the matrix", "numbers of roots: exact; 1e-6 m/s: halving.",
+      three_counts);
   for (const Case &c : chatter_calibration_cases())
     cases.push_back(c);
   return cases;

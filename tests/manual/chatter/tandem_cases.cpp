@@ -111,11 +111,11 @@ std::vector<Check> lambert_roots()
           s.real() > c && std::abs(s.imag()) < 1000 && (known.empty() || apart({s}, known) > 1e-9))
         known.push_back(s);
     const DelaySpectrum spectrum(scalar(a, b, delay));
-    const Roots found      = spectrum.roots(c, 1000);
+    const Roots all_roots  = spectrum.roots(c, 1000);
     const std::string name = fmt::format("a {:g}, b {:g}, delay {:g} s: ", a, b, delay);
-    checks.push_back(relative(name + "roots found", "-", double(found.size()), double(known.size()), 0));
+    checks.push_back(relative(name + "roots found", "-", double(all_roots.size()), double(known.size()), 0));
     checks.push_back(relative(name + "roots counted", "-", spectrum.roots_right_of(c), double(known.size()), 0));
-    checks.push_back(at_most(name + "largest distance", "-", apart(known, found), 1e-12));
+    checks.push_back(at_most(name + "largest distance", "-", apart(known, all_roots), 1e-12));
     double right = -INFINITY;
     for (const Complex &s : known)
       right = std::max(right, s.real());
@@ -165,14 +165,15 @@ std::vector<Check> no_feedback()
   for (const std::size_t i : {0, 1})
     for (const Complex &s : right_of(eigenvalues(stand_alone(line, point, i)), -60))
       alone.push_back(s);
-  const Roots found = late.roots(-60, 1e4);
-  return {at_most("no waviness: distance to the eigenvalues with shared tension", "-",
-                  std::max(apart(without, right_of(tension, -60)), apart(right_of(tension, -60), without)), 1e-10),
-          relative("waviness without shared tension: roots", "-", double(found.size()), double(alone.size()), 0),
-          at_most("their distance to the stands alone", "-", std::max(apart(found, alone), apart(alone, found)),
-                  1e-10),
-          relative("growing ones", "-", late.roots_right_of(0),
-                   double(std::count_if(alone.begin(), alone.end(), [](auto s) { return s.real() > 0; })), 0)};
+  const Roots all_roots = late.roots(-60, 1e4);
+  return {
+      at_most("no waviness: distance to the eigenvalues with shared tension", "-",
+              std::max(apart(without, right_of(tension, -60)), apart(right_of(tension, -60), without)), 1e-10),
+      relative("waviness without shared tension: roots", "-", double(all_roots.size()), double(alone.size()), 0),
+      at_most("their distance to the roots of single stands", "-",
+              std::max(apart(all_roots, alone), apart(alone, all_roots)), 1e-10),
+      relative("growing ones", "-", late.roots_right_of(0),
+               double(std::count_if(alone.begin(), alone.end(), [](auto s) { return s.real() > 0; })), 0)};
 }
 
 std::vector<Check> no_delay()
@@ -227,11 +228,11 @@ std::vector<Check> collocation()
   const double limit = 2 * M_PI * 180, c = -30;
   const Roots known = right_of(collocated(system, 140), c, limit);
   const DelaySpectrum spectrum(system);
-  const Roots found = spectrum.roots(c, limit);
+  const Roots all_roots = spectrum.roots(c, limit);
   return {
-      relative("roots", "-", double(found.size()), double(known.size()), 0),
-      at_most("largest distance to the collocated ones", "-", std::max(apart(found, known), apart(known, found)),
-              1e-9),
+      relative("roots", "-", double(all_roots.size()), double(known.size()), 0),
+      at_most("largest distance to the collocated ones", "-",
+              std::max(apart(all_roots, known), apart(known, all_roots)), 1e-9),
       {"growth", "1/s", spectrum.rightmost().real(), known[0].real(), 1e-6, Judged::absolute}
   };
 }
@@ -242,13 +243,13 @@ std::vector<Check> counting()
   std::vector<Check> checks;
   for (const double speed : {12., 16., 20., 24.}) {
     const DelaySpectrum spectrum(tandem_system(line, tandem_point(line, speed)));
-    const Roots found = spectrum.roots(-3, 1e5);
-    double residual   = 0;
-    for (const Complex &s : found)
+    const Roots all_roots = spectrum.roots(-3, 1e5);
+    double residual       = 0;
+    for (const Complex &s : all_roots)
       residual = std::max(residual, spectrum.polished(s).residual);
     const std::string name = std::to_string(int(speed)) + " m/s: ";
-    checks.push_back(
-        relative(name + "roots right of -3 1/s found", "-", double(found.size()), spectrum.roots_right_of(-3), 0));
+    checks.push_back(relative(name + "roots right of -3 1/s found", "-", double(all_roots.size()),
+                              spectrum.roots_right_of(-3), 0));
     checks.push_back(at_most(name + "largest residual", "-", residual, 1e-14));
     checks.push_back(relative(name + "roots right of the rightmost", "-",
                               spectrum.roots_right_of(spectrum.rightmost().real() + 1e-6), 0, 0));
@@ -281,18 +282,18 @@ std::vector<Check> motion()
   const Eigen::VectorXd gap               = free.state.row(14) + free.state.row(15);
   const Complex seen                      = vibration(gap.tail(3000), step, 20);
   // From the shape of the root with its history the motion is exp(s t).
-  const auto at = [&](const double t) -> Eigen::VectorXcd { return root.shape * std::exp(root.value * t); };
+  const auto value_at = [&](const double t) -> Eigen::VectorXcd { return root.shape * std::exp(root.value * t); };
   const DelayMotion pure =
       delay_motion(system, root.shape.real(), 0.5, 1e-4, [&](const double t) -> Eigen::MatrixXd {
         Eigen::MatrixXd y(1, 2);
-        const Complex s = (system.W.transpose().cast<Complex>() * at(t))(0);
+        const Complex s = (system.W.transpose().cast<Complex>() * value_at(t))(0);
         y << s.real(), (root.value * s).real();
         return y;
       });
   double off = 0;
   for (Eigen::Index i = 0; i < pure.time.size(); ++i)
-    off =
-        std::max(off, std::abs(pure.state(14, i) - at(pure.time[i])[14].real()) / std::abs(at(pure.time[i])[14]));
+    off = std::max(off, std::abs(pure.state(14, i) - value_at(pure.time[i])[14].real()) /
+                            std::abs(value_at(pure.time[i])[14]));
   return {relative("growth after a kick", "1/s", seen.real(), root.value.real(), 0.01),
           relative("frequency after a kick", "Hz", seen.imag() / (2 * M_PI), root.value.imag() / (2 * M_PI), 1e-4),
           at_most("deviation from exp(s t) in 0.5 s from the shape of the root", "-", off, 1e-4)};
@@ -379,7 +380,7 @@ std::vector<Case> chatter_tandem_cases()
   add("chatter-tandem-no-delay", "unit",
       two + "At 16 m/s with the transport time set to zero, and to 0.1 and 0.2 us.",
       "eigenvalues of A + U W^T; for small delays a root moves in proportion to them",
-      "1e-10: two roads to the same roots; 1e-3: curvature and rounding of a shift of 1e-6.", no_delay);
+      "1e-10: two ways to the same roots; 1e-3: curvature and rounding of a shift of 1e-6.", no_delay);
   add("chatter-tandem-collocation", "verification",
       two + "Here 0.8 m apart, at 16 m/s: all roots right of -30 1/s below 180 Hz against the eigenvalues of the "
             "system "
@@ -400,7 +401,8 @@ std::vector<Case> chatter_tandem_cases()
   add("chatter-tandem-two", "verification",
       two + "Critical speeds of the stands alone, with shared tension, and with the delayed waviness "
             "(regeneration), "
-            "in speed of the last stand's rolls, beside the lowest of the stands alone. Judged: growing roots "
+            "in speed of the last stand's rolls, compared with the lowest of the stands alone. Judged: growing "
+            "roots "
             "counted "
             "around the critical speed and at 25 speeds below, and the speed up to which no distance between the "
             "stands is unstable.",

@@ -14,7 +14,7 @@ struct KnownText {
   CheckText check;
   std::string cause, remedy;
   std::string
-      moved;  ///< why it fails now: the result is no longer the recorded one, or the check holds; else empty
+      moved;  ///< why it fails now: the result differs from the recorded one, or the check holds; else empty
 };
 
 /// Those of a case, in its order; failing ones too.

@@ -14,7 +14,7 @@ enum class Judged {
   absolute,  ///< |result - reference| <= tolerance
   at_least,  ///< result >= reference
   at_most,   ///< result <= reference
-  reported   ///< printed beside the reference, not judged
+  reported   ///< printed next to the reference, not judged
 };
 
 /// A check that was asked for, does not hold, and stays in the manual with its asked reference.

@@ -150,16 +150,16 @@ std::vector<Check> slip_forms()
       {0.5,  0.707107, 75.309, 181.811, 0.793701, 2.17921}
   };
   for (const auto &r : references) {
-    const std::string at = r[0] == 0.25 ? "Q/(mu P) 0.25, " : "Q/(mu P) 0.5, ";
-    const auto slip      = cattaneo_line(line, r[0]);
-    const auto ball      = mindlin_sphere(sphere, bodies, mu, r[0]);
-    const double middle  = cattaneo_traction(line, slip, mu, 0);
-    const double rim     = cattaneo_traction(line, slip, mu, slip.stick);
-    checks.push_back(printed(at + "line: c/b", "-", slip.stick / line.half_width, r[1], 1e-6));
-    checks.push_back(printed(at + "line: traction at 0", "MPa", middle / MPa, r[2], 1e-3));
-    checks.push_back(printed(at + "line: traction at c", "MPa", rim / MPa, r[3], 1e-3));
-    checks.push_back(printed(at + "sphere: c/a", "-", ball.stick / sphere.semi_x, r[4], 1e-6));
-    checks.push_back(printed(at + "sphere: tangential approach", "um", ball.tangential / um, r[5], 1e-5));
+    const std::string where = r[0] == 0.25 ? "Q/(mu P) 0.25, " : "Q/(mu P) 0.5, ";
+    const auto slip         = cattaneo_line(line, r[0]);
+    const auto ball         = mindlin_sphere(sphere, bodies, mu, r[0]);
+    const double middle     = cattaneo_traction(line, slip, mu, 0);
+    const double rim        = cattaneo_traction(line, slip, mu, slip.stick);
+    checks.push_back(printed(where + "line: c/b", "-", slip.stick / line.half_width, r[1], 1e-6));
+    checks.push_back(printed(where + "line: traction at 0", "MPa", middle / MPa, r[2], 1e-3));
+    checks.push_back(printed(where + "line: traction at c", "MPa", rim / MPa, r[3], 1e-3));
+    checks.push_back(printed(where + "sphere: c/a", "-", ball.stick / sphere.semi_x, r[4], 1e-6));
+    checks.push_back(printed(where + "sphere: tangential approach", "um", ball.tangential / um, r[5], 1e-5));
   }
   const double k = mindlin_sphere(sphere, bodies, mu, 0).stiffness;
   checks.push_back(printed("sphere: initial tangential stiffness", "N/mm", k / N_per_mm, 76412, 1));

@@ -78,13 +78,13 @@ struct NodeGrid {
 };
 
 // Lines 0 .. extent, n equal elements, or their places crowded towards `at` with the power 2 of the distance.
-std::vector<double> order_lines(const double extent, const double at, const int n, const bool crowded)
+std::vector<double> order_lines(const double extent, const double position, const int n, const bool crowded)
 {
   std::vector<double> out = meshes::even_lines(0, extent, n);
   if (crowded)
     for (double &x : out) {
-      const double side = x < at ? at : extent - at, s = (x - at) / side;
-      x = at + side * s * std::abs(s);
+      const double side = x < position ? position : extent - position, s = (x - position) / side;
+      x = position + side * s * std::abs(s);
     }
   return out;
 }

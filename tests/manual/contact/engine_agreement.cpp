@@ -32,10 +32,10 @@ Eigen::VectorXd station_means(const BarrelProfile &profile, const fem::FourierPa
 {
   const Eigen::VectorXd &z = profile.z, &q = profile.line_load;
   // N, from mid-length to `at`
-  const auto force = [&](const double at) {
+  const auto force = [&](const double position) {
     double sum = 0;
-    for (Eigen::Index i = 0; i + 2 < z.size() && z[i] < at; i += 2) {
-      const double h = z[i + 2] - z[i], t = std::min(1., (at - z[i]) / h);
+    for (Eigen::Index i = 0; i + 2 < z.size() && z[i] < position; i += 2) {
+      const double h = z[i + 2] - z[i], t = std::min(1., (position - z[i]) / h);
       const double slope = -3 * q[i] + 4 * q[i + 1] - q[i + 2], bend = 2 * q[i] - 4 * q[i + 1] + 2 * q[i + 2];
       sum += h * t * (q[i] + t * (slope / 2 + t * bend / 3));
     }

@@ -226,7 +226,7 @@ std::vector<Case> friction_cases()
        "(mu p - t)^2 over x^2 where it sticks, the traction at c by the line through t^2 where it slips.", "C. Cattaneo (1938); K. L. Johnson, Contact Mechanics (1985), 7.2: c/b = (1 - Q/(mu P))^(1/2)",
        "2 %: at Q = 0.25 mu P the slip zone is 0.13 b, 25 strips wide; its edge is known to half a strip of 186 "
        "on "
-       "b, tractions beside the kink to two strips. The tangent is exact for the discrete problem: 1e-6.", cattaneo},
+       "b, tractions next to the kink to two strips. The tangent is exact for the discrete problem: 1e-6.", cattaneo},
       {"mindlin-sphere", "verification",
        "Sphere R 10 mm on a flat, steel on steel, pressed with 1000 N and then pushed sideways with Q = 0.25 and "
        "0.5 "
@@ -238,7 +238,7 @@ std::vector<Case> friction_cases()
        "2 % on c/a, 1 % on approach and stiffness: squares of a/24 on the rim, and Mindlin's traction is along "
        "the "
        "load everywhere, while slip across it is not quite zero (of the order nu / (4 - 2 nu) of the slip). The "
-       "tangent is exact for the discrete problem: 1e-6.",                                                 mindlin },
+       "tangent is exact for the discrete problem: 1e-6.",                                                  mindlin },
       {"cgs4-wedge",     "verification",
        "Elastic block on a rigid incline of tan 0.1, pushed up by an imposed motion under its weight until it "
        "slides. "
@@ -246,7 +246,7 @@ std::vector<Case> friction_cases()
        "push is the reaction to the motion.",                                                              "equilibrium of a sliding block, (tan a + mu)/(1 - mu tan a); NAFEMS CGS-4",
        "0.01 %: the limit is a matter of equilibrium and exact for any discretisation; the reference is rounded "
        "to "
-       "six digits.",                                                                                      wedge   },
+       "six digits.",                                                                                       wedge   },
   };
 }
 }  // namespace mill::verify

@@ -52,14 +52,14 @@ std::vector<Check> line_pair(const double R1, const double R2, const Material &m
   for (const LineLoad &load : loads) {
     const contact::State state = solver.solve(by_resultant(0.5 * load.q));  // half of the width is meshed
     const Ellipse e            = fitted_ellipse(pair, state);
-    const std::string at       = fmt::format(", q {:g} N/mm", load.q / N_per_mm);
+    const std::string where    = fmt::format(", q {:g} N/mm", load.q / N_per_mm);
     if (!only_tangent) {
-      checks.push_back(relative("half width" + at, "mm", e.half_width / mm, load.b / mm, 0.005));
-      checks.push_back(relative("peak pressure" + at, "MPa", e.peak / MPa, load.p0 / MPa, 0.005));
-      checks.push_back(relative("approach" + at, "um", state.motion[0] / um, load.approach / um, 0.003));
+      checks.push_back(relative("half width" + where, "mm", e.half_width / mm, load.b / mm, 0.005));
+      checks.push_back(relative("peak pressure" + where, "MPa", e.peak / MPa, load.p0 / MPa, 0.005));
+      checks.push_back(relative("approach" + where, "um", state.motion[0] / um, load.approach / um, 0.003));
     }
     checks.push_back(
-        relative("dq/d(approach)" + at, "N/mm2", 2 / state.compliance(0, 0) / 1e6, load.tangent / 1e6, 0.005));
+        relative("dq/d(approach)" + where, "N/mm2", 2 / state.compliance(0, 0) / 1e6, load.tangent / 1e6, 0.005));
   }
   add_identities(checks, solver, solver.solve(by_resultant(0.5 * loads.back().q)));
   return checks;
@@ -203,11 +203,12 @@ std::vector<Check> cattaneo_line_section()
       if (state.status[i] == contact::Status::stick)
         spare[i] = mu * p[i] - t[i];
     const Ellipse whole = fitted_ellipse(x, p), lacking = fitted_ellipse(x, spare);
-    const double c = lacking.half_width;
-    const auto at  = fmt::format(", Q/(mu P) {:g}", load.ratio);
-    checks.push_back(relative("c/b" + at, "-", c / whole.half_width, load.c, 0.005));
-    checks.push_back(relative("tau(0)" + at, "MPa", (mu * whole.peak - lacking.peak) / MPa, load.middle, 0.005));
-    checks.push_back(relative("tau(c)" + at, "MPa",
+    const double c   = lacking.half_width;
+    const auto where = fmt::format(", Q/(mu P) {:g}", load.ratio);
+    checks.push_back(relative("c/b" + where, "-", c / whole.half_width, load.c, 0.005));
+    checks.push_back(
+        relative("tau(0)" + where, "MPa", (mu * whole.peak - lacking.peak) / MPa, load.middle, 0.005));
+    checks.push_back(relative("tau(c)" + where, "MPa",
                               mu * whole.peak * std::sqrt(1 - std::pow(c / whole.half_width, 2)) / MPa, load.edge,
                               0.005));
   }

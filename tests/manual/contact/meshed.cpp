@@ -63,7 +63,7 @@ Ellipse fitted_ellipse(const Eigen::VectorXd &x, const Eigen::VectorXd &pressure
   for (Eigen::Index i = 0; i < x.size(); ++i)
     if (pressure[i] > 0)
       edge = std::max(edge, std::abs(x[i]));
-  // No round share: no node of an even grid may sit on the limit, or rounding would decide whether it counts.
+  // No round share: no node of an even grid may sit on the limit, or rounding would decide whether it is included.
   const double limit = 0.9137 * edge;
   double n = 0, sx = 0, sy = 0, sxx = 0, sxy = 0;
   for (Eigen::Index i = 0; i < x.size(); ++i)

@@ -80,7 +80,7 @@ WholeBody whole_body(const fem::ElasticBody &eighth)
             col           = 3 * w.image[std::size_t(j / 3)][std::size_t(g)] + b;
         if (row > col)
           std::swap(row, col);
-        // An off-diagonal entry between two unknowns that the reflection maps to one another counts from both
+        // An off-diagonal entry between two unknowns that the reflection maps to one another is added from both
         // sides.
         entries.emplace_back(row, col, sign * it.value() * (row == col && it.row() != j ? 2 : 1));
       }
@@ -241,13 +241,13 @@ std::vector<Check> tangent_difference()
              work    = roll_model("work", small_work, size, roll_steel, options);
   std::vector<Check> checks;
   const auto judge = [&](const std::string &what, const fem::ContactPair &pair, const double load) {
-    const auto at     = fem::solve_load(pair, load);
+    const auto state  = fem::solve_load(pair, load);
     const double step = 1e-7;
-    const auto above  = fem::solve_load(pair, load * (1 + step), at.state.active),
-               below  = fem::solve_load(pair, load * (1 - step), at.state.active);
+    const auto above  = fem::solve_load(pair, load * (1 + step), state.state.active),
+               below  = fem::solve_load(pair, load * (1 - step), state.state.active);
     checks.push_back(
-        {what + ": tangent", "N/m", at.tangent, 2 * step * load / (above.approach - below.approach), 1e-6});
-    checks.push_back({what + ": complementarity residual", "-", at.state.residual, 1e-12, 0, Judged::at_most});
+        {what + ": tangent", "N/m", state.tangent, 2 * step * load / (above.approach - below.approach), 1e-6});
+    checks.push_back({what + ": complementarity residual", "-", state.state.residual, 1e-12, 0, Judged::at_most});
   };
   const auto pair_of = [&](const fem::HeldRoll &a, const fem::HeldRoll &b, const double crown) {
     Eigen::VectorXd drop = 0.5 * crown * (a.grid.z / 0.4).array().square();
@@ -371,12 +371,13 @@ std::vector<Check> published_k()
   const auto path  = fem::path_plateau(pair, point, 0.1);
   const auto k     = fem::barrel_profile(pair, point);
   std::vector<Check> checks;
-  const auto beside = [&](const std::string &what, const double value, const double published_value) {
+  const auto compare = [&](const std::string &what, const double value, const double published_value) {
     checks.push_back({what, "N/m", value, published_value, 0, Judged::reported});
   };
-  beside("axis-to-axis tangent", point.tangent, 7.534e11);
-  beside("axis-to-axis secant", F / point.approach, 7.534e11);
-  beside(fmt::format("path plateau, tributary length {:.1f} mm", 1e3 * path.tributary_length), path.mean, 7.534e8);
+  compare("axis-to-axis tangent", point.tangent, 7.534e11);
+  compare("axis-to-axis secant", F / point.approach, 7.534e11);
+  compare(fmt::format("path plateau, tributary length {:.1f} mm", 1e3 * path.tributary_length), path.mean,
+          7.534e8);
   checks.push_back(
       {"tangent against the line contact of infinite length", "N/m", point.tangent, hertz.tangent, 0.02});
   checks.push_back({"tangent per length at mid-length", "N/m2", k.tangent[0], hertz.tangent / 1.4, 0.03});
@@ -418,7 +419,7 @@ std::vector<Case> roll_cases()
        engine_agreement                                                                                                                                                                                                                                         },
       {"published-k",        "benchmark",
        "Rolls 420/1450 mm, barrel 1400 mm, 976.2 kN, E = 270 GPa: the ways of evaluating a contact stiffness "
-       "beside "
+       "compared with "
        "the published K3 = 7.534e5 kN/mm; the plateau is compared with 7.534e5 N/mm.",         "published stand; line contact of K. L. Johnson, Contact Mechanics, 5.57",
        "barrel ends and a mesh of four elements per half width against an infinitely long contact",                                                                                                                                        published_k          },
   };

@@ -64,9 +64,9 @@ std::vector<Check> sphere_sphere()
     contact::ActiveSet solver(c.pair.problem);
     const contact::State state = solver.solve(prescribed(crush.total));
     const Ellipse e            = fitted_ellipse(c.pair, state);
-    const std::string at       = fmt::format(", crush {:g} mm", crush.total / mm);
-    checks.push_back(relative("peak pressure" + at, "MPa", e.peak / MPa, crush.peak / MPa, 0.01));
-    checks.push_back(relative("contact radius" + at, "mm", e.half_width / mm, crush.radius / mm, 0.01));
+    const std::string where    = fmt::format(", crush {:g} mm", crush.total / mm);
+    checks.push_back(relative("peak pressure" + where, "MPa", e.peak / MPa, crush.peak / MPa, 0.01));
+    checks.push_back(relative("contact radius" + where, "mm", e.half_width / mm, crush.radius / mm, 0.01));
     if (crush.radius < 5 * mm) {
       add_identities(checks, solver, state);
     }
@@ -94,15 +94,15 @@ std::vector<Check> flat_punch()
   options.gap     = [](const VectorXd &) { return 0; };
   const auto pair = fem::pair_with_rigid({&slave}, {master_moves_down()}, options);
   contact::ActiveSet solver(pair.problem);
-  const contact::State state = solver.solve(by_resultant(P));
-  const VectorXd pressure    = pair.pressure(state.nodal);
-  const Eigen::MatrixXd at   = pair.points();
-  Eigen::Index centre        = 0;
-  at.col(0).minCoeff(&centre);
+  const contact::State state   = solver.solve(by_resultant(P));
+  const VectorXd pressure      = pair.pressure(state.nodal);
+  const Eigen::MatrixXd points = pair.points();
+  Eigen::Index centre          = 0;
+  points.col(0).minCoeff(&centre);
   // Over the inner nine tenths; the singular edge itself has no value to compare.
   double worst = 0;
   for (Eigen::Index i = 0; i < pressure.size(); ++i)
-    if (const double r = at(i, 0); r < 0.9 * a)
+    if (const double r = points(i, 0); r < 0.9 * a)
       worst = std::max(worst, std::abs(pressure[i] / (P / (2 * M_PI * a * std::sqrt(a * a - r * r))) - 1));
   std::vector<Check> checks{
       relative("approach", "um", state.motion[0] / um, 2.166667, 0.005),

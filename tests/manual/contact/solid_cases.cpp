@@ -158,16 +158,16 @@ std::vector<Check> ellipse_h3()
   // The exact tangent steps with every node that joins, by about 1 % here: it is taken from a fit of the curve.
   const double tangent = fitted_tangent(solver, P / 4);
   // p^2 = p0^2 (1 - x^2/a^2 - z^2/b^2) through the nodes of the inner part, least squares.
-  const VectorXd p         = pair.pressure(state.nodal);
-  const Eigen::MatrixXd at = pair.points();
+  const VectorXd p             = pair.pressure(state.nodal);
+  const Eigen::MatrixXd points = pair.points();
   std::vector<int> inner;
   for (Eigen::Index i = 0; i < p.size(); ++i)
-    if (std::pow(at(i, 0) / a, 2) + std::pow(at(i, 2) / b, 2) < 0.81)
+    if (std::pow(points(i, 0) / a, 2) + std::pow(points(i, 2) / b, 2) < 0.81)
       inner.push_back(int(i));
   Eigen::MatrixXd basis(Eigen::Index(inner.size()), 3);
   VectorXd square(basis.rows());
   for (Eigen::Index i = 0; i < basis.rows(); ++i) {
-    basis.row(i) << 1, std::pow(at(inner[i], 0), 2), std::pow(at(inner[i], 2), 2);
+    basis.row(i) << 1, std::pow(points(inner[i], 0), 2), std::pow(points(inner[i], 2), 2);
     square[i] = p[inner[i]] * p[inner[i]];
   }
   const Vector3d fit = basis.colPivHouseholderQr().solve(square);
@@ -260,7 +260,7 @@ std::vector<Case> solid_cases()
       {"ellipse-h3", "verification",
        "Two steel bodies with relative radii 20 mm and 10 mm pressed by 1000 N. A quarter of one half "
        "space is meshed as a brick of 700 major semi-axes with 6 quadratic hexahedra on each half width "
-       "of the patch (60 000 unknowns); the other body is its mirror image, so its flexibility counts "
+       "of the patch (60 000 unknowns); the other body is its mirror image, so its flexibility is taken "
        "twice; the curvature is in the gap.",
        "Hertz; K. L. Johnson, Contact Mechanics (1985), 4.2, elliptic integrals by the arithmetic-"
        "geometric mean",

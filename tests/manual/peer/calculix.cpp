@@ -32,14 +32,14 @@ std::string printed(const std::string &command)
 
 std::string version()
 {
-  static const std::string found = [] {
+  static const std::string result = [] {
     const std::string text = printed("ccx -v");
     std::smatch match;
     return std::regex_search(text, match, std::regex(R"(Version ([0-9.]+))")) ? match[1].str() : std::string();
   }();
-  if (found.empty())
+  if (result.empty())
     throw Skipped("needs CalculiX: apt-get install calculix-ccx");
-  return found;
+  return result;
 }
 
 std::string contents(const fs::path &path)
@@ -162,12 +162,12 @@ double Deck::force_to_move(const std::vector<int> &nodes, const int direction, c
 std::string Deck::run()
 {
   std::fclose(file_);
-  file_                  = nullptr;
-  const std::string said = printed("cd '" + folder_ + "' && ccx -i deck");
-  const std::string text = contents(folder_ + "/deck.dat");
-  if (said.find("Job finished") == std::string::npos || text.empty())
+  file_                     = nullptr;
+  const std::string message = printed("cd '" + folder_ + "' && ccx -i deck");
+  const std::string text    = contents(folder_ + "/deck.dat");
+  if (message.find("Job finished") == std::string::npos || text.empty())
     throw SolverError({"CalculiX did not finish",
-                       said.substr(said.size() - std::min<std::size_t>(said.size(), 400)), "", "", ""});
+                       message.substr(message.size() - std::min<std::size_t>(message.size(), 400)), "", "", ""});
   return text;
 }
 

@@ -43,18 +43,18 @@ std::vector<Check> rolls_free()
   }) {
     const RollPart part        = roll_part(name, roll, 4);
     const Eigen::VectorXd ours = fem::free_modes(*part.part, 2).frequency;
-    Eigen::VectorXd found[2];
+    Eigen::VectorXd result[2];
     int nodes[2];
     for (const int i : {0, 1}) {
       const peer::Mesh mesh = peer::roll_eighth(roll, i ? 4 : 2);
       peer::Deck deck(mesh, demo_roll_steel);
       hold_eighth(deck, mesh);
-      found[i] = deck.frequencies(3).tail(2);  // without the rigid motion along y
-      nodes[i] = int(mesh.nodes.size());
+      result[i] = deck.frequencies(3).tail(2);  // without the rigid motion along y
+      nodes[i]  = int(mesh.nodes.size());
     }
     for (const int k : {0, 1})
       add(checks,
-          {fmt::format("{}, symmetric bending mode {}", name, k + 1), "Hz", found[0][k], found[1][k], ours[k]},
+          {fmt::format("{}, symmetric bending mode {}", name, k + 1), "Hz", result[0][k], result[1][k], ours[k]},
           {nodes[0], nodes[1], shoulder_order}, 3e-3);
   }
   return checks;
@@ -151,7 +151,7 @@ std::vector<Case> peer_cases()
 {
   const char *const program =
       "CalculiX (G. Dhondt), C3D20 elements, SPOOLES and ARPACK; meshes of blocks made for it "
-      "from the drawing, none of this program's";
+      "from the drawing, not from this program";
   const std::string shoulder =
       "The shoulder is a re-entrant corner, at which stiffness and frequency converge with h^1.09 on any mesh: "
       "two "

@@ -13,8 +13,8 @@ void add(std::vector<Check> &checks, const PeerPair &p, const Refinement &r, con
       relative(p.quantity + ": ours against the peer extrapolated", p.unit, p.ours, limit, tolerance));
 }
 
-std::vector<int> plane(const Mesh &mesh, const int axis, const double at)
+std::vector<int> plane(const Mesh &mesh, const int axis, const double position)
 {
-  return nodes_where(mesh, [=](const Eigen::Vector3d &x) { return std::abs(x[axis] - at) < 1e-9; });
+  return nodes_where(mesh, [=](const Eigen::Vector3d &x) { return std::abs(x[axis] - position) < 1e-9; });
 }
 }  // namespace mill::verify::peer

@@ -4,7 +4,7 @@
 
 // What the comparisons with the peer have in common.
 namespace mill::verify::peer {
-/// A quantity of the peer on two meshes, both shown beside the value extrapolated with the order of convergence,
+/// A quantity of the peer on two meshes, both shown with the value extrapolated with the order of convergence,
 /// and ours against that value.
 struct PeerPair {
   std::string quantity, unit;
@@ -20,5 +20,5 @@ struct Refinement {
 void add(std::vector<Check> &checks, const PeerPair &pair, const Refinement &meshes, double tolerance);
 
 /// Nodes in the plane where the coordinate 0..2 is `at` (m).
-std::vector<int> plane(const Mesh &mesh, int axis, double at = 0);
+std::vector<int> plane(const Mesh &mesh, int axis, double position = 0);
 }  // namespace mill::verify::peer

@@ -123,7 +123,7 @@ std::vector<Check> peer_roll_pair()
   std::vector<Check> checks;
   peer::add(checks, {"force at 35.931 um", "kN", 4e-3 * coarse.force, 4e-3 * fine.force, 1e-3 * ours},
             {coarse.nodes, fine.nodes, order}, 3e-3);
-  checks.push_back(reported("force at 35.931 um: ours with elements twice as large, beside ours", "kN",
+  checks.push_back(reported("force at 35.931 um: ours with elements twice as large, compared with ours", "kN",
                             1e-3 * force_of_pair(3), 1e-3 * ours));
   return checks;
 }

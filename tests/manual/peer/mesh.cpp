@@ -75,9 +75,9 @@ int node_at(Mesh &mesh, const Vector3d &p)
   for (long i = -1; i <= 1; ++i)
     for (long j = -1; j <= 1; ++j)
       for (long k = -1; k <= 1; ++k)
-        if (const auto found = mesh.positions.find({key[0] + i, key[1] + j, key[2] + k});
-            found != mesh.positions.end())
-          return found->second;
+        if (const auto match = mesh.positions.find({key[0] + i, key[1] + j, key[2] + k});
+            match != mesh.positions.end())
+          return match->second;
   mesh.positions[key] = int(mesh.nodes.size());
   mesh.nodes.push_back(p);
   return int(mesh.nodes.size()) - 1;
@@ -109,8 +109,8 @@ std::vector<double> towards_end(const double first, const int n, const double gr
 void add_block(Mesh &mesh, const std::vector<double> &u, const std::vector<double> &v,
                const std::vector<double> &w, const std::function<Vector3d(double, double, double)> &place)
 {
-  const auto between = [](const std::vector<double> &lines, const std::size_t i, const int at) {
-    return at < 0 ? lines[i] : at > 0 ? lines[i + 1] : 0.5 * (lines[i] + lines[i + 1]);
+  const auto between = [](const std::vector<double> &lines, const std::size_t i, const int index) {
+    return index < 0 ? lines[i] : index > 0 ? lines[i + 1] : 0.5 * (lines[i] + lines[i + 1]);
   };
   for (std::size_t k = 0; k + 1 < w.size(); ++k)
     for (std::size_t j = 0; j + 1 < v.size(); ++j)
@@ -143,11 +143,11 @@ void append(Mesh &mesh, const Mesh &body)
 
 std::vector<int> nodes_where(const Mesh &mesh, const std::function<bool(const Vector3d &)> &condition)
 {
-  std::vector<int> found;
+  std::vector<int> collected;
   for (std::size_t i = 0; i < mesh.nodes.size(); ++i)
     if (condition(mesh.nodes[i]))
-      found.push_back(int(i));
-  return found;
+      collected.push_back(int(i));
+  return collected;
 }
 
 std::vector<Face> faces_where(const Mesh &mesh, const std::function<bool(const Vector3d &)> &condition)
@@ -155,7 +155,7 @@ std::vector<Face> faces_where(const Mesh &mesh, const std::function<bool(const V
   std::vector<char> good(mesh.nodes.size(), 0);
   for (const int node : nodes_where(mesh, condition))
     good[std::size_t(node)] = 1;
-  std::vector<Face> found;
+  std::vector<Face> collected;
   for (std::size_t e = 0; e < mesh.elements.size(); ++e)
     for (int f = 0; f < 6; ++f) {
       bool all = true;
@@ -163,9 +163,9 @@ std::vector<Face> faces_where(const Mesh &mesh, const std::function<bool(const V
         if (local[i][fixed_direction[f]] == fixed_at[f])
           all = all && good[std::size_t(mesh.elements[e][std::size_t(i)])];
       if (all)
-        found.push_back({int(e), f + 1});
+        collected.push_back({int(e), f + 1});
     }
-  return found;
+  return collected;
 }
 
 Weights over_faces(const Mesh &mesh, const std::vector<Face> &faces)
@@ -202,12 +202,13 @@ Weights over_body(const Mesh &mesh, const std::function<double(const Vector3d &)
   for (const auto &nodes : mesh.elements) {
     const auto X = places(mesh, nodes);
     for (int i = 0; i < 27; ++i) {
-      const int at[3] = {i % 3, i / 3 % 3, i / 9};
-      shape(Vector3d(gauss[at[0]], gauss[at[1]], gauss[at[2]]), N, dN);
+      const int index[3] = {i % 3, i / 3 % 3, i / 9};
+      shape(Vector3d(gauss[index[0]], gauss[index[1]], gauss[index[2]]), N, dN);
       const double here = density(X.transpose() * N);
       if (here == 0)
         continue;
-      const double volume = (X.transpose() * dN).determinant() * weight[at[0]] * weight[at[1]] * weight[at[2]];
+      const double volume =
+          (X.transpose() * dN).determinant() * weight[index[0]] * weight[index[1]] * weight[index[2]];
       for (int n = 0; n < 20; ++n)
         weights[nodes[std::size_t(n)]] += here * volume * N[n];
     }

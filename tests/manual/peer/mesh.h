@@ -16,7 +16,7 @@ struct Mesh {
   std::map<std::array<long, 3>, int> positions;  ///< of a node by its rounded place, which joins blocks
 };
 
-/// A face of a mesh: element and face 1..6 as CalculiX counts them.
+/// A face of a mesh: element and face 1..6 in the numbering of CalculiX.
 struct Face {
   int element = 0, face = 1;
 };

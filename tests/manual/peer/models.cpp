@@ -38,11 +38,11 @@ std::vector<double> even_between(const double from, const double to, const int n
 }
 
 // Lines crowded at `at`: distances grow with the square, from there to `to`.
-std::vector<double> crowded(const double at, const double to, const int n)
+std::vector<double> crowded(const double position, const double to, const int n)
 {
   std::vector<double> lines = even(n);
   for (double &line : lines)
-    line = at + line * line * (to - at);
+    line = position + line * line * (to - position);
   std::sort(lines.begin(), lines.end());
   return lines;
 }
@@ -205,13 +205,13 @@ void beam_and_corner(Mesh &mesh, const MillHousing &h, const double height, cons
   const auto fillet = [&](const double angle) {  // 0 at the beam, pi/2 at the post
     return Vector2d(flat + r * std::sin(angle), r * (std::cos(angle) - 1));
   };
-  const Vector2d above(flat, height), corner(out, height), beside(out, -r);
+  const Vector2d above(flat, height), corner(out, height), below(out, -r);
   const int bend = count(h.post_width, size) / 2 + 1;
   block(bend, [&](const double a, const double b) {
     return between(fillet(0.25 * M_PI * a), between(above, corner, a), b);
   });
   block(bend, [&](const double a, const double b) {
-    return between(fillet(0.25 * M_PI * (1 + a)), between(corner, beside, a), b);
+    return between(fillet(0.25 * M_PI * (1 + a)), between(corner, below, a), b);
   });
 }
 }  // namespace

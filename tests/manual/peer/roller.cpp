@@ -171,8 +171,8 @@ std::vector<Check> peer_roller()
   std::vector<Check> checks;
   peer::add(checks, {"load at 20 um", "kN", force[0] / kN, force[1] / kN, fine}, {nodes[0], nodes[1], order},
             5e-3);
-  checks.push_back(
-      reported("load at 20 um: ours on the mesh of bearings, beside ours", "kN", ours(demo_roller()), fine));
+  checks.push_back(reported("load at 20 um: ours on the mesh of bearings, compared with ours", "kN",
+                            ours(demo_roller()), fine));
   return checks;
 }
 }  // namespace mill::verify

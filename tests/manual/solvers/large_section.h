@@ -4,7 +4,7 @@
 
 // Plane-strain bodies with large displacements.  theory.md 13
 namespace mill::fem {
-/// What "linear elastic" means once strains are no longer small: each law has the Young's modulus and Poisson's
+/// What "linear elastic" means once strains are large: each law has the Young's modulus and Poisson's
 /// ratio of the material at the undeformed state.
 enum class ElasticLaw {
   hencky,               ///< Kirchhoff stress linear in the logarithmic strain

@@ -12,7 +12,7 @@ struct StandBody {
 
 /// Bodies on their meshes, joined by springs, without any reduction: what component modes are measured against.
 /// Coordinates y, in this order: the interfaces of the bodies, one body after the other, then n_lumps lumps.
-/// Everything counts whole bodies.
+/// All values are of whole bodies.
 struct WholeStand {
   std::vector<StandBody> bodies;
   int n_lumps = 0;

@@ -136,8 +136,8 @@ Eigen::VectorXd free_bar_frequencies(const double diameter, const double length,
   };
   Eigen::VectorXd out(k);
   double last = determinant(std::pow(2 * M_PI, 2));
-  int found   = 0;
-  for (double f = 2; found < k; f += 1) {
+  int n_found = 0;
+  for (double f = 2; n_found < k; f += 1) {
     const double now = determinant(std::pow(2 * M_PI * f, 2));
     if ((now > 0) != (last > 0)) {
       double low = f - 1, high = f;
@@ -145,7 +145,7 @@ Eigen::VectorXd free_bar_frequencies(const double diameter, const double length,
         const double middle                                                            = 0.5 * (low + high);
         ((determinant(std::pow(2 * M_PI * middle, 2)) > 0) == (last > 0) ? low : high) = middle;
       }
-      out[found++] = 0.5 * (low + high);
+      out[n_found++] = 0.5 * (low + high);
     }
     last = now;
   }

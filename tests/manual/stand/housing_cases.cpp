@@ -142,17 +142,17 @@ std::vector<Check> slender_frame()
     const auto s        = solved(h, {2, 2, 0});
     const auto f = reduce::housing_frame(h), rigid = reduce::housing_frame(h, {1}),
                axes          = reduce::housing_frame(h, {0});
-    const std::string at     = std::string(", ") + name;
+    const std::string where  = std::string(", ") + name;
     const auto upper_of_beam = [&](const reduce::HousingFrame &frame) {
       return frame.reduced_mass[reduce::upper_post] + frame.reduced_mass[reduce::upper_beam];
     };
     away.push_back(std::abs(s.u_screw - s.u_seat) / (f.u_screw - f.u_seat) - 1);
-    checks.push_back(relative("screw" + at, "m/N", s.u_screw, f.u_screw, 1e-2));
-    checks.push_back(relative("seat" + at, "m/N", s.u_seat, f.u_seat, 1e-2));
-    checks.push_back(relative("M1 part" + at, "kg", upper_mass(s), upper_of_beam(f), 2e-2));
-    checks.push_back(at_most("opening with rigid corners over finite elements" + at, "-",
+    checks.push_back(relative("screw" + where, "m/N", s.u_screw, f.u_screw, 1e-2));
+    checks.push_back(relative("seat" + where, "m/N", s.u_seat, f.u_seat, 1e-2));
+    checks.push_back(relative("M1 part" + where, "kg", upper_mass(s), upper_of_beam(f), 2e-2));
+    checks.push_back(at_most("opening with rigid corners over finite elements" + where, "-",
                              (rigid.u_screw - rigid.u_seat) / (s.u_screw - s.u_seat), 1));
-    checks.push_back(at_most("finite elements over opening with beams as long as their axes" + at, "-",
+    checks.push_back(at_most("finite elements over opening with beams as long as their axes" + where, "-",
                              (s.u_screw - s.u_seat) / (axes.u_screw - axes.u_seat), 1));
   }
   checks.push_back(
@@ -204,21 +204,24 @@ std::vector<Check> demo()
                                                                 (s.u_screw - s.u_seat) / (rigid.u_screw - rigid.u_seat), 1, 0, Judged::at_least},
       at_most("estimated error of the largest of the four", "-", *std::max_element(s.error.begin(), s.error.end()),
               0.01),
-      reported("upper posts K_LZ, fitted beside", "N/m", 1 / s.flexibility[fem::upper_post], 6.0e10),
-      reported("upper beam K_L, fitted beside", "N/m", 1 / s.flexibility[fem::upper_beam], 7.3e9),
-      reported("lower posts K_LZd, fitted beside", "N/m", 1 / s.flexibility[fem::lower_post], 6.0e10),
-      reported("lower beam K_Ld, fitted beside", "N/m", 1 / s.flexibility[fem::lower_beam], 8.05e9),
-      reported("upper housing, K1 without screw-down, fitted beside", "N/m", 1 / s.u_screw,
+      reported("upper posts K_LZ, compared with the fitted value", "N/m", 1 / s.flexibility[fem::upper_post],
+               6.0e10),
+      reported("upper beam K_L, compared with the fitted value", "N/m", 1 / s.flexibility[fem::upper_beam], 7.3e9),
+      reported("lower posts K_LZd, compared with the fitted value", "N/m", 1 / s.flexibility[fem::lower_post],
+               6.0e10),
+      reported("lower beam K_Ld, compared with the fitted value", "N/m", 1 / s.flexibility[fem::lower_beam],
+               8.05e9),
+      reported("upper housing, K1 without screw-down, compared with the fitted value", "N/m", 1 / s.u_screw,
                1 / (1 / 6.0e10 + 1 / 7.3e9)),
-      reported("lower housing, K7 without packing, fitted beside", "N/m", -1 / s.u_seat,
+      reported("lower housing, K7 without packing, compared with the fitted value", "N/m", -1 / s.u_seat,
                1 / (1 / 6.0e10 + 1 / 8.05e9)),
-      reported("upper posts M_LZ, fitted beside", "kg", s.reduced_mass[fem::upper_post], 5200),
-      reported("upper beam M_L, fitted beside", "kg", s.reduced_mass[fem::upper_beam], 2700),
-      reported("lower posts M_LZd, fitted beside", "kg", s.reduced_mass[fem::lower_post], 2150),
-      reported("lower beam M_Ld, fitted beside", "kg", s.reduced_mass[fem::lower_beam], 1850),
-      reported("upper posts, what rises only, a third of a post beside", "kg", s.vertical_mass[fem::upper_post],
-               rule[reduce::upper_post]),
-      reported("upper beam, 17/35 beside", "kg", s.reduced_mass[fem::upper_beam], rule[reduce::upper_beam]),
+      reported("upper posts M_LZ, compared with the fitted value", "kg", s.reduced_mass[fem::upper_post], 5200),
+      reported("upper beam M_L, compared with the fitted value", "kg", s.reduced_mass[fem::upper_beam], 2700),
+      reported("lower posts M_LZd, compared with the fitted value", "kg", s.reduced_mass[fem::lower_post], 2150),
+      reported("lower beam M_Ld, compared with the fitted value", "kg", s.reduced_mass[fem::lower_beam], 1850),
+      reported("upper posts, what rises only, compared with a third of a post", "kg",
+               s.vertical_mass[fem::upper_post], rule[reduce::upper_post]),
+      reported("upper beam, compared with 17/35", "kg", s.reduced_mass[fem::upper_beam], rule[reduce::upper_beam]),
       reported("mass of both housings, without feet and bores", "kg",
                s.mass[0] + s.mass[1] + s.mass[2] + s.mass[3], 4 * (5.6 * 0.65 + 2 * 1.2 * 1.46) * 0.7 * 7700),
   };
@@ -267,10 +270,12 @@ std::vector<Case> housing_cases()
       "leaves room for meshes that are not nested; the factor of safety of the estimate is there to cover that",
       mesh_order);
   add("housing-demo", "verification",
-      "Stiffness and reduced mass of the assumed housing beside the values of the demo stand, which were fitted "
-      "to published totals and are no evidence; frames of beams around it.",
+      "Stiffness and reduced mass of the assumed housing compared with the values of the demo stand, which were "
+      "fitted "
+      "to published totals and are not evidence; frames of beams around it.",
       "frames of beams with and without rigid corners; demo stand",
-      "beam theory does not say how far the corners bend: none of them and all of them are its limits; 1 % is "
+      "beam theory does not say how far the corners bend: rigid corners and fully bending corners are its limits; "
+      "1 % is "
       "what the mesh is to be good for",
       demo);
   add("housing-component", "verification",

@@ -30,9 +30,9 @@ std::vector<Check> housing_component_checks()
   fem::PartInterface feet = fem::housing_interface(body);
   feet.names              = {"foot"};
   feet.weights            = feet.weights.rightCols(1).eval();
-  fem::ModeChoice own;
-  own.n_modes                 = 5;
-  const Eigen::VectorXd whole = fem::component_modes(part, feet, own).fixed_frequency;
+  fem::ModeChoice choice;
+  choice.n_modes              = 5;
+  const Eigen::VectorXd whole = fem::component_modes(part, feet, choice).fixed_frequency;
 
   std::vector<Check> checks;
   double before = frequencies(kept(body, 0))[0] / whole[0] - 1;
@@ -79,11 +79,12 @@ std::vector<Check> screwdown_checks()
   const GaussRule gauss = gauss_legendre(4);
   double energy         = 0;
   for (int i = 0; i < 4; ++i) {
-    const double at    = 0.45 * (1 + gauss.node[i]);
-    const auto carried = [](const double y) { return 2 / 0.9 * (1 - y / 0.9); };  // 1/m, of a unit force
-    double beyond      = 0;  // carried between here and the far end
+    const double position = 0.45 * (1 + gauss.node[i]);
+    const auto carried    = [](const double y) { return 2 / 0.9 * (1 - y / 0.9); };  // 1/m, of a unit force
+    double beyond         = 0;  // carried between here and the far end
     for (int j = 0; j < 4; ++j)
-      beyond += 0.5 * (0.9 - at) * gauss.weight[j] * carried(at + 0.5 * (0.9 - at) * (1 + gauss.node[j]));
+      beyond += 0.5 * (0.9 - position) * gauss.weight[j] *
+                carried(position + 0.5 * (0.9 - position) * (1 + gauss.node[j]));
     energy += 0.45 * gauss.weight[i] * 0.5 * beyond * beyond * (1 / EA_screw + 1 / EA_nut);
   }
   const double rounding = 1e-12;
@@ -96,8 +97,9 @@ std::vector<Check> screwdown_checks()
       relative("nut and thread", "N/m", k.nut, 1 / energy, rounding),
       relative("spring of the frame: screw, nut, piston", "N/m", frame.piston_stiffness,
                1 / (1 / k.screw + 1 / k.nut + 1 / k.piston), rounding),
-      reported("the same, fitted value of the demo stand beside", "N/m", frame.piston_stiffness, 4.0e11),
-      reported("oil column, fitted value of the demo stand beside", "N/m", k.oil_column, 1.8e10),
+      reported("the same, compared with the fitted value of the demo stand", "N/m", frame.piston_stiffness,
+               4.0e11),
+      reported("oil column, compared with the fitted value of the demo stand", "N/m", k.oil_column, 1.8e10),
   };
 }
 }  // namespace mill::verify

@@ -97,9 +97,9 @@ public:
     // What sits on a roll beyond its own mass.
     Eigen::MatrixXd added = stand.M;
     for (std::size_t b = 0; b < first_of.size(); ++b) {
-      const Component &own =
+      const Component &local =
           whole.bodies[b].part == work.part.get() ? components.work_roll : components.backup_roll;
-      added.block(first_of[b], first_of[b], own.M.rows(), own.M.rows()) -= own.M;
+      added.block(first_of[b], first_of[b], local.M.rows(), local.M.rows()) -= local.M;
     }
     whole.mass = added(kept, kept);
     for (const Connection &c : stand.connections)
@@ -225,13 +225,13 @@ std::vector<Case> response_cases()
        "bite, "
        "1 % damping in every mode, with and without a damper in the gap: solution of the damped system, its "
        "damping made by a matrix square root, against the sum over the modes.",          "Sum of modes in closed form, "
-       "theory (32.3); no mode enters the solution.",       "1e-10 of the peak, as asked: both roads are exact but for rounding.", six_masses},
+       "theory (32.3); no mode enters the solution.",       "1e-10 of the peak, as asked: both ways are exact but for rounding.", six_masses},
       {"frf-components", "verification",
        "PL-5: accelerance of the demo stand of component modes kept for 1 kHz, 15 to 1000 Hz, for forces in the "
        "bite "
        "and at two chocks, against the same stand with all four rolls on their meshes.", "Full finite elements on the same meshes joined by the same springs: their modes by Lanczos and the static "
        "remainder of all others, theory (32.12).", "1 % of the peak, as asked. The reference is to be ten times as sure, judged by "
-       "leaving out six of its modes.",                                 components}
+       "leaving out six of its modes.",                                components}
   };
 }
 }  // namespace mill::verify

@@ -26,7 +26,7 @@ StandWithModes demo_beam(const int elements = 24, const double limit = 1500)
   return with_modes(beam_stand(stand, stand_springs(stand, demo_chain(stand)), elements), limit);
 }
 
-/// Places of the groups that the reference counts energies by.
+/// Places of the groups by which the reference adds energies.
 int group_of(const std::string &part)
 {
   const int place = place_of_part(part);  // M1..M6 as 0..5
@@ -77,7 +77,7 @@ std::vector<Check> beam_energies()
     std::array<double, 5> share{};
     for (std::size_t p = 0; p < stand.model.parts.size(); ++p)
       share[std::size_t(group_of(stand.model.parts[p]))] += stand.modes.kinetic(Eigen::Index(p), Eigen::Index(k));
-    // The reference counts the lower chocks, which move with the lower frame, with the lower backup roll.
+    // The reference adds the lower chocks, which move with the lower frame, to the lower backup roll.
     const double chocks = 2 * drawing.backup_roll.chock_mass_lower *
                           std::pow(stand.model.points[5].row.dot(stand.modes.shape.col(Eigen::Index(k))), 2);
     share[0] -= chocks;
@@ -168,7 +168,7 @@ std::vector<Check> enough_masses()
   return checks;
 }
 
-// The chain whose rolls are components made from fine beams: it takes none of the closed forms.
+// The chain whose rolls are components made from fine beams: it does not use the closed forms.
 std::vector<Check> chain_of_components()
 {
   std::vector<Check> checks;
@@ -258,7 +258,8 @@ std::vector<Case> stand_model_cases()
   add("stand-beam-energies", "The same stand: kinetic energy of frame, backup groups and work rolls in each mode.",
       program + "detailed.energy)", rounding, beam_energies);
   add("stand-beam-static",
-      "The same stand under a bite force of 1 N, strip as wide as the barrel; beside it the springs in series and "
+      "The same stand under a bite force of 1 N, strip as wide as the barrel; for comparison the springs in "
+      "series and "
       "the order in which frequencies converge with the mesh.",
       program + "detailed.static)",
       rounding + "; the series springs load the backup roll evenly and let the work roll sink in without bending, "

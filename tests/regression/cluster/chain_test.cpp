@@ -14,7 +14,7 @@ struct ChainCase {
   double length, density;
 };
 
-// Straight springs with the tangents of the three contact laws at 1148 kN; nothing beside the column.
+// Straight springs with the tangents of the three contact laws at 1148 kN; nothing next to the column.
 Stack chain_of(const ChainCase &c, const double bearing)
 {
   constexpr double load = 1148e3;
@@ -92,15 +92,15 @@ TEST(ZMillChain, ShapesOfVariantCAreThoseOfTheReference)
   Stack stack    = stack_of(variant_C());
   const auto all = modes(stack, settle(stack).u);
   const auto ref = reference("mode_shapes.C", "cluster");
-  int found      = 0;
+  int n_found    = 0;
   for (const Mode &mode : all)
     for (std::size_t i = 0; i < 2; ++i)
       if (std::abs(mode.frequency - (i == 0 ? 2477.5 : 6123.7)) < 1) {
-        ++found;
+        ++n_found;
         EXPECT_TRUE(near(std::abs(mode.shape[3] / mode.shape[1]), double(ref[i][0]), within(1e-5, "one model")));
         EXPECT_TRUE(near(std::abs(mode.shape[5] / mode.shape[1]), double(ref[i][1]), within(1e-5, "one model")));
       }
-  EXPECT_EQ(found, 2);
+  EXPECT_EQ(n_found, 2);
 }
 
 // The stiffness of the rollers refitted to 647.5 Hz for other angles: the lateral mode of W with the control rolls

@@ -86,14 +86,14 @@ Stack of_column(const std::string &what, const int column, const double loss_sup
 }
 }  // namespace
 
-TEST(ZMillStack, VariantsMeetTheirFrequenciesAndLoads)
+TEST(ZMillStack, VariantsHaveTheFrequenciesAndLoadsOfTheReference)
 {
   expect_state(variant_N(), "stack.N", 1e-6);
   expect_state(variant_C(), "stack.C", 1e-6);
   expect_state(ZMill(), "stack.N", 1e-4);  // supports rounded to four digits
 }
 
-TEST(ZMillStack, InclinedControlRollsMeetTheirVectors)
+TEST(ZMillStack, InclinedControlRollsHaveTheLoadsOfTheReference)
 {
   ZMill z;
   z.beta = 8 * M_PI / 180;
@@ -109,7 +109,7 @@ TEST(ZMillStack, InclinedControlRollsMeetTheirVectors)
   expect_state(z, "stack.beta8.linear", 1e-6);
 }
 
-TEST(ZMillStack, FollowsTheForceOverThePasses)
+TEST(ZMillStack, FrequenciesOfEveryPassAreThoseOfTheReference)
 {
   const double printed[] = {1148e3, 1878e3, 1507e3, 1459e3, 1302e3};
   for (const bool c : {false, true}) {
@@ -167,7 +167,7 @@ TEST(ZMillStack, WithoutAGuideTheIntermediateRollBuckles)
   }
 }
 
-TEST(ZMillStack, SurvivesALateralForceUpToTheLossOfAContact)
+TEST(ZMillStack, LoadsUnderALateralForceAreThoseOfTheReferenceUntilAContactOpens)
 {
   for (const auto &row : reference("stack.N.lateral_force", "cluster")) {
     ZMill z             = variant_N();
@@ -193,17 +193,17 @@ TEST(ZMillStack, SurvivesALateralForceUpToTheLossOfAContact)
   }
 }
 
-TEST(ZMillStack, HarmonicResponseMeetsTheColumns)
+TEST(ZMillStack, HarmonicResponseIsThatOfTheReference)
 {
   for (const int column : {1, 3, 4})
     for (const std::string what : {"C.contacts_only", "C.contacts_and_supports", "C.own_load", "beta8.linear"}) {
       double f = 0, P = 0;
       Motion rest;
-      const std::string own = what == "C.own_load" ? "own_load" : what;
-      const Stack stack     = of_column(own, column, what == "C.contacts_and_supports" ? 1 : 0, f, P, rest);
-      Eigen::VectorXd force = Eigen::VectorXd::Zero(10);
-      force[1]              = P;
-      const auto a          = harmonic_response(stack, rest, force, f);
+      const std::string name = what == "C.own_load" ? "own_load" : what;
+      const Stack stack      = of_column(name, column, what == "C.contacts_and_supports" ? 1 : 0, f, P, rest);
+      Eigen::VectorXd force  = Eigen::VectorXd::Zero(10);
+      force[1]               = P;
+      const auto a           = harmonic_response(stack, rest, force, f);
       const auto ref     = reference_vector("response." + what + ".column_" + std::to_string(column), "cluster");
       const double omega = 2 * M_PI * f;
       const auto tolerance =

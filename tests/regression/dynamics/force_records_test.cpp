@@ -24,7 +24,7 @@ protected:
   fs::path folder;
 };
 
-TEST_F(ForceRecords, AreWhatTheGeneratorWrites)
+TEST_F(ForceRecords, CommittedRecordsEqualTheGeneratedOnes)
 {
   const fs::path committed = MILLSTAND_SOURCE_DIR "/cases/data";
   for (const std::string name : {"pass-1.csv", "pass-2.csv"}) {

@@ -22,7 +22,7 @@ MillModel stand_at(const std::vector<double> &row)
 }
 }  // namespace
 
-TEST(LoadDependence, FrequenciesAtEveryLoad)
+TEST(LoadDependence, FrequenciesAtEveryLoadAreThoseOfTheReference)
 {
   for (const auto &row : reference("load.table").get<std::vector<std::vector<double>>>())
     EXPECT_TRUE(near(modes(stand_at(row)).frequency, Eigen::Map<const Eigen::VectorXd>(row.data() + 4, 6),
@@ -30,14 +30,15 @@ TEST(LoadDependence, FrequenciesAtEveryLoad)
         << row[0] << " N";
 }
 
-TEST(LoadDependence, LevelUnderWhiteForce)
+TEST(LoadDependence, LevelUnderWhiteForceIsThatOfTheReference)
 {
   // 0.1 Hz lines: the sharpest peak, 38.9 Hz at 2 %, is 1.6 Hz wide, 16 lines
   const Eigen::VectorXd lines = Eigen::VectorXd::LinSpaced(10001, 0, 1000);
   std::map<double, Eigen::Vector2d> rms;
   for (const auto &row : reference("load.table").get<std::vector<std::vector<double>>>()) {
-    const auto found = frequency_response(stand_at(row), lines);
-    rms[row[0]] = {found.acceleration.col(upper_work_roll).norm(), found.acceleration.col(lower_work_roll).norm()};
+    const auto response = frequency_response(stand_at(row), lines);
+    rms[row[0]]         = {response.acceleration.col(upper_work_roll).norm(),
+                           response.acceleration.col(lower_work_roll).norm()};
   }
   const Tolerance grid = within(1e-3, "grid of the frequency integral, here and in the reference");
   for (const auto &row : reference("load.rms_ratio").get<std::vector<std::vector<double>>>()) {

@@ -37,7 +37,7 @@ TEST(NoiseLevels, MeanPeaksOfTheLineContactStand)
     }
 }
 
-TEST(NoiseLevels, ContentBelowTheRollModesLeavesThemQuiet)
+TEST(NoiseLevels, AForceBelowTheRollModesDoesNotExciteThem)
 {
   const auto set        = parameter_set("R1");
   const MillModel model = mill_model(set.stand, set.dynamics);

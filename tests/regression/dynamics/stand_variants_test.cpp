@@ -51,7 +51,7 @@ std::vector<Variant> variants()
 }
 }  // namespace
 
-TEST(StandVariants, SixFrequenciesOfEachChange)
+TEST(StandVariants, SixFrequenciesOfEachChangeAreThoseOfTheReference)
 {
   for (const Variant &variant : variants()) {
     auto stand = published_stand();
@@ -64,7 +64,7 @@ TEST(StandVariants, SixFrequenciesOfEachChange)
   }
 }
 
-TEST(StandVariants, ClosedFrame)
+TEST(StandVariants, AClosedFrameHasTheFrequenciesOfTheReference)
 {
   auto closed  = settings("published", 0);
   closed.frame = "closed";
@@ -73,16 +73,16 @@ TEST(StandVariants, ClosedFrame)
 }
 
 namespace {
-void expect_poles(const std::vector<Pole> &found, const Reference &expected, const std::string &name)
+void expect_poles(const std::vector<Pole> &all_poles, const Reference &expected, const std::string &name)
 {
-  ASSERT_EQ(found.size(), expected.size()) << name;
-  for (std::size_t i = 0; i < found.size(); ++i) {
+  ASSERT_EQ(all_poles.size(), expected.size()) << name;
+  for (std::size_t i = 0; i < all_poles.size(); ++i) {
     const double frequency = expected[i][0], damping = expected[i][1];
     const Tolerance tolerance =
         damping == 1 ? within(1e-4, "real pole of a stiff spectrum: 2e5 times the slowest")
                      : within(1e-5, "stiff spectrum, lightly damped: the ratio is a small part of the pole");
-    EXPECT_TRUE(near(found[i].frequency, frequency, tolerance)) << name << ", pole " << i;
-    EXPECT_TRUE(near(found[i].damping, damping, tolerance)) << name << ", pole " << i;
+    EXPECT_TRUE(near(all_poles[i].frequency, frequency, tolerance)) << name << ", pole " << i;
+    EXPECT_TRUE(near(all_poles[i].damping, damping, tolerance)) << name << ", pole " << i;
   }
 }
 }  // namespace

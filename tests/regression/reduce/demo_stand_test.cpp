@@ -309,7 +309,7 @@ FourHigh with_tolerances(FourHigh stand)
 }
 }  // namespace
 
-// An error that nobody states is not zero: the value has none and names what it lacks.
+// An error that is not stated is not zero: the value has none and names what it lacks.
 TEST(LumpedStand, AnUnknownErrorIsNotZero)
 {
   const LumpedStand chain  = lumped_stand(demo_stand(), inputs_at(working_load, 0.02, 0.05));
@@ -323,7 +323,7 @@ TEST(LumpedStand, AnUnknownErrorIsNotZero)
   EXPECT_TRUE(contains(model.K[0].error_lacks, "frame.upper_post_stiffness_tolerance"));
   EXPECT_FALSE(contains(model.K[0].error_lacks, "frame.oil_column_stiffness_tolerance"));
   EXPECT_TRUE(contains(model.K[1].error_lacks, "frame.oil_column_stiffness_tolerance"));
-  EXPECT_TRUE(contains(model.K[1].error_lacks, "K_ZW")) << "a beam without a solid roll beside it";
+  EXPECT_TRUE(contains(model.K[1].error_lacks, "K_ZW")) << "a beam without a solid roll to compare with";
   EXPECT_FALSE(contains(model.M[4].error_lacks, "frame.oil_column_stiffness_tolerance")) << "the lower half";
 }
 

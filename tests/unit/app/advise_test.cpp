@@ -325,7 +325,7 @@ TEST(Advise, Refusals)
       "a mode of the stand has no damping, so that its vibration has no level; give dynamics.modal_damping above "
       "zero");
   EXPECT_EQ(refused(chain, {}, "absent", "out"),
-            "--measured absent: there is no such folder; give the folder of the records, or one of them");
+            "--measured absent: this folder does not exist; give the folder of the records, or one of them");
   fs::create_directories(folder + "/none");
   EXPECT_EQ(
       refused(chain, {}, "none", "out"),

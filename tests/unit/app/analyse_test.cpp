@@ -1,6 +1,7 @@
 // millstand analyse as one calls it: a folder with findings and a page, and what is wrong word for word.
 #include "core/base/files.h"
 #include "tests/support/program.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -44,7 +45,7 @@ TEST(Analyse, LeavesFindingsTablesAndAPage)
   EXPECT_NEAR(json["findings"][0]["frequency"].get<double>(), 120, 0.02);
   EXPECT_NEAR(json["findings"][0]["amplitude"].get<double>(), 0.5 * 9.80665, 0.02);
   EXPECT_EQ(json["findings"][1]["owner"], "zone B of the zones that were given");
-  for (const char *file : {"spectrum.csv", "waterfall.csv", "modes.csv", "report.html"})
+  for (const char *file : {"spectrum.csv", "waterfall.csv", "modes.csv", "candidates.csv", "report.html"})
     EXPECT_TRUE(fs::exists(out + file)) << file;
   const std::string page = mill::read_text(out + "report.html");
   EXPECT_NE(page.find("What the record shows"), std::string::npos);
@@ -58,6 +59,14 @@ TEST(Analyse, LeavesFindingsTablesAndAPage)
   const auto held = nlohmann::json::parse(mill::read_text(folder + "/again/analysis.json"));
   EXPECT_DOUBLE_EQ(held["values"]["upper_work_roll.velocity_rms_ratio"]["value"].get<double>(), 1);
   EXPECT_EQ(held["baseline"]["folder"], "out/pass-analysis");
+  const Outcome compared = millstand("report out/pass-analysis again", folder);
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  const std::string comparison = mill::read_text(out + "comparison.html");
+  EXPECT_NE(comparison.find("velocity in the"), std::string::npos);
+  EXPECT_NE(comparison.find("+0 %"), std::string::npos) << "a record compared with itself";
+  const Outcome spoken = millstand("analyse pass.csv --channel AI_07=upper_work_roll -o spoken", folder);
+  EXPECT_LE(std::count(spoken.out.begin(), spoken.out.end(), '\n'), 25) << spoken.out;
+  EXPECT_NE(spoken.out.find("largest peak 120.0"), std::string::npos) << spoken.out;
 }
 
 TEST(Analyse, Refusals)

@@ -237,6 +237,91 @@ TEST(LiveCommand, PlaysARecordAndRecordsIt)
   EXPECT_EQ(recorded(out, ".npy").size(), 4000u) << "nothing is there twice";
 }
 
+// Numbers of our own writing and of others: a sidecar whose start is a number does not end the program.
+TEST(LiveCommand, IgnoresASidecarWhoseStartIsNotAText)
+{
+  const std::string folder = scratch("live-sidecar"), file = record(folder, 4000), out = folder + "/rec";
+  const std::string command =
+      "live " + stand + " --input " + file + " --speed max --listen none -q --record " + out;
+  ASSERT_EQ(millstand(command).exit_code, 0);
+  for (const auto &entry : fs::directory_iterator(out))
+    if (entry.path().extension() == ".npy") {
+      std::ifstream before(sidecar_of(entry.path().string()));
+      nlohmann::json sidecar = nlohmann::json::parse(before);
+      sidecar["start"]       = 1767607200;
+      std::ofstream(sidecar_of(entry.path().string())) << sidecar.dump();
+    }
+  const Outcome again = millstand(command);
+  EXPECT_EQ(again.exit_code, 0) << again.err;
+}
+
+TEST(LiveCommand, RefusesAFolderIntoWhichAnotherProgramRecords)
+{
+  const std::string folder = scratch("live-two"), file = record(folder, 4000), out = folder + "/rec";
+  fs::create_directories(out);
+  Child first({"live", stand, "--input", "tail:" + file, "--listen", "none", "--record", out},
+              folder + "/log.txt");
+  for (int i = 0; i < 200 && !fs::exists(out + "/state.json"); ++i)
+    std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  ASSERT_TRUE(fs::exists(out + "/state.json")) << "the first one records";
+  LiveOptions second = input(file);
+  second.record      = out;
+  EXPECT_EQ(refused(second),
+            "the folder " + out +
+                " is in use: another millstand live records into it; choose another with --record");
+  first.kill_after(0);
+  EXPECT_EQ(
+      millstand("live " + stand + " --input " + file + " --speed max --listen none -q --record " + out).exit_code,
+      0)
+      << "a program that was killed holds nothing";
+}
+
+TEST(LiveCommand, DoesNotWriteThroughALink)
+{
+  const std::string folder = scratch("live-link"), file = record(folder, 4000), link = folder + "/twin.csv";
+  std::ofstream(folder + "/thesis.txt") << "mine";
+  fs::create_symlink("thesis.txt", link);
+  for (const char *more : {"", " --force-overwrite"}) {
+    const Outcome outcome = millstand("live " + stand + " --input " + file +
+                                      " --speed max --listen none -q --response " + link + more);
+    EXPECT_EQ(outcome.exit_code, 2) << outcome.err;
+    EXPECT_NE(outcome.err.find(link +
+                               " is a symbolic link, and live does not write through it; name the file itself "
+                               "with --response"),
+              std::string::npos)
+        << outcome.err;
+  }
+  std::ifstream target(folder + "/thesis.txt");
+  EXPECT_EQ(std::string((std::istreambuf_iterator<char>(target)), {}), "mine");
+}
+
+// The bands of [monitoring], for a stand of any kind: 400 Hz is no mode of this stand and in none of the usual
+// bands.
+TEST(LiveCommand, WatchesTheBandsOfMonitoring)
+{
+  const std::string folder = scratch("live-bands"), path = folder + "/mill.csv";
+  {
+    std::ofstream csv(path);
+    csv << "time [s],upper_work_roll [g]\n";
+    std::mt19937 random(7);
+    std::normal_distribution<double> noise(0, 0.01);
+    for (int k = 0; k < 72000; ++k) {
+      const double t = k / 2000.0, level = t < 30 ? 0 : std::min(2.0, 0.005 * std::exp(4 * (t - 30)));
+      csv << fmt::format("{:.4f},{:.5f}\n", t, noise(random) + level * std::sin(2 * M_PI * 411 * t));
+    }
+  }
+  const auto alarms = [&](const std::string &set) {
+    const Outcome outcome =
+        millstand("live " + stand + " --input " + path + " --speed max --listen none " + set, ".");
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    int n = 0;
+    for (std::size_t at = 0; (at = outcome.out.find("alarm: chatter at 41", at)) != std::string::npos; ++at)
+      ++n;
+    return n;
+  };
+  EXPECT_EQ(alarms("--set 'monitoring.fifth_octave=[\"380 Hz\", \"440 Hz\"]'"), 1);
+}
+
 // What an earlier program left: springs that were adopted, an alarm that is open, or a file that is damaged.
 TEST(LiveCommand, GoesOnFromItsStateOrSaysWhyNot)
 {
@@ -295,7 +380,7 @@ TEST(LiveCommand, GoesOnFromItsStateOrSaysWhyNot)
   write(state.dump());
   const Outcome older = millstand(command);
   EXPECT_EQ(older.exit_code, 0);
-  EXPECT_NE(older.out.find("the stored state is of another version of this program; the twin starts anew\n"),
+  EXPECT_NE(older.out.find("the stored state is of another version of this program; the twin starts without it\n"),
             std::string::npos)
       << older.out;
   write("{\"format\": 2, \"case_ha");
@@ -303,7 +388,7 @@ TEST(LiveCommand, GoesOnFromItsStateOrSaysWhyNot)
   EXPECT_EQ(damaged.exit_code, 0);
   const std::string path = out + "/state.json";
   EXPECT_NE(damaged.out.find("the stored state " + path +
-                             " is damaged and cannot be read; the twin starts anew, it is kept as " + path +
+                             " is damaged and cannot be read; the twin starts without it, it is kept as " + path +
                              ".damaged"),
             std::string::npos)
       << damaged.out;

@@ -224,7 +224,8 @@ TEST(BearingAssembly, EndPlayIsClearance)
   RingLoading axial;
   axial.value << 0, 0, 1, 0, 0;
   axial.prescribed = {true, true, false, true, true};
-  EXPECT_NEAR(BearingAssembly(rigid_model(play)).solve(axial).motion[2], 0.1e-3, 1e-7);
+  EXPECT_TRUE(near(BearingAssembly(rigid_model(play)).solve(axial).motion[2], 0.1e-3,
+                   within_absolute(1e-7, "half the end play, found on a grid of the search")));
 }
 
 TEST(BearingAssembly, HandsDecideWhichRowsCarryAxially)
@@ -247,7 +248,7 @@ TEST(BearingAssembly, HandsDecideWhichRowsCarryAxially)
 }
 
 // The roller at 90 deg is pressed by the rounding of its cosine; 40 rollers have 19 between -81 and 81 deg.
-TEST(BearingAssembly, ARollerAtRightAnglesDoesNotCount)
+TEST(BearingAssembly, RollerAtRightAnglesCarriesNothing)
 {
   RollerBearing b   = demo_bearing(20);
   b.rollers_per_row = 40;
@@ -273,7 +274,8 @@ TEST(BearingAssembly, ATurnPressesByItsFullMoment)
       const double psi = state.azimuth[j];
       const Eigen::Vector3d p(R * std::cos(psi), R * std::sin(psi), (r - 1.5) * b.width / 4),
           n(std::cos(a) * std::cos(psi), std::cos(a) * std::sin(psi), hand[r] * std::sin(a));
-      EXPECT_NEAR(state.roller_approach(r, j), Eigen::Vector3d(1e-4, 2e-4, 0).dot(p.cross(n)), 1e-15);
+      EXPECT_TRUE(near(state.roller_approach(r, j), Eigen::Vector3d(1e-4, 2e-4, 0).dot(p.cross(n)),
+                       within_absolute(1e-15, "rounding of 1e-4 rad times half a metre")));
     }
 }
 
@@ -284,9 +286,11 @@ TEST(CageVariation, OverOnePitch)
   const auto spread = [](const CageVariation &v) {
     return 100 * (v.tangent.maxCoeff() / v.tangent.minCoeff() - 1);
   };
-  EXPECT_NEAR(spread(cage_variation(rigid_model(b), radial_drive(1e6), 16)), 0.01, 0.005);
+  EXPECT_TRUE(near(spread(cage_variation(rigid_model(b), radial_drive(1e6), 16)), 0.01,
+                   within_absolute(0.005, "printed with two decimals")));
   b.radial_clearance = 1e-4;
-  EXPECT_NEAR(spread(cage_variation(rigid_model(b), radial_drive(1e6), 16)), 1.7, 0.06);
+  EXPECT_TRUE(near(spread(cage_variation(rigid_model(b), radial_drive(1e6), 16)), 1.7,
+                   within_absolute(0.06, "printed with one decimal")));
   const auto elastic = cage_variation(elastic_model(4), radial_drive(1e6), 4);
   EXPECT_EQ(elastic.angle.size(), 4);
   EXPECT_LT(spread(elastic), 5);
@@ -306,7 +310,7 @@ TEST(BearingAssembly, CentrifugalForceHoldsTheLeastLoad)
   EXPECT_GT(state.roller_load.maxCoeff(), still.roller_load.maxCoeff());
 }
 
-TEST(BearingAssembly, SaysWhyThereIsNoState)
+TEST(BearingAssembly, ReportsWhyEquilibriumFails)
 {
   RollerBearing single = demo_bearing(20);
   single.rows          = 1;
@@ -342,19 +346,19 @@ TEST(BearingAssembly, CurveKeepsWhatConverged)
 {
   RollerBearing single = demo_bearing(20);
   single.rows          = 1;
-  const auto at        = [](double radial, double axial) {
+  const auto value_at  = [](double radial, double axial) {
     RingLoading loading;
     loading.value << radial, 0, axial, 0, 0;
     loading.prescribed = {false, false, false, true, true};
     return loading;
   };
-  const auto curve =
-      BearingAssembly(rigid_model(single)).curve({at(1e5, 1e5), at(2e5, 1e5), at(2e5, 0), at(1e5, 1e5)});
+  const auto curve = BearingAssembly(rigid_model(single))
+                         .curve({value_at(1e5, 1e5), value_at(2e5, 1e5), value_at(2e5, 0), value_at(1e5, 1e5)});
   EXPECT_EQ(curve.states.size(), 2u);
   ASSERT_TRUE(curve.failure);
   EXPECT_NE(curve.failure->what.find("F_x = 200 kN"), std::string::npos);
   EXPECT_EQ(curve.failure->kept, "2 of 4 states");
-  EXPECT_FALSE(BearingAssembly(rigid_model(single)).curve({at(1e5, 1e5)}).failure);
+  EXPECT_FALSE(BearingAssembly(rigid_model(single)).curve({value_at(1e5, 1e5)}).failure);
 }
 
 TEST(BearingAssembly, AnyMixOfLoadsConverges)

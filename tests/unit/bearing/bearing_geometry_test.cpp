@@ -31,9 +31,11 @@ TEST(BearingGeometry, ApexClosesAtTheReferenceAngles)
   };
   for (const auto &row : printed) {
     const ApexClosure closed = apex_closure(0.31115, row[1] * 1e-3, row[0] * degree, 39);
-    EXPECT_NEAR(closed.axis_angle / degree, row[2], 0.01);  // table of hundredths of a degree
-    EXPECT_NEAR(closed.cup_angle / degree, row[3], 0.01);
-    EXPECT_NEAR(closed.cone_angle / degree, row[4], 0.01);
+    EXPECT_TRUE(
+        near(closed.axis_angle / degree, row[2], within_absolute(0.01, "table of hundredths of a degree")));
+    EXPECT_TRUE(near(closed.cup_angle / degree, row[3], within_absolute(0.01, "table of hundredths of a degree")));
+    EXPECT_TRUE(
+        near(closed.cone_angle / degree, row[4], within_absolute(0.01, "table of hundredths of a degree")));
   }
   EXPECT_TRUE(near(apex_closure(0.31115, 0.0215, 2.5 * degree, 39).largest_roller_diameter, 25.06e-3,
                    within(2e-4, "printed with four digits")));

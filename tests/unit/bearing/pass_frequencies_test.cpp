@@ -24,7 +24,7 @@ RollerBearing work_roll_bearing()
 }
 }  // namespace
 
-TEST(PassFrequencies, ReferenceValuesByBothRoads)
+TEST(PassFrequencies, ReferenceValuesByBothMethods)
 {
   // twin.json, envelope.orders: an independent program.
   const double cage = 0.46721857354777463, outer = 18.22152436836321, inner = 20.77847563163679,

@@ -1,4 +1,4 @@
-// Life and static safety from rollers that are solved, beside what closed forms say of them.
+// Life and static safety from rollers that are solved, compared with closed forms.
 #include "reduce/bearing/rating_life.h"
 #include "reduce/bearing/ratings.h"
 #include "reduce/bearing/roller_set.h"
@@ -63,24 +63,24 @@ TEST(RatingLife, EvenSlicesWithoutClearanceGiveTheStandardsOwnLoad)
     }
 }
 
-TEST(RatingLife, GoesWithTheFourthPowerAndFallsWithTilt)
+TEST(RatingLife, FallsWithTheFourthPowerOfLoadAndWithTilt)
 {
-  RollerBearing b = demo_bearing();
-  const double C  = ratings(b).dynamic;
-  const auto at   = [&](const double F, const double tilt) {
+  RollerBearing b     = demo_bearing();
+  const double C      = ratings(b).dynamic;
+  const auto value_at = [&](const double F, const double tilt) {
     return reference_life(b, solved_life(b, F, tilt), C).life;
   };
-  const double one = at(5e5, 0);
-  EXPECT_TRUE(near(at(1e6, 0), one / 16, within(1e-9, "one power law without clearance and profile")));
-  EXPECT_LT(at(5e5, 3e-4), 0.9 * one);
+  const double one = value_at(5e5, 0);
+  EXPECT_TRUE(near(value_at(1e6, 0), one / 16, within(1e-9, "one power law without clearance and profile")));
+  EXPECT_LT(value_at(5e5, 3e-4), 0.9 * one);
   EXPECT_LT(one, reference_life(b, solved_life(b, 5e5), C, false).life);
   b.radial_clearance = 1e-4;
-  EXPECT_LT(at(5e5, 0), one);
+  EXPECT_LT(value_at(5e5, 0), one);
   b.radial_clearance = -2e-5;  // a light interference loads more rollers
-  EXPECT_GT(at(5e5, 0), one);
+  EXPECT_GT(value_at(5e5, 0), one);
 }
 
-TEST(RatingLife, AnUnloadedBearingLivesForEver)
+TEST(RatingLife, UnloadedBearingHasInfiniteLife)
 {
   RollerBearing b = demo_bearing();
   RingLoading rest;

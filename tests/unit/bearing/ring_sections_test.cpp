@@ -3,6 +3,7 @@
 #include "reduce/bearing/geometry.h"
 #include "reduce/bearing/ring_sections.h"
 #include "tests/support/demo_bearing.h"
+#include "tests/support/near.h"
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -60,8 +61,10 @@ TEST(RingSections, RacewaysOfARowMeetInOneApexWithTheRollers)
   for (std::size_t r = 0; r < 4; ++r) {
     const double hand   = r % 2 == 0 ? 1 : -1;
     const double roller = z[Eigen::Index(r)] + hand * bearing::pitch_diameter(b) / 2 / std::tan(closed.axis_angle);
-    EXPECT_NEAR(apex(s.cup.raceways[r]), roller, 1e-12);
-    EXPECT_NEAR(apex(s.cone.raceways[r]), roller, 1e-12);
+    EXPECT_TRUE(
+        near(apex(s.cup.raceways[r]), roller, within_absolute(1e-12, "m, rounding of lengths of a metre")));
+    EXPECT_TRUE(
+        near(apex(s.cone.raceways[r]), roller, within_absolute(1e-12, "m, rounding of lengths of a metre")));
   }
 }
 
@@ -69,13 +72,16 @@ TEST(RingSections, RacewaysAreARollerDiameterApart)
 {
   const auto s = ring_sections(mill_bearing());
   for (std::size_t r = 0; r < 4; ++r) {
-    EXPECT_NEAR((s.cup.raceways[r].middle - s.cone.raceways[r].middle).norm(), 21.5 * mm, 1e-12);
-    EXPECT_NEAR(s.cup.raceways[r].normal.dot(s.cup.raceways[r].along), 0, 1e-15);
+    EXPECT_TRUE(near((s.cup.raceways[r].middle - s.cone.raceways[r].middle).norm(), 21.5 * mm,
+                     within_absolute(1e-12, "m, rounding of lengths of a metre")));
+    EXPECT_TRUE(near(s.cup.raceways[r].normal.dot(s.cup.raceways[r].along), 0,
+                     within_absolute(1e-15, "unit vectors at a right angle, rounding")));
     EXPECT_GT(s.cup.raceways[r].along[1], 0);
   }
   // (355.6 - 311.15 - 21.5 cos 18.41 deg) / 2 / cos 19.66 deg
-  EXPECT_NEAR(bearing::ring_wall(s.cup),
-              (177.8 - 155.575 - 10.75 * std::cos(18.41 * degree)) * mm / std::cos(19.66 * degree), 1e-12);
+  EXPECT_TRUE(near(bearing::ring_wall(s.cup),
+                   (177.8 - 155.575 - 10.75 * std::cos(18.41 * degree)) * mm / std::cos(19.66 * degree),
+                   within_absolute(1e-12, "m, rounding of lengths of a metre")));
   EXPECT_EQ(s.cup.depth, bearing::ring_wall(s.cup));
   EXPECT_EQ(s.cone.land, s.cup.land);
 }
@@ -86,8 +92,10 @@ TEST(RingSections, CylindricalRacewaysRunAlongTheAxis)
   b.roller_cone_angle = b.cup_angle = 0;
   const auto s                      = ring_sections(b);
   EXPECT_EQ(s.cup.raceways[1].along, Eigen::Vector2d(0, 1));
-  EXPECT_NEAR(s.cup.raceways[1].middle[0], (311.15 + 21.5) / 2 * mm, 1e-15);
-  EXPECT_NEAR(s.cone.raceways[1].middle[0], (311.15 - 21.5) / 2 * mm, 1e-15);
+  EXPECT_TRUE(near(s.cup.raceways[1].middle[0], (311.15 + 21.5) / 2 * mm,
+                   within_absolute(1e-15, "m, rounding of lengths of a metre")));
+  EXPECT_TRUE(near(s.cone.raceways[1].middle[0], (311.15 - 21.5) / 2 * mm,
+                   within_absolute(1e-15, "m, rounding of lengths of a metre")));
 }
 
 TEST(RingSections, RefusesRowsThatOverlapWithTheNumbers)
@@ -141,7 +149,7 @@ TEST(RingSections, RefusesALandForWhichThereIsNoRoom)
   expect_says(message([](auto &) {}, datum), {"depth", "positive"});
 }
 
-TEST(ChockSupports, AreThoseThatNobodyRuledOut)
+TEST(ChockSupports, AreAllThatTheCaseAllows)
 {
   const auto names = [](const RollerBearing &b) {
     std::string all;

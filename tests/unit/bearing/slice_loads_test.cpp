@@ -68,11 +68,11 @@ TEST(SliceLoads, SatisfyTheContactConditions)
       for (const double middle : {1e-7, 5e-6, 4e-5}) {
         const RollerLaw law = connected(with_profile(profile), 50e3);
         const VectorXd d    = approach(law, middle, tilt);
-        const auto at       = slice_loads(law, d, all_directions(law));
-        const VectorXd p    = at.load / law.slice_length;
+        const auto loads    = slice_loads(law, d, all_directions(law));
+        const VectorXd p    = loads.load / law.slice_length;
         if (p.maxCoeff() > law.separate_line_load)
           continue;  // the law goes on in another form there
-        const VectorXd gap = d - law.drop - law.influence * at.load;
+        const VectorXd gap = d - law.drop - law.influence * loads.load;
         for (Eigen::Index k = 0; k < p.size(); ++k) {
           const double local = p[k] > 0 ? law.kappa * p[k] * std::log(law.reference_line_load / p[k]) : 0;
           EXPECT_GE(p[k], 0);
@@ -90,16 +90,18 @@ TEST(SliceLoads, SlopeIsTheDerivative)
                                roller_law(with_profile("iso"))})
     for (const double middle : {6e-6, 60e-6, 150e-6}) {  // 150 um: beyond the range of separate slices
       const VectorXd d = approach(law, middle, 3e-4);
-      const auto at    = slice_loads(law, d, all_directions(law));
+      const auto loads = slice_loads(law, d, all_directions(law));
       const double eps = 1e-11;
       MatrixXd difference(d.size(), d.size());
       for (Eigen::Index k = 0; k < d.size(); ++k) {
         const VectorXd e = eps * VectorXd::Unit(d.size(), k);
         difference.col(k) =
-            (slice_loads(law, d + e, e, at.load).load - slice_loads(law, d - e, e, at.load).load) / (2 * eps);
+            (slice_loads(law, d + e, e, loads.load).load - slice_loads(law, d - e, e, loads.load).load) /
+            (2 * eps);
       }
-      EXPECT_LT((difference - at.slope).cwiseAbs().maxCoeff(), 1e-5 * at.slope.cwiseAbs().maxCoeff());
-      EXPECT_LT((at.slope - at.slope.transpose()).cwiseAbs().maxCoeff(), 1e-10 * at.slope.cwiseAbs().maxCoeff());
+      EXPECT_LT((difference - loads.slope).cwiseAbs().maxCoeff(), 1e-5 * loads.slope.cwiseAbs().maxCoeff());
+      EXPECT_LT((loads.slope - loads.slope.transpose()).cwiseAbs().maxCoeff(),
+                1e-10 * loads.slope.cwiseAbs().maxCoeff());
     }
 }
 
@@ -126,10 +128,10 @@ TEST(SliceLoads, AlwaysConverge)
       for (const double tilt : {0.0, 1e-4, 1e-3, -3e-3, 5e-3}) {
         double before = 0;
         for (double middle = 1e-9; middle < 300e-6; middle *= 2) {
-          const auto at = slice_loads(law, approach(law, middle, tilt), none);
-          EXPECT_GE(at.load.sum(), before);
-          before = at.load.sum();
-          most   = std::max(most, at.iterations);
+          const auto slice_state = slice_loads(law, approach(law, middle, tilt), none);
+          EXPECT_GE(slice_state.load.sum(), before);
+          before = slice_state.load.sum();
+          most   = std::max(most, slice_state.iterations);
           ++solved;
         }
         EXPECT_GT(before, 100e3);

@@ -64,7 +64,7 @@ void expect_end(const RollBite &bite, const SlabModel &model, const std::string 
 }  // namespace
 
 // What hung: a branch whose pressure fell below zero, in steps of a millionth of the arc.
-TEST(BiteCorners, ThatOnceHung)
+TEST(BiteCorners, CasesThatOnceRanForeverEnd)
 {
   const FlowStress constant{FlowStressLaw::constant, 28 * MPa, 0, 0, 0, {}};
   const RollBite corners[] = {

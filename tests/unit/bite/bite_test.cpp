@@ -97,8 +97,10 @@ TEST(Bite, BlandFordForcesOfFivePasses)
 TEST(Bite, BlandFordLiesBelowTheSlabEquation)
 {
   const double force = solve_bite(demo_pass()).force * 1e-3;
-  EXPECT_NEAR(force / 984.35127, 0.978, 0.001);
-  EXPECT_NEAR(force / 989.45598, 0.973, 0.001);
+  EXPECT_TRUE(near(force / 984.35127, 0.978,
+                   within_absolute(0.001, "the shares of the comment, printed with three digits")));
+  EXPECT_TRUE(near(force / 989.45598, 0.973,
+                   within_absolute(0.001, "the shares of the comment, printed with three digits")));
 }
 
 // Two conditions of a tandem mill (X. Liu et al., J. Vibroengineering 2017) at the friction their lubricant film
@@ -371,7 +373,7 @@ TEST(BiteStiffness, IsTheSlopeOfTheForce)
 }
 
 // Least friction of the first message: ln(8/5) / (2 sqrt(210/5) atan(sqrt(3/5))) = 0.0550206.
-TEST(BiteErrors, SayWhatIsWrong)
+TEST(BiteErrors, ReportInvalidInput)
 {
   RollBite bite                   = demo_pass();
   bite.strip.friction.coefficient = 0.02;
@@ -429,7 +431,7 @@ TEST(BiteErrors, FrictionAtTheStatedLimitIsEnough)
   EXPECT_NE(message_of(bite), "accepted");
 }
 
-TEST(BiteNotes, FlagWhatTheModelDoesNotKnow)
+TEST(BiteNotes, WarnOutsideTheRangeOfTheModel)
 {
   EXPECT_TRUE(solve_bite(demo_pass()).notes.empty());
   RollBite bite                   = demo_pass();

@@ -72,14 +72,15 @@ void expect_derivatives(const bite::RollBite &b, const bite::Arc arc, const std:
   ASSERT_EQ(exact.by.cols(), n);
   constexpr double step = 1e-3;
   for (Eigen::Index j = 0; j < n; ++j) {
-    const auto at = [&](const double d) {
+    const auto value_at = [&](const double d) {
       Eigen::VectorXd moved = x;
       moved[j] += d;
       return bite::predict_pass(b, arc, all, moved, false).value;
     };
     // Richardson's two steps leave an error of the fourth order.
-    const Eigen::Vector3d wide = (at(2 * step) - at(-2 * step)) / (4 * step),
-                          fine = (at(step) - at(-step)) / (2 * step), difference = (4 * fine - wide) / 3;
+    const Eigen::Vector3d wide       = (value_at(2 * step) - value_at(-2 * step)) / (4 * step),
+                          fine       = (value_at(step) - value_at(-step)) / (2 * step),
+                          difference = (4 * fine - wide) / 3;
     for (Eigen::Index i = 0; i < 3; ++i)
       EXPECT_TRUE(near(exact.by(i, j), difference[i],
                        within(2e-6, "differences over 1e-3 of states solved to 1e-11", std::abs(exact.value[i]))))
@@ -131,7 +132,7 @@ TEST(Fit, ForceAndSlipOfOnePassGiveBothNumbersBack)
   EXPECT_TRUE(near(answer.best.x, other_strip, within(1e-7, "values without noise", 1)));
 }
 
-TEST(Fit, ForceAloneIsOneNumberAndSaysWhichDirectionItDoesNotKnow)
+TEST(Fit, ForceAloneGivesOneNumberAndTheUndeterminedDirection)
 {
   bite::FitProblem problem;
   problem.unknowns = unknowns(both);

@@ -204,7 +204,7 @@ TEST(ForceFit, ASecondRootIsNotTakenForTheFirst)
   }
 }
 
-TEST(RisingRoot, FindsRootsAndKnowsJumps)
+TEST(RisingRoot, FindsRootsAndReportsJumps)
 {
   const RisingRoot cube = rising_root(0, 5, 8, [](const double x) { return x * x * x; });
   EXPECT_TRUE(cube.met);
@@ -293,13 +293,13 @@ TEST(Hardening, RefusesMoreUnknownsThanData)
 TEST(DeformationPower, OfThePrintedPasses)
 {
   for (const int pass : printed_passes) {
-    const auto expected = cluster("tuned_k.pass_" + std::to_string(pass))["power"];
-    const RollBite b    = pass_of(pass);
-    const auto of       = deformation_power(tuned(pass, Arc::hitchcock)["k"], b.strip.width, b.roll_speed,
-                                            b.strip.entry_thickness, b.strip.exit_thickness, b.roll_radius);
-    EXPECT_TRUE(near(of.power, expected["P_w"], within(1e-12, "closed form")));
-    EXPECT_TRUE(near(of.roll_force, expected["force"], within(1e-12, "closed form")));
-    EXPECT_TRUE(near(of.torque, expected["torque"], within(1e-12, "closed form")));
+    const auto expected      = cluster("tuned_k.pass_" + std::to_string(pass))["power"];
+    const RollBite b         = pass_of(pass);
+    const auto power_of_pass = deformation_power(tuned(pass, Arc::hitchcock)["k"], b.strip.width, b.roll_speed,
+                                                 b.strip.entry_thickness, b.strip.exit_thickness, b.roll_radius);
+    EXPECT_TRUE(near(power_of_pass.power, expected["P_w"], within(1e-12, "closed form")));
+    EXPECT_TRUE(near(power_of_pass.roll_force, expected["force"], within(1e-12, "closed form")));
+    EXPECT_TRUE(near(power_of_pass.torque, expected["torque"], within(1e-12, "closed form")));
   }
 }
 
@@ -345,8 +345,8 @@ TEST(DynamicForce, OfAStrip)
 {
   // 610 Hz, span 1 m: the constant 552 mm2/s needs n a0 = 0.48 mm.
   const double omega = 2 * M_PI * 610;
-  EXPECT_TRUE(
-      near(strip_constant({1, 0.48e-3, 1}, omega), 552e-6, within(0.02, "0.48 is rounded, its square counts")));
+  EXPECT_TRUE(near(strip_constant({1, 0.48e-3, 1}, omega), 552e-6,
+                   within(0.02, "0.48 is rounded and enters by its square")));
   EXPECT_TRUE(near(strip_constant({1, 0.24e-3, 2}, omega), strip_constant({1, 0.48e-3, 1}, omega),
                    within(1e-14, "mode times amplitude")));
   // Wave speed of the strip, 221 to 230 m/s at the exit tensions of the schedule.
@@ -436,7 +436,7 @@ TEST(Schedule, PutsThePassesTogether)
       EXPECT_TRUE(near(p.friction, expected["mu_needed"][i], roots));
       EXPECT_GT(p.blind_force, 0) << "a law of the two others exists";
     }
-    EXPECT_TRUE(std::isnan(law.passes[1].blind_force)) << "pass 2 is no part of the fit";
+    EXPECT_TRUE(std::isnan(law.passes[1].blind_force)) << "pass 2 does not belong to the fit";
   }
   ASSERT_EQ(record.dynamics.size(), 2u);
   EXPECT_TRUE(near(record.dynamics[0].common, cluster("P_d.unflattened.common_G"), roots));
@@ -445,7 +445,7 @@ TEST(Schedule, PutsThePassesTogether)
   EXPECT_EQ(json_of_record(record), json_of_record(record_of_json<ScheduleRecord>(json_of_record(record))));
 }
 
-TEST(Schedule, TheLawOfTheCaseStandsBesideTheFits)
+TEST(Schedule, LawOfTheCaseIsReportedWithTheFits)
 {
   auto passes = schedule();
   for (ScheduledPass &pass : passes) {  // k/2 = Y ln(h0/h)^n as a power law
@@ -461,7 +461,7 @@ TEST(Schedule, TheLawOfTheCaseStandsBesideTheFits)
   }
 }
 
-TEST(Schedule, SaysWhatCannotBeFitted)
+TEST(Schedule, ReportsWhatCannotBeFitted)
 {
   auto passes = schedule();
   passes.resize(1);

@@ -1,5 +1,6 @@
 #include "core/base/errors.h"
 #include "reduce/bite/slab/path_stiffness.h"
+#include "tests/support/near.h"
 #include "tests/support/refusal.h"
 #include <functional>
 #include <gtest/gtest.h>
@@ -22,18 +23,22 @@ TEST(PathStiffness, EvenPressure)
 {
   const auto path = even_path(21);
   EXPECT_EQ(path.nodes, 21);
-  EXPECT_EQ(path.averaged, 13);                             // without 4 at each end
-  EXPECT_NEAR(path.plateau, 50e6 * 2 * 1e-3 / 1e-5, 1e-3);  // p B s / delta, rounding
-  EXPECT_NEAR(path.sum, 50e6 * 2 * 21e-3 / 1e-5, 1e-2);     // all nodal forces: 21 spacings
-  EXPECT_NEAR(path.smallest, path.largest, 1e-6 * path.plateau);
+  EXPECT_EQ(path.averaged, 13);  // without 4 at each end
+  EXPECT_TRUE(near(path.plateau, 50e6 * 2 * 1e-3 / 1e-5, within_absolute(1e-3, "p B s / delta, rounding")));
+  EXPECT_TRUE(
+      near(path.sum, 50e6 * 2 * 21e-3 / 1e-5, within_absolute(1e-2, "all nodal forces, 21 spacings; rounding")));
+  EXPECT_TRUE(
+      near(path.smallest, path.largest,
+           within_absolute(1e-6 * path.plateau,
+                           "an even load gives every node the same stiffness, up to the rounding of its force")));
 }
 
 // The element length is in the quotient: twice the elements, half the plateau; the sum stays.
 TEST(PathStiffness, PlateauHalvesAndSumStays)
 {
   const auto coarse = even_path(41), fine = even_path(81);
-  EXPECT_NEAR(fine.plateau / coarse.plateau, 0.5, 1e-12);
-  EXPECT_NEAR(fine.sum / coarse.sum, 1, 0.02);  // the outermost nodes: one spacing more than the arc
+  EXPECT_TRUE(near(fine.plateau / coarse.plateau, 0.5, within(1e-12, "exact: the spacing is halved")));
+  EXPECT_TRUE(near(fine.sum / coarse.sum, 1, within(0.02, "the outermost nodes: one spacing more than the arc")));
 }
 
 TEST(PathStiffness, WhatIsRefused)

@@ -135,10 +135,11 @@ TEST(SlabNotes, FarFlattenedRoll)
   bite.strip.flow_stress.k        = 1.53e9;
   const BiteState state           = solve_slab(bite, {Theory::bland_ford, Arc::hitchcock});
   EXPECT_GT(state.flattened_radius / bite.roll_radius, 5);
-  bool said = false;
+  bool message = false;
   for (const std::string &note : state.notes)
-    said = said || note.find("is beyond 5, where Hitchcock's circular arc no longer holds") != std::string::npos;
-  EXPECT_TRUE(said);
+    message =
+        message || note.find("is beyond 5, where Hitchcock's circular arc no longer holds") != std::string::npos;
+  EXPECT_TRUE(message);
 }
 
 TEST(SlabNotes, NoFlattenedRadiusInWords)
@@ -184,7 +185,7 @@ TEST(Flattening, FirstRootOfAnyRisingForce)
   EXPECT_LE(flattened_arc(bite, force_for([](double r) { return 1.5 + 0.05 * r * r; })).evaluations, 9);
 }
 
-TEST(Flattening, FarAwayForcesAreNoNumbers)
+TEST(Flattening, ForcesFarFromTheRootMayBeNan)
 {
   const RollBite bite = demo_pass();
   EXPECT_THROW(flattened_arc(bite, [](double) { return not_given; }), SolverError);
@@ -204,7 +205,7 @@ TEST(MovingGap, Identities)
                      rate * (s.arc_length - s.exit_position), exact));
     EXPECT_TRUE(near(2 * s.exit_position * s.exit_speed / bite.roll_radius, rate, exact));
     EXPECT_TRUE(near(s.slip[0], s.forward_slip, within(1e-12, "curve ends at the exit")));
-    EXPECT_NEAR(s.slip[100], 0, 1e-14);  // neutral point
+    EXPECT_TRUE(near(s.slip[100], 0, within_absolute(1e-14, "no slip at the neutral point, rounding")));
     EXPECT_EQ(s.shear[100], 0);
     EXPECT_LT(s.shear[0], 0);
     EXPECT_GT(s.shear[200], 0);

@@ -27,7 +27,7 @@ std::string refusal_of_placement(const std::vector<std::string> &sets)
 }
 }  // namespace
 
-TEST(ClusterCaseFile, LeadsToVariantN)
+TEST(ClusterCaseFile, TheZMillCaseIsVariantNOfTheReference)
 {
   const ClusterStand stand = z_mill();
   const auto state         = cluster::pass_state(stand, stand.schedule[0], stand.schedule[0].load);
@@ -48,11 +48,11 @@ TEST(ClusterCaseFile, FitsOfTheVariantsMeetTheReference)
   for (const char *name : {"N", "C"}) {
     const auto variant = std::find_if(stand.variants.begin(), stand.variants.end(),
                                       [&](const ClusterVariant &v) { return v.name == name; });
-    // From 20 % beside, so that something is searched.
-    ClusterStand beside = stand;
-    *number_of(beside, "support.E.stiffness") *= 1.2;
-    *number_of(beside, "support.R.stiffness") *= 0.8;
-    const auto fit = cluster::fit_variant(beside, *variant, stand.schedule[0], 1148e3);
+    // The start is 20 % off, so that something is searched.
+    ClusterStand moved = stand;
+    *number_of(moved, "support.E.stiffness") *= 1.2;
+    *number_of(moved, "support.R.stiffness") *= 0.8;
+    const auto fit = cluster::fit_variant(moved, *variant, stand.schedule[0], 1148e3);
     const auto ref = reference(std::string("stack.") + name, "cluster");
     ASSERT_TRUE(fit.converged) << fit.refused;
     EXPECT_TRUE(near(fit.numbers[0].value, double(ref["k_b"]), within(1e-5, "least squares")));
@@ -78,7 +78,7 @@ TEST(ClusterCaseFile, AFitWithoutSpareFrequenciesStatesNoInterval)
   EXPECT_GT(fit.rms_predicted, 1e-3);
 }
 
-TEST(ClusterCaseFile, TellsWhatDoesNotClose)
+TEST(ClusterCaseFile, ReportsContactsThatDoNotClose)
 {
   EXPECT_EQ(
       refusal_of_placement({"roll.1.position=[\"0 mm\", \"139.6 mm\"]"}),
@@ -98,7 +98,7 @@ TEST(ClusterCaseFile, NamesMotionsThatNothingHolds)
             std::vector<std::string>{"I along x"});
 }
 
-TEST(ClusterCaseFile, RefusesVariantsThatCannotBe)
+TEST(ClusterCaseFile, RefusesVariantsWithUnknownOrMissingNumbers)
 {
   const auto refusal = [](const std::string &set) -> std::string {
     try {

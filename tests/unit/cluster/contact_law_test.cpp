@@ -24,7 +24,7 @@ TEST(ContactLaws, StepIsTheCubicOfTheImpactFunction)
   EXPECT_EQ(step(2, 0, 1, 1, 0), 0);
 }
 
-TEST(ContactLaws, ImpactPushesAndNeverPulls)
+TEST(ContactLaws, AnImpactForceIsNeverATension)
 {
   ContactLaw law;
   law.k             = 1e10;
@@ -35,7 +35,7 @@ TEST(ContactLaws, ImpactPushesAndNeverPulls)
   EXPECT_EQ(impact_force(law, -1e-9, 5, 1e5, 2e-4), 0) << "open";
 }
 
-TEST(ContactLaws, MeetTheTableOfThePairs)
+TEST(ContactLaws, AgreeWithTheReferenceTableOfThePairs)
 {
   for (const auto &row : reference("contact_laws", "cluster")) {
     const std::string pair = row[0];
@@ -58,7 +58,7 @@ TEST(ContactLaws, MeetTheTableOfThePairs)
   }
 }
 
-TEST(ContactLaws, ALineFittedToItsOwnSamplesIsTheLine)
+TEST(ContactLaws, FitToSamplesOfALineContactReturnsItsConstants)
 {
   const ContactLaw law = line_law(LineForm::johnson, body(0.0348), body(0.069975), 0.505);
   std::vector<double> loads, approaches;
@@ -81,7 +81,7 @@ TEST(ContactLaws, SpringGoesThroughItsLoad)
   EXPECT_TRUE(near(force(law, d), 1.148e6, closed_form));
 }
 
-TEST(BearingLaws, MeetTheVectors)
+TEST(BearingLaws, AgreeWithTheReferenceVectors)
 {
   for (const auto &[q, name] : {
            std::pair{2. / 3, "vector.bearing.ball"  },

@@ -74,7 +74,7 @@ double frequency_by_quadrature(const ContactLaw &law, const double P, const doub
 }
 }  // namespace
 
-TEST(ClusterMotion, NonlinearHistoryMeetsTheReference)
+TEST(ClusterMotion, NonlinearHistoryIsThatOfTheReference)
 {
   ZMill z           = variant_C(1302e3);
   Stack stack       = stack_of(z);
@@ -118,7 +118,7 @@ TEST(ClusterMotion, FreeRunKeepsMomentumAndEnergy)
   EXPECT_LT(h.energy_balance.cwiseAbs().maxCoeff(), 1e-9 * h.energy[0]) << "1e-8 per second";
 }
 
-TEST(ClusterMotion, AContactThatOpensFliesAsAFreeBody)
+TEST(ClusterMotion, AfterAContactOpensTheRollMovesAsAFreeBody)
 {
   const OneContact o   = one_contact(1.5);
   Eigen::VectorXd kick = Eigen::VectorXd::Zero(4);

@@ -233,7 +233,7 @@ TEST(ActiveSet, NodesThatTouchWithoutForceAreNoTrouble)
   EXPECT_LE(s.residual, 1e-15);
 }
 
-TEST(ActiveSet, SaysWhatCannotBe)
+TEST(ActiveSet, RefusesLoadsWithoutEquilibrium)
 {
   const auto p = rough(60, 2, 3);
   ActiveSet solver(p);
@@ -266,7 +266,7 @@ TEST(ActiveSet, ForceOnTheVeryEdge)
       {Eigen::MatrixXd::Identity(2, 2), (Eigen::Matrix2d() << 1, 0, 1, 1).finished(), {}, Eigen::Vector2d(0, -1)});
   EXPECT_TRUE(
       near(two.solve({Eigen::Vector2d(1, 0.5), {}}).nodal, Eigen::Vector2d(0.5, 0.5), within(1e-14, "statics")));
-  // All of the force over the first: the second carries nothing, whatever the tilt that keeps it open.
+  // All of the force over the first: the second carries nothing, for any tilt that keeps it open.
   const State edge = two.solve({Eigen::Vector2d(1, 0), {}});
   EXPECT_TRUE(near(edge.nodal, Eigen::Vector2d(1, 0), within(1e-14, "statics", 1.)));
   EXPECT_TRUE(near(edge.motion[0], 1., within(1e-14, "one spring")));

@@ -8,10 +8,10 @@ using namespace mill::contact;
 using namespace contact_problems;
 
 namespace {
-Loading between(const Loading &a, const Loading &b, const double at)
+Loading between(const Loading &a, const Loading &b, const double place)
 {
   Loading out = a;
-  out.value   = (1 - at) * a.value + at * b.value;
+  out.value   = (1 - place) * a.value + place * b.value;
   return out;
 }
 }  // namespace
@@ -35,9 +35,9 @@ TEST(Continuation, AgreesWithTheActiveSetAtEverySample)
     ActiveSet solver(p);
     const Path path = follow(solver, from, to);
     ASSERT_GE(path.events.size(), 10u) << "a path on which something happens";
-    for (const double at : {0., 0.111, 0.3, 0.57, 0.93, 1.}) {
-      const State exact     = ActiveSet(p).solve(between(from, to, at));
-      const PathPoint point = sample(path, at);
+    for (const double place : {0., 0.111, 0.3, 0.57, 0.93, 1.}) {
+      const State exact     = ActiveSet(p).solve(between(from, to, place));
+      const PathPoint point = sample(path, place);
       EXPECT_TRUE(near(point.motion, exact.motion, within(1e-10, "same equations", exact.motion.norm())));
       EXPECT_TRUE(near(point.resultant, exact.resultant, within(1e-10, "same equations", exact.resultant.norm())));
     }
@@ -71,9 +71,9 @@ TEST(Continuation, ThereAndBackIsTheSameCurve)
   ActiveSet solver(p);
   const Loading low{one(0.1), {}}, high{one(5.), {}};
   const Path up = follow(solver, low, high), down = follow(solver, high, low);
-  for (const double at : {0.05, 0.21, 0.5, 0.87})
+  for (const double place : {0.05, 0.21, 0.5, 0.87})
     EXPECT_TRUE(
-        near(sample(up, at).motion, sample(down, 1 - at).motion, within(1e-12, "contact without friction")));
+        near(sample(up, place).motion, sample(down, 1 - place).motion, within(1e-12, "contact without friction")));
 }
 
 TEST(Continuation, TiesDoNotCycle)
@@ -133,7 +133,7 @@ TEST(Continuation, FindsTheSetWithoutExchange)
   }
 }
 
-TEST(Continuation, SaysWhereABodyTipsOver)
+TEST(Continuation, ReportsWhereABodyTipsOver)
 {
   auto p = rough(50, 2, 6);
   ActiveSet solver(p);

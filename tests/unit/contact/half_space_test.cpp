@@ -3,6 +3,9 @@
 #include "fem/contact/half_space.h"
 #include "fem/contact/half_space_contact.h"
 #include "fem/contact/hertz.h"
+#include "fem/contact/row_refinement.h"
+#include "tests/support/near.h"
+#include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
@@ -65,11 +68,21 @@ void expect_equal(const KernelIntegrals &a, const KernelIntegrals &b, const doub
                   const std::string &what)
 {
   // All are of the size of `one`; x and y are dimensionless in the same way.
-  EXPECT_NEAR(a.one, b.one, tolerance * b.one) << what;
-  EXPECT_NEAR(a.xx, b.xx, tolerance * b.one) << what;
-  EXPECT_NEAR(a.xy, b.xy, tolerance * b.one) << what;
-  EXPECT_NEAR(a.x, b.x, tolerance * b.one) << what;
-  EXPECT_NEAR(a.y, b.y, tolerance * b.one) << what;
+  EXPECT_TRUE(near(a.one, b.one,
+                   within_absolute(tolerance * b.one, "accuracy stated by the caller, of the largest integral")))
+      << what;
+  EXPECT_TRUE(near(a.xx, b.xx,
+                   within_absolute(tolerance * b.one, "accuracy stated by the caller, of the largest integral")))
+      << what;
+  EXPECT_TRUE(near(a.xy, b.xy,
+                   within_absolute(tolerance * b.one, "accuracy stated by the caller, of the largest integral")))
+      << what;
+  EXPECT_TRUE(
+      near(a.x, b.x, within_absolute(tolerance * b.one, "accuracy stated by the caller, of the largest integral")))
+      << what;
+  EXPECT_TRUE(
+      near(a.y, b.y, within_absolute(tolerance * b.one, "accuracy stated by the caller, of the largest integral")))
+      << what;
 }
 
 std::string at(const Rectangle &r, const double x, const double y)
@@ -132,8 +145,9 @@ TEST(KernelIntegrals, BecomeThePointLoadWithTheRightQuadrupole)
   const KernelIntegrals k = kernel_integrals(r, x, y);
   const double area = 4, second = 1. / 3;  // mean square of a coordinate
   // 1/r: mean of (2 X^2 - Y^2) / 2 x^5 terms, on the axis (2 - 1) / 2 of the second moment
-  EXPECT_NEAR(k.one / (area / x), 1 + second / (2 * x * x), 1e-12);
-  EXPECT_NEAR(k.x / (area / x), 1, 1e-12);  // X / r^2 is harmonic, and the moments of a square cancel
+  EXPECT_TRUE(near(k.one / (area / x), 1 + second / (2 * x * x),
+                   within(1e-12, "next term of the series is of order x^-4 = 1e-12")));
+  EXPECT_TRUE(near(k.x / (area / x), 1, within(1e-12, "X / r^2 is harmonic, and the moments of a square cancel")));
   EXPECT_EQ(k.xy, 0);
 }
 
@@ -157,7 +171,8 @@ TEST(Influence, IsReciprocal)
   const Rectangle r{0.001, 0.002};
   const Eigen::Matrix3d there = rectangle_influence(pair, r, 0.004, -0.003),
                         back  = rectangle_influence(pair, r, -0.004, 0.003);
-  EXPECT_NEAR((there - back.transpose()).norm() / there.norm(), 0, 1e-14);
+  EXPECT_TRUE(
+      near((there - back.transpose()).norm() / there.norm(), 0, within_absolute(1e-14, "reciprocity, rounding")));
   EXPECT_GT(std::abs(there(2, 0)), 1e-3 * there(2, 2));
 }
 
@@ -168,7 +183,8 @@ TEST(Influence, TurnsWithTheAxes)
   const Eigen::Matrix3d b = rectangle_influence(pair, {0.002, 0.001}, 0.003, 0.004);
   Eigen::Matrix3d turn;  // a quarter turn: (x, y) -> (-y, x)
   turn << 0, -1, 0, 1, 0, 0, 0, 0, 1;
-  EXPECT_NEAR((turn * a * turn.transpose() - b).norm() / a.norm(), 0, 1e-14);
+  EXPECT_TRUE(near((turn * a * turn.transpose() - b).norm() / a.norm(), 0,
+                   within_absolute(1e-14, "symmetry of a turned frame, rounding")));
 }
 
 TEST(Influence, IsZeroAcrossForEqualBodiesAndAddsUp)
@@ -177,12 +193,14 @@ TEST(Influence, IsZeroAcrossForEqualBodiesAndAddsUp)
   EXPECT_EQ(equal.coupling, 0);
   const HalfSpaces one = half_spaces(steel, rigid_material()), other = half_spaces(rigid_material(), aluminium),
                    both = half_spaces(steel, aluminium);
-  EXPECT_NEAR((one.normal + other.normal) / both.normal, 1, 1e-15);
-  EXPECT_NEAR((one.coupling + other.coupling) / both.coupling, 1, 1e-14);
+  EXPECT_TRUE(near((one.normal + other.normal) / both.normal, 1, within(1e-15, "sum of two fractions, rounding")));
+  EXPECT_TRUE(near((one.coupling + other.coupling) / both.coupling, 1,
+                   within(1e-14, "difference of two fractions, rounding")));
   EXPECT_GT(one.coupling, 0);
   EXPECT_LT(other.coupling, 0);
   // (1 - nu^2) / E of both bodies
-  EXPECT_NEAR(contact_modulus(both) * (0.91 / 210e9 + (1 - 0.33 * 0.33) / 70e9), 1, 1e-14);
+  EXPECT_TRUE(near(contact_modulus(both) * (0.91 / 210e9 + (1 - 0.33 * 0.33) / 70e9), 1,
+                   within(1e-14, "product of short numbers, rounding")));
 }
 
 TEST(Influence, OfALongRectangleIsThatOfAStrip)
@@ -197,11 +215,15 @@ TEST(Influence, OfALongRectangleIsThatOfAStrip)
   };
   for (const double x : {0.5, 1., 3.9, 4.1, 10.}) {
     const Eigen::Matrix2d a = line(x) - line(0), b = plane(x) - plane(0);
-    EXPECT_NEAR((a - b).norm() / b.norm(), 0, 1e-6) << x;
+    EXPECT_TRUE(near(
+        (a - b).norm() / b.norm(), 0,
+        within_absolute(
+            1e-6, "ends at 1e8 half widths leave x / 1e8, and the difference of two logarithms its rounding")))
+        << x;
   }
 }
 
-TEST(Influence, RefusesWhatIsNoBody)
+TEST(Influence, RefusesInvalidBodiesAndRectangles)
 {
   EXPECT_THROW(half_spaces(rigid_material(), rigid_material()), InputError);
   EXPECT_THROW(half_spaces({-1, 0.3, 0}, steel), InputError);
@@ -215,7 +237,8 @@ TEST(MeanPotential, OfASquareOnItselfIsTheKnownOne)
 {
   // Unit square: 4 (ln(1 + sqrt 2) - (sqrt 2 - 1) / 3)
   const double known = 4 * (std::log(1 + std::sqrt(2.)) - (std::sqrt(2.) - 1) / 3);
-  EXPECT_NEAR(mean_potential({0.5, 0.5}, {0.5, 0.5}, 0, 0), known, 1e-13);
+  EXPECT_TRUE(near(mean_potential({0.5, 0.5}, {0.5, 0.5}, 0, 0), known,
+                   within_absolute(1e-13, "closed form of the unit square, rounding")));
 }
 
 TEST(MeanPotential, IsTheMeanOfTheKernelAndSymmetric)
@@ -247,8 +270,10 @@ TEST(MeanPotential, IsTheMeanOfTheKernelAndSymmetric)
                           .one /
                       (4 * n * n);
       const double m = mean_potential(a, b, x, y);
-      EXPECT_NEAR(m / mean, 1, 5e-5) << at(b, x, y);  // the two-point rule in 40 parts, beside an edge
-      EXPECT_NEAR(mean_potential(b, a, -x, -y) * a.half_x * a.half_y / (m * b.half_x * b.half_y), 1, 1e-11)
+      EXPECT_TRUE(near(m / mean, 1, within(5e-5, "the two-point rule in 40 parts, next to an edge")))
+          << at(b, x, y);  // the two-point rule in 40 parts, next to an edge
+      EXPECT_TRUE(near(mean_potential(b, a, -x, -y) * a.half_x * a.half_y / (m * b.half_x * b.half_y), 1,
+                       within(1e-11, "reciprocity: differences of the fourfold primitive cost digits")))
           << at(b, x, y);
     }
 }
@@ -259,7 +284,9 @@ TEST(MeanPotential, DoesNotJumpWhereTheRuleChanges)
   for (const double x : {8., 80., 8.2, 82.}) {
     const double below = mean_potential(a, a, x * (1 - 1e-13), 0),
                  above = mean_potential(a, a, x * (1 + 1e-13), 0);
-    EXPECT_NEAR(above / below, 1, 3e-12) << x;
+    EXPECT_TRUE(
+        near(above / below, 1, within(3e-12, "the closed form goes over into the series: their common digits")))
+        << x;
   }
 }
 
@@ -272,14 +299,14 @@ TEST(GradedEdges, EndWithTheStepAskedForAndGrowTowardsTheMiddle)
   const Eigen::VectorXd step = z.tail(n) - z.head(n);
   EXPECT_EQ(z[0], 0);
   EXPECT_EQ(z[n], 0.02);
-  EXPECT_NEAR(step[n - 1], 5e-5, 1e-15);
+  EXPECT_TRUE(near(step[n - 1], 5e-5, within_absolute(1e-15, "m, the length at the end is asked for")));
   for (Eigen::Index i = 1; i + 1 < n; ++i)  // the first takes what is left
     EXPECT_LE(step[i + 1], step[i] * (1 + 1e-9));
   EXPECT_LE(step.maxCoeff(), 1.5e-3 * (1 + 1e-9));
   EXPECT_THROW(graded_edges(0.02, 1e-3, 0, 1.3), InputError);
 }
 
-TEST(FitPressure, IsExactForASemiEllipseAndSaysWhenThereIsNone)
+TEST(FitPressure, IsExactForASemiEllipseAndNanWithoutOne)
 {
   std::vector<double> x, p;
   for (int i = 0; i < 8; ++i) {
@@ -288,8 +315,8 @@ TEST(FitPressure, IsExactForASemiEllipseAndSaysWhenThereIsNone)
   }
   p.back() *= 0.5;  // the outermost does not count
   const PressureFit fit = fit_pressure(x, p);
-  EXPECT_NEAR(fit.half_width, 1, 1e-13);
-  EXPECT_NEAR(fit.peak / 3e8, 1, 1e-13);
+  EXPECT_TRUE(near(fit.half_width, 1, within(1e-13, "exact data, rounding of a least-squares fit")));
+  EXPECT_TRUE(near(fit.peak / 3e8, 1, within(1e-13, "exact data, rounding of a least-squares fit")));
   EXPECT_TRUE(std::isnan(fit_pressure({1, 2, 3}, {3, 2, 1}).peak));
   EXPECT_TRUE(std::isnan(fit_pressure({1, 2, 3, 4, 5}, {1, 2, 3, 4, 5}).half_width));
 }
@@ -313,8 +340,10 @@ TEST(HalfSpaceContact, CarriesTheLoadOnAllFourQuarters)
   HalfSpaceContact contact = small_sphere(10);
   const HalfSpaceState s   = contact.at_load(1000);
   const double step        = s.z[1] - s.z[0];
-  EXPECT_NEAR(2 * s.line_load.sum() * step / 1000, 1, 1e-13);
-  EXPECT_NEAR((s.pressure - s.pressure.transpose()).norm() / s.pressure.norm(), 0, 1e-12);  // x and z are alike
+  EXPECT_TRUE(near(2 * s.line_load.sum() * step / 1000, 1,
+                   within(1e-13, "the load is a constraint of the system, rounding")));
+  EXPECT_TRUE(near((s.pressure - s.pressure.transpose()).norm() / s.pressure.norm(), 0,
+                   within_absolute(1e-12, "x and z are alike: the same sums in another order")));
   EXPECT_EQ(s.n_unknowns, 100);
   EXPECT_FALSE(s.reaches_end);
   EXPECT_LE(s.residual, 1e-12);
@@ -337,15 +366,17 @@ TEST(HalfSpaceContact, OperatorIsTheSameContactOnAnyRows)
   const double a = hertz_point(1000, 0.01, 0.01, contact_modulus(pair)).semi_x;
   const int n    = 20;
   HalfSpaceContact uneven(pair, {1.2 * a / n, n, graded_edges(1.2 * a, a / 10, a / 40, 1.2)}, sphere);
-  EXPECT_NEAR(uneven.at_load(1000).approach / small_sphere(n).at_load(1000).approach, 1, 2e-4);
+  EXPECT_TRUE(near(uneven.at_load(1000).approach / small_sphere(n).at_load(1000).approach, 1,
+                   within(2e-4, "two grids of one sphere: second order")));
 }
 
 TEST(HalfSpaceContact, SmoothTangentLiesAmongTheSteps)
 {
   const PointContact hertz = hertz_point(1000, 0.01, 0.01, contact_modulus(pair));
   HalfSpaceContact contact = small_sphere(12);
-  EXPECT_NEAR(contact.tangent(1000) / hertz.tangent, 1, 1e-3);
-  EXPECT_NEAR(contact.at_load(1000).set_tangent / hertz.tangent, 1, 2e-2);
+  EXPECT_TRUE(near(contact.tangent(1000) / hertz.tangent, 1, within(1e-3, "parabola through nine loads")));
+  EXPECT_TRUE(near(contact.at_load(1000).set_tangent / hertz.tangent, 1,
+                   within(2e-2, "steps of a set of some hundred rectangles")));
 }
 
 TEST(HalfSpaceContact, BothSidesAreTheQuarterTwice)
@@ -358,18 +389,23 @@ TEST(HalfSpaceContact, BothSidesAreTheQuarterTwice)
     return HalfSpaceContact(pair, both, gap).at_load(1000);
   };
   const HalfSpaceState half = on(sphere), quarter = small_sphere(n).at_load(1000);
-  EXPECT_NEAR(half.approach / quarter.approach, 1, 1e-11);
-  EXPECT_NEAR(half.set_tangent / quarter.set_tangent, 1, 1e-11);
-  EXPECT_NEAR(half.moment / (1000 * a), 0, 1e-12);
+  EXPECT_TRUE(near(half.approach / quarter.approach, 1,
+                   within(1e-11, "one contact, half and quarter: the same sums in another order")));
+  EXPECT_TRUE(near(half.set_tangent / quarter.set_tangent, 1,
+                   within(1e-11, "one contact, half and quarter: the same sums in another order")));
+  EXPECT_TRUE(
+      near(half.moment / (1000 * a), 0, within_absolute(1e-12, "without tilt there is no moment, rounding")));
   // A tilted sphere rolls: the contact is one row further along, the same to the last digits, and its moment that
   // of the load there.
   const double step           = 0.12 * a;
   const HalfSpaceState rolled = on([&](const double x, const double z) { return sphere(x, z) - step / 0.01 * z; });
-  EXPECT_NEAR(rolled.moment / (1000 * step), 1, 1e-9);
-  EXPECT_NEAR((rolled.approach + step * step / 0.02) / quarter.approach, 1, 1e-9);
+  EXPECT_TRUE(
+      near(rolled.moment / (1000 * step), 1, within(1e-9, "a crown that rolls by whole rows is the same system")));
+  EXPECT_TRUE(near((rolled.approach + step * step / 0.02) / quarter.approach, 1,
+                   within(1e-9, "a crown that rolls by whole rows is the same system")));
 }
 
-TEST(HalfSpaceContact, SaysWhatIsWrong)
+TEST(HalfSpaceContact, ReportsInvalidInput)
 {
   const QuarterGrid narrow{1e-5, 10, Eigen::VectorXd::LinSpaced(11, 0, 1e-3)};  // 0.1 mm for a contact of 0.4 mm
   EXPECT_THROW(HalfSpaceContact(pair, narrow, sphere).at_load(1000), SolverError);
@@ -392,4 +428,36 @@ TEST(SingularEnd, IsThatOfASharpEdgeOnly)
   EXPECT_TRUE(has_singular_end(pair, grid, sharp, 2000));
   EXPECT_FALSE(has_singular_end(pair, grid, relieved, 2000));
   EXPECT_FALSE(has_singular_end(pair, {5e-5, 20, Eigen::VectorXd::LinSpaced(11, 0, 1e-3)}, sphere, 1000));
+}
+
+namespace {
+// Rows of a roller of 20 mm whose last 2 mm are rounded by 20 um; the largest line load over the mean.
+double largest_line_load(const Eigen::VectorXd &rows)
+{
+  const double load = 10e3, length = 0.02, arc = 2e-3;
+  const GapShape rounded = [&](const double x, const double z) {
+    if (z > length / 2)
+      return std::numeric_limits<double>::infinity();
+    const double beyond = std::max(0., z - length / 2 + arc) / arc;
+    return x * x / 0.025 + 20e-6 * beyond * beyond;
+  };
+  const double half_width = hertz_line(load / length, 0.0125, contact_modulus(pair)).half_width;
+  QuarterGrid grid{half_width / 6, 12, rows};
+  for (int round = 0; round < 6; ++round) {
+    const HalfSpaceState state = HalfSpaceContact(pair, grid, rounded).at_load(load);
+    const Eigen::VectorXd next = refined_rows(grid, state, 0.04, 5e-5);
+    if (next.size() == grid.z.size())
+      return state.line_load.maxCoeff() / (load / length);
+    grid.z = next;
+  }
+  return HalfSpaceContact(pair, grid, rounded).at_load(load).line_load.maxCoeff() / (load / length);
+}
+}  // namespace
+
+TEST(RefinedRows, FindTheLineLoadWhereARoundingBegins)
+{
+  const double from_graded = largest_line_load(graded_edges(0.01, 8e-4, 5e-5, 1.4)),
+               from_even   = largest_line_load(Eigen::VectorXd::LinSpaced(101, 0, 0.01));
+  EXPECT_TRUE(near(from_graded, from_even,
+                   within(0.01, "two grids that share no row; a quarter of the largest bend of 4 %")));
 }

@@ -1,5 +1,6 @@
 #include "core/base/errors.h"
 #include "fem/contact/hertz.h"
+#include "tests/support/near.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -36,23 +37,33 @@ TEST(HertzPoint, SatisfiesItsEquationsForAnyRatioOfTheRadii)
     const PointContact c = hertz_point(P, R_max, R_min, E);
     const long double kp = c.semi_y / c.semi_x, m = 1 - kp * kp;
     const auto [K, L] = integrals(kp);
-    EXPECT_NEAR(double((L / (kp * kp) - K) / (K - L) / ratio), 1, 1e-13) << ratio;
-    EXPECT_NEAR(double(1 / (2 * R_max) * 2 * M_PI * std::pow(c.semi_x, 3) * E * m / (3 * P * (K - L))), 1, 1e-13)
+    EXPECT_TRUE(near(double((L / (kp * kp) - K) / (K - L) / ratio), 1,
+                     within(1e-13, "elliptic integrals by their mean, in long double")))
         << ratio;
-    EXPECT_NEAR(double(c.peak_pressure * c.semi_y * K / E) / c.approach, 1, 1e-14) << ratio;
-    EXPECT_NEAR(2 * M_PI / 3 * c.peak_pressure * c.semi_x * c.semi_y / P, 1, 1e-14) << ratio;
+    EXPECT_TRUE(near(double(1 / (2 * R_max) * 2 * M_PI * std::pow(c.semi_x, 3) * E * m / (3 * P * (K - L))), 1,
+                     within(1e-13, "elliptic integrals by their mean, in long double")))
+        << ratio;
+    EXPECT_TRUE(
+        near(double(c.peak_pressure * c.semi_y * K / E) / c.approach, 1, within(1e-14, "closed form, rounding")))
+        << ratio;
+    EXPECT_TRUE(
+        near(2 * M_PI / 3 * c.peak_pressure * c.semi_x * c.semi_y / P, 1, within(1e-14, "closed form, rounding")))
+        << ratio;
   }
 }
 
 TEST(HertzPoint, EqualRadiiAreTheSphereAndNearlyEqualOnesGoOverIntoIt)
 {
   const PointContact c = hertz_point(1000, 0.01, 0.01, E);
-  EXPECT_NEAR(c.semi_x / std::cbrt(3 * 1000 * 0.01 / (4 * E)), 1, 1e-15);
+  EXPECT_TRUE(
+      near(c.semi_x / std::cbrt(3 * 1000 * 0.01 / (4 * E)), 1, within(1e-15, "sphere, closed form, rounding")));
   EXPECT_DOUBLE_EQ(c.semi_x, c.semi_y);
-  EXPECT_NEAR(c.approach * 0.01 / (c.semi_x * c.semi_x), 1, 1e-15);
+  EXPECT_TRUE(near(c.approach * 0.01 / (c.semi_x * c.semi_x), 1, within(1e-15, "sphere, closed form, rounding")));
   for (const double difference : {1e-15, 1e-9, 1e-5}) {
     const PointContact d = hertz_point(1000, 0.01 * (1 + difference), 0.01, E);
-    EXPECT_NEAR(d.approach / c.approach, 1, difference + 1e-15) << difference;
+    EXPECT_TRUE(near(d.approach / c.approach, 1,
+                     within(difference + 1e-15, "the mean curvature changes by half of the difference")))
+        << difference;
     EXPECT_GE(d.semi_x, d.semi_y) << difference;
   }
 }
@@ -72,8 +83,10 @@ TEST(HertzPoint, TangentIsTheSlopeAndTheInverseReturnsTheLoad)
   const PointContact c = hertz_point(P, 0.01, 0.3, E);
   const double below   = hertz_point(P - h, 0.01, 0.3, E).approach,
                above   = hertz_point(P + h, 0.01, 0.3, E).approach;
-  EXPECT_NEAR(c.tangent * (above - below) / (2 * h), 1, 1e-8);  // third derivative times h^2
-  EXPECT_NEAR(hertz_point_at(c.approach, 0.01, 0.3, E).load / P, 1, 1e-13);
+  EXPECT_TRUE(
+      near(c.tangent * (above - below) / (2 * h), 1, within(1e-8, "third derivative times the step squared")));
+  EXPECT_TRUE(
+      near(hertz_point_at(c.approach, 0.01, 0.3, E).load / P, 1, within(1e-13, "root found by Newton, rounding")));
 }
 
 TEST(HertzLine, IsTheLimitOfALongEllipse)
@@ -82,8 +95,10 @@ TEST(HertzLine, IsTheLimitOfALongEllipse)
   const PointContact c = hertz_point(1000, 0.01, 1e7, E);
   const double q       = M_PI / 2 * c.peak_pressure * c.semi_x;
   const HertzLine line = hertz_line(q, 0.01, E);
-  EXPECT_NEAR(line.half_width / c.semi_x, 1, 1e-6);  // ln(axis ratio) / (axis ratio)^2, ratio 4e4 to the power 2/3
-  EXPECT_NEAR(line.peak_pressure / c.peak_pressure, 1, 1e-6);
+  EXPECT_TRUE(near(line.half_width / c.semi_x, 1,
+                   within(1e-6, "ln(axis ratio) / (axis ratio)^2, ratio 4e4 to the power 2/3")));
+  EXPECT_TRUE(near(line.peak_pressure / c.peak_pressure, 1,
+                   within(1e-6, "ln(axis ratio) / (axis ratio)^2, ratio 4e4 to the power 2/3")));
 }
 
 TEST(Cattaneo, TractionCarriesTheTangentialLoadAndEndsAtFriction)
@@ -100,7 +115,8 @@ TEST(Cattaneo, TractionCarriesTheTangentialLoadAndEndsAtFriction)
       Q += t * 2 * line.half_width / n;
       EXPECT_LE(t, mu * line.peak_pressure * std::sqrt(1 - s * s) * (1 + 1e-12));
     }
-    EXPECT_NEAR(Q / (mu * 1e6), ratio, 1e-6) << ratio;  // midpoint rule, root at the rim: n^-1.5
+    EXPECT_TRUE(near(Q / (mu * 1e6), ratio, within_absolute(1e-6, "midpoint rule, root at the rim: n^-1.5")))
+        << ratio;  // midpoint rule, root at the rim: n^-1.5
   }
   EXPECT_EQ(cattaneo_line(line, 1).stick, 0);
 }
@@ -111,8 +127,8 @@ TEST(Mindlin, StiffnessIsTheFirstSlopeOfTheApproach)
   const PointContact c  = hertz_point(1000, 0.01, 0.01, E);
   const double small    = 1e-7;
   const PartialSlip s   = mindlin_sphere(c, pair, 0.3, small);
-  EXPECT_NEAR(small * 0.3 * 1000 / s.tangential / s.stiffness, 1,
-              1e-6);  // second order in the load ratio: 1/6 of it
+  EXPECT_TRUE(near(small * 0.3 * 1000 / s.tangential / s.stiffness, 1,
+                   within(1e-6, "first order in the load ratio of 1e-7: a sixth of it")));
   EXPECT_EQ(mindlin_sphere(c, pair, 0.3, 1).stick, 0);
 }
 
@@ -127,11 +143,12 @@ TEST(Punches, PressuresCarryTheLoad)
     circle += circular_punch_pressure(P, a, r) * 2 * M_PI * r * dr;
     strip += 2 * strip_punch_pressure(P, a, r) * dr;
   }
-  EXPECT_NEAR(circle / P, 1, 1e-6);  // midpoint rule: (pi/2n)^2 / 24
-  EXPECT_NEAR(strip / P, 1, 1e-12);
+  EXPECT_TRUE(near(circle / P, 1, within(1e-6, "midpoint rule: (pi/2n)^2 / 24")));
+  EXPECT_TRUE(near(strip / P, 1, within(1e-12, "midpoint rule on a smooth periodic integrand")));
   EXPECT_TRUE(std::isinf(circular_punch_pressure(P, a, a)));
   EXPECT_EQ(strip_punch_pressure(P, a, -1.01 * a), 0);
-  EXPECT_NEAR(circular_punch(P, a, E).mean_pressure / circular_punch_pressure(P, a, 0), 2, 1e-14);
+  EXPECT_TRUE(near(circular_punch(P, a, E).mean_pressure / circular_punch_pressure(P, a, 0), 2,
+                   within(1e-14, "closed form, rounding")));
 }
 
 TEST(Hertz, RefusesWhatHasNoContact)

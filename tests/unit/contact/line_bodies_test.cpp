@@ -99,7 +99,7 @@ TEST(LineBodies, HalfPlanesMeetTheClosedForm)
   }
 }
 
-TEST(LineBodies, SayWhatIsWrong)
+TEST(LineBodies, ReportInvalidInput)
 {
   const LineBody cylinder{0.1, steel, 0}, plane{infinite, steel, std::nan("")};
   EXPECT_THROW(line_bodies({cylinder, plane}, 1e5), InputError);  // no depth
@@ -124,9 +124,10 @@ TEST(FiniteLine, IsTheMiddleOfARollerWithEvenLoad)
   // ln 2 + 1/2 = 1.1932, the constant that Lundberg prints.
   EXPECT_TRUE(near(finite.approach, 2 * 500e3 / (M_PI * E) * (1.1932 + std::log(0.040 / hertz.half_width)),
                    within(1e-5, "constant printed with five digits")));
-  const double h     = 1e-4;
-  const auto at      = [&](const double q) { return lundberg_line(hertz_line(q, 0.0125, E), q, 0.040, E); };
-  const double slope = 0.040 * 500e3 * 2 * h / (at(500e3 * (1 + h)).approach - at(500e3 * (1 - h)).approach);
+  const double h      = 1e-4;
+  const auto value_at = [&](const double q) { return lundberg_line(hertz_line(q, 0.0125, E), q, 0.040, E); };
+  const double slope =
+      0.040 * 500e3 * 2 * h / (value_at(500e3 * (1 + h)).approach - value_at(500e3 * (1 - h)).approach);
   EXPECT_TRUE(near(finite.tangent, slope, within(1e-7, "third order of a step of 1e-4")));
   EXPECT_THROW(lundberg_line(hertz, 500e3, hertz.half_width, E), InputError);
 }

@@ -47,7 +47,7 @@ Surface below(const Surface &line)
   return contact::placed(line, Eigen::Vector2d(1, -1).asDiagonal(), Eigen::Vector2d::Zero());
 }
 
-// n x m quadrilaterals in the plane z = 0 with normal +z; mesh lines are shaken, or every corner by itself
+// n x m quadrilaterals in the plane z = 0 with normal +z; mesh lines are shaken, or each corner alone
 // (general quadrilaterals); then turned about z.
 Surface sheet(const double a, const double b, const int n, const int m, const int degree, const unsigned seed,
               const double angle = 0, const bool general = false)

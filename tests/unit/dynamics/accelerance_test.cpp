@@ -36,27 +36,27 @@ Complex closed_form(const double f, const double gap_damper)
 }
 }  // namespace
 
-TEST(Accelerance, OfOneMassInClosedForm)
+TEST(Accelerance, OneMassHasTheClosedForm)
 {
   for (const double gap_damper : {0., 3000.})
     for (const double f : {1., 39.9, 40., 41., 500.}) {
-      const Complex found = accelerance(oscillator(gap_damper), f)(0, 0), wanted = closed_form(f, gap_damper);
-      EXPECT_LT(std::abs(found - wanted), 1e-13 * std::abs(wanted)) << f << " Hz, " << gap_damper << " N s/m";
+      const Complex computed = accelerance(oscillator(gap_damper), f)(0, 0), wanted = closed_form(f, gap_damper);
+      EXPECT_LT(std::abs(computed - wanted), 1e-13 * std::abs(wanted)) << f << " Hz, " << gap_damper << " N s/m";
     }
 }
 
-TEST(Accelerance, OfAChainIsThatOfItsEquationOfMotion)
+TEST(Accelerance, AChainSatisfiesItsEquationOfMotion)
 {
   const MillModel chain = mill_model(published_stand(), settings("published", 0.01));
   StandModel stand;
-  stand.M         = chain.M.asDiagonal();
-  stand.K_parts   = chain.K;
-  stand.b         = chain.b;
-  const Modes own = modes(chain);
-  const auto s    = damped_stand(stand, 0.01, 0);
-  const auto f    = frequencies_around(own.frequency, 0.01, 10, 1000);
+  stand.M             = chain.M.asDiagonal();
+  stand.K_parts       = chain.K;
+  stand.b             = chain.b;
+  const Modes natural = modes(chain);
+  const auto s        = damped_stand(stand, 0.01, 0);
+  const auto f        = frequencies_around(natural.frequency, 0.01, 10, 1000);
   const auto sum =
-      modal_response(stand, own.frequency, own.shape, {Eigen::VectorXd::Unit(6, 2)}, {chain.b}, 0.01, 0);
+      modal_response(stand, natural.frequency, natural.shape, {Eigen::VectorXd::Unit(6, 2)}, {chain.b}, 0.01, 0);
   const FrequencyResponse by_matrices = frequency_response(chain, f);  // its damping is made from the modes
   const double largest                = by_matrices.acceleration.col(2).cwiseAbs().maxCoeff();
   for (Eigen::Index i = 0; i < f.size(); i += 7) {
@@ -73,24 +73,25 @@ TEST(Accelerance, DampingByTheRootOfAMatrixHasTheRatioInEveryMode)
   const MillModel chain          = mill_model(published_stand(), settings("measured", 0));
   const Eigen::MatrixXd M        = chain.M.asDiagonal();
   const Eigen::MatrixXd C        = modal_damping_matrix(M, chain.K, 0.03);
-  const Modes own                = modes(chain);
-  const Eigen::MatrixXd in_modes = own.shape.transpose() * C * own.shape;
-  const Eigen::MatrixXd wanted   = (0.06 * 2 * M_PI * own.frequency).asDiagonal();
+  const Modes natural            = modes(chain);
+  const Eigen::MatrixXd in_modes = natural.shape.transpose() * C * natural.shape;
+  const Eigen::MatrixXd wanted   = (0.06 * 2 * M_PI * natural.frequency).asDiagonal();
   EXPECT_LT((in_modes - wanted).norm(), 1e-11 * wanted.norm());
   EXPECT_THROW(modal_damping_matrix(M, -chain.K, 0.03), SolverError) << "a stiffness that is not positive";
 }
 
-TEST(Accelerance, ForceAndResponseMayChangePlaces)
+TEST(Accelerance, IsReciprocal)
 {
   const MillModel chain = mill_model(published_stand(), settings("published", 0.01));
   StandModel stand;
-  stand.M                               = chain.M.asDiagonal();
-  stand.K_parts                         = chain.K;
-  stand.b                               = chain.b;
-  const Modes own                       = modes(chain);
-  const std::vector<Eigen::VectorXd> at = {Eigen::VectorXd::Unit(6, 0), Eigen::VectorXd::Unit(6, 2),
-                                           Eigen::VectorXd::Unit(6, 4)};
-  const auto a = accelerance(modal_response(stand, own.frequency, own.shape, at, at, 0.01, 1e5), 200);
+  stand.M                                      = chain.M.asDiagonal();
+  stand.K_parts                                = chain.K;
+  stand.b                                      = chain.b;
+  const Modes natural                          = modes(chain);
+  const std::vector<Eigen::VectorXd> positions = {Eigen::VectorXd::Unit(6, 0), Eigen::VectorXd::Unit(6, 2),
+                                                  Eigen::VectorXd::Unit(6, 4)};
+  const auto a =
+      accelerance(modal_response(stand, natural.frequency, natural.shape, positions, positions, 0.01, 1e5), 200);
   EXPECT_LT((a - a.transpose()).norm(), 1e-14 * a.norm());
 }
 
@@ -107,7 +108,7 @@ TEST(Accelerance, FrequenciesAreCloseWithinAResonance)
   }
 }
 
-TEST(ResponseBand, OfOneSpringIsItsErrorBelowTheResonance)
+TEST(ResponseBand, BelowTheResonanceTheBandIsTheErrorOfTheSpring)
 {
   ModalResponse one = oscillator();
   const double e    = 0.2;
@@ -115,13 +116,13 @@ TEST(ResponseBand, OfOneSpringIsItsErrorBelowTheResonance)
                         Eigen::MatrixXd::Zero(1, 1)};
   const Eigen::VectorXd f = Eigen::Vector2d(0.4, 60);
   BandSettings settings;
-  settings.samples = 4000;
-  const auto band  = response_band(one, 1, {spring}, Eigen::VectorXd::Zero(1), f, settings);
-  const double at  = std::abs(accelerance(one, f[0])(0, 0));
+  settings.samples       = 4000;
+  const auto band        = response_band(one, 1, {spring}, Eigen::VectorXd::Zero(1), f, settings);
+  const double magnitude = std::abs(accelerance(one, f[0])(0, 0));
   const Tolerance of_sampling =
       within(0.05, "a 2.5 % quantile of 4000 draws scatters by 3 % of e, of its logarithm");
-  EXPECT_TRUE(near(std::log(band.high(0, 0) / at), e, of_sampling));
-  EXPECT_TRUE(near(std::log(band.low(0, 0) / at), -e, of_sampling));
+  EXPECT_TRUE(near(std::log(band.high(0, 0) / magnitude), e, of_sampling));
+  EXPECT_TRUE(near(std::log(band.low(0, 0) / magnitude), -e, of_sampling));
   // At the resonance of every draw 1 / (2 zeta m), whatever the spring.
   EXPECT_TRUE(near(band.peak_high(0, 0), 1 / (2 * damping * mass), within(1e-12, "no draw changes it")));
   EXPECT_TRUE(near(band.peak_low(0, 0), 1 / (2 * damping * mass), within(1e-12, "no draw changes it")));
@@ -129,7 +130,7 @@ TEST(ResponseBand, OfOneSpringIsItsErrorBelowTheResonance)
   EXPECT_EQ(again.high, band.high) << "one seed, one band";
 }
 
-TEST(ResponseBand, OfTheDampingIsThatOfThePeak)
+TEST(ResponseBand, AtThePeakTheBandIsTheErrorOfTheDamping)
 {
   BandSettings settings;
   settings.samples       = 4000;
@@ -142,7 +143,7 @@ TEST(ResponseBand, OfTheDampingIsThatOfThePeak)
   EXPECT_TRUE(near(std::log(band.peak_low(0, 0) / peak), -0.3, of_sampling));
 }
 
-TEST(ResponseBand, WithoutErrorsIsTheResponseItself)
+TEST(ResponseBand, WithoutErrorsTheBandIsTheResponse)
 {
   const auto f    = Eigen::Vector2d(20, 60);
   const auto band = response_band(oscillator(), 1, {}, Eigen::VectorXd::Zero(1), f);

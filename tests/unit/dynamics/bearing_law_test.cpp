@@ -35,7 +35,7 @@ std::string message_of(const BearingCurve &curve)
 }  // namespace
 
 // A power law is a straight line in the logarithms, so four samples are as good as a thousand.
-TEST(BearingLaw, MeetsAPowerLawEverywhere)
+TEST(BearingLaw, ReproducesAPowerLawEverywhere)
 {
   for (const double clearance : {0.0, 5e-5}) {
     BearingCurve curve   = power_curve(clearance);
@@ -46,10 +46,10 @@ TEST(BearingLaw, MeetsAPowerLawEverywhere)
     const BearingLaw stated = bearing_law(curve);
     EXPECT_FALSE(stated.limited);
     for (const double depth : {1e-9, 1e-6, 5e-6, 2.2e-5, 9e-5, 2e-4}) {
-      const double e         = clearance + depth - clearance;  // what a double keeps of it
-      const ForceAndSlope at = force_at(stated, clearance + depth);
-      EXPECT_TRUE(near(at.force, k * std::pow(e, n), rounding)) << depth;
-      EXPECT_TRUE(near(at.tangent, n * k * std::pow(e, n - 1), rounding)) << depth;
+      const double e            = clearance + depth - clearance;  // what a double keeps of it
+      const ForceAndSlope force = force_at(stated, clearance + depth);
+      EXPECT_TRUE(near(force.force, k * std::pow(e, n), rounding)) << depth;
+      EXPECT_TRUE(near(force.tangent, n * k * std::pow(e, n - 1), rounding)) << depth;
     }
     EXPECT_EQ(force_at(stated, clearance).force, 0);
     EXPECT_EQ(force_at(stated, 0.5 * clearance).tangent, 0) << "nothing pulls inside the clearance";
@@ -90,7 +90,7 @@ TEST(BearingLaw, PreloadedBearingStartsWithAFiniteSlope)
   curve.tangent        = Eigen::Vector2d(3.2e10, 2.4e10);  // exponents 0.8 and 0.8
   const BearingLaw law = bearing_law(curve);
   // a + b e^2 through value and slope of the first sample: a = (3 - 0.8)/2 = 1.1 of the first secant
-  EXPECT_TRUE(near(force_at(law, 1e-12).tangent, 1.1 * 4e10, within(1e-9, "e^2 = 1e-14 beside one")));
+  EXPECT_TRUE(near(force_at(law, 1e-12).tangent, 1.1 * 4e10, within(1e-9, "e^2 = 1e-14 compared with one")));
   EXPECT_TRUE(near(force_at(law, 1e-5).tangent, 3.2e10, within(1e-12, "the slope given")));
 }
 
@@ -124,7 +124,7 @@ TEST(BearingLaw, DisplacementUnderALoadIsTheInverse)
   EXPECT_EQ(displacement_under(law, 0), law.clearance);
 }
 
-TEST(BearingLaw, SaysWhatIsWrongWithATable)
+TEST(BearingLaw, RefusesWrongTablesWithTheReason)
 {
   BearingCurve curve = power_curve(0);
   curve.force[2]     = curve.force[1];

@@ -59,14 +59,14 @@ TEST(Campbell, DistanceIsOverTheNearerEnd)
   EXPECT_TRUE(std::isnan(distance_from(15, {not_given, not_given})));
 }
 
-TEST(Campbell, NearestToTheWorkingRange)
+TEST(Campbell, TheCrossingNearestToTheWorkingRangeComesFirst)
 {
   const CampbellRecord r = record();
   // 60 Hz: order 20 at 4.71 m/s, order 10 at 9.42 m/s, teeth at 10.03 m/s, which is nearer to the middle.
-  const auto found = nearest(r, 0);
-  ASSERT_TRUE(found);
-  EXPECT_EQ(found->line, 2);
-  EXPECT_EQ(found->distance, 0);
+  const auto crossing = nearest(r, 0);
+  ASSERT_TRUE(crossing);
+  EXPECT_EQ(crossing->line, 2);
+  EXPECT_EQ(crossing->distance, 0);
   EXPECT_FALSE(nearest(r, 1)) << "300 Hz is met by nothing up to 20 m/s";
   CampbellRecord without = r;
   for (CampbellCrossing &c : without.crossings)

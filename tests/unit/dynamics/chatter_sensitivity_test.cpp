@@ -33,11 +33,11 @@ struct Six {
 
 const ChatterSensitivity &row(const SensitivityTable &table, const std::string &key)
 {
-  const auto found =
+  const auto result =
       std::find_if(table.inputs.begin(), table.inputs.end(), [&](const auto &s) { return s.key == key; });
-  if (found == table.inputs.end())
+  if (result == table.inputs.end())
     throw std::logic_error("no input " + key);
-  return *found;
+  return *result;
 }
 
 SensitivityRequest at_work(const double change = 0)
@@ -74,12 +74,12 @@ DynamicsSettings damped()
 void expect_derivatives(const StandStructure &base, const std::vector<StructureNumber> &numbers)
 {
   for (const StructureNumber &number : numbers) {
-    const auto check = [&](const char *name, const Eigen::MatrixXd &by, const auto &of) {
+    const auto check = [&](const char *name, const Eigen::MatrixXd &by, const auto &function) {
       const Eigen::MatrixXd zero = Eigen::MatrixXd::Zero(base.n(), base.n());
-      const Eigen::MatrixXd d1   = (of(number.scaled(1.01)) - of(number.scaled(0.99))) / 0.02;
-      const Eigen::MatrixXd d2   = (of(number.scaled(1.02)) - of(number.scaled(0.98))) / 0.04;
+      const Eigen::MatrixXd d1   = (function(number.scaled(1.01)) - function(number.scaled(0.99))) / 0.02;
+      const Eigen::MatrixXd d2   = (function(number.scaled(1.02)) - function(number.scaled(0.98))) / 0.04;
       const Eigen::MatrixXd d    = (4 * d1 - d2) / 3;
-      const double size          = of(base).cwiseAbs().maxCoeff();
+      const double size          = function(base).cwiseAbs().maxCoeff();
       EXPECT_LT(((by.size() ? by : zero) - d).cwiseAbs().maxCoeff(), 1e-7 * size) << number.key << " " << name;
     };
     check("M", number.M_by, [](const StandStructure &s) { return s.M; });
@@ -89,7 +89,7 @@ void expect_derivatives(const StandStructure &base, const std::vector<StructureN
 }
 }  // namespace
 
-TEST(StructureNumbers, MatricesOfSixMassesChainAndModes)
+TEST(StructureNumbers, ReproduceTheMatricesOfSixMassesChainAndModes)
 {
   const Six six;
   expect_derivatives(six.stand().structure, six.numbers());
@@ -107,11 +107,11 @@ TEST(StructureNumbers, MatricesOfSixMassesChainAndModes)
   const auto numbers = modal_numbers(modes);
   EXPECT_EQ(numbers.size(), 4u);
   expect_derivatives(structure_of(modes), numbers);
-  EXPECT_EQ(six_mass_numbers(six.mass, six.stiffness, {}).size(), 12u);  // dampers of zero are no inputs
+  EXPECT_EQ(six_mass_numbers(six.mass, six.stiffness, {}).size(), 12u);  // dampers of zero are not inputs
 }
 
 // All masses, springs, dampers and the width of the strip by one factor: every force by it, the motion the same.
-TEST(ChatterSensitivity, SimilarityOfTheStand)
+TEST(ChatterSensitivity, SlopesSatisfyTheSimilarityOfTheStand)
 {
   const Six six;
   for (const Linearisation scheme : schemes) {
@@ -141,7 +141,7 @@ TEST(ChatterSensitivity, SimilarityOfTheStand)
 }
 
 // Growth rate at the working speed against differences of eigenvalues.
-TEST(ChatterSensitivity, GrowthRateByDifferences)
+TEST(ChatterSensitivity, SlopeOfTheGrowthRateIsThatOfDifferences)
 {
   const Six six;
   const RollBite pass = film_pass();
@@ -167,7 +167,7 @@ TEST(ChatterSensitivity, GrowthRateByDifferences)
 }
 
 // A stand taken from a lumped model with modal damping.
-TEST(ChatterSensitivity, ChainWithModalDamping)
+TEST(ChatterSensitivity, WorksForAChainWithModalDamping)
 {
   const ChatterStandModel stand{structure_of(mill_model(chain(), damped())), 5, 5, 210e9};
   const auto numbers = chain_numbers(chain(), damped());
@@ -189,7 +189,7 @@ TEST(ChatterSensitivity, ChainWithModalDamping)
   }
 }
 
-TEST(ChatterSensitivity, WithoutCriticalSpeed)
+TEST(ChatterSensitivity, WithoutACriticalSpeedOnlyTheGrowthRateHasSlopes)
 {
   const Six six;
   SensitivityRequest request = at_work(0.1);
@@ -210,7 +210,7 @@ TEST(ChatterSensitivity, WithoutCriticalSpeed)
   EXPECT_FALSE(std::isnan(k.raised.friction));
 }
 
-TEST(ChatterSensitivity, ThreadsChangeNothing)
+TEST(ChatterSensitivity, ResultIsTheSameForAnyNumberOfThreads)
 {
   const Six six;
   SensitivityRequest request = at_work(0.1);
@@ -232,11 +232,11 @@ TEST(ChatterSensitivity, ThreadsChangeNothing)
   }
 }
 
-TEST(ChatterSensitivity, FiniteChangesWithoutBite)
+TEST(ChatterSensitivity, FiniteChangesWithoutABiteStateTheReason)
 {
   const Six six;
   RollBite pass                   = film_pass();
-  pass.strip.exit_thickness       = 0.72e-3;  // 9 %: a tenth less at the entry is no reduction
+  pass.strip.exit_thickness       = 0.72e-3;  // 9 %: a tenth less at the entry leaves no reduction
   SensitivityRequest request      = at_work(0.1);
   request.range.from              = 16;
   request.range.to                = 20;
@@ -247,7 +247,7 @@ TEST(ChatterSensitivity, FiniteChangesWithoutBite)
             "strip.exit_thickness = 0.72 mm must be positive and below strip.entry_thickness = 0.7101 mm");
 }
 
-TEST(ChatterSensitivity, RefusesInWords)
+TEST(ChatterSensitivity, RefusesWrongRequestsWithTheReason)
 {
   const Six six;
   SensitivityRequest request = at_work();

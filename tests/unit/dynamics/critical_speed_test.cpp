@@ -76,70 +76,73 @@ bite::RollBite pass()
 constexpr auto sequential_scheme = Linearisation::sequential;
 }  // namespace
 
-TEST(CriticalSpeed, RootOfAKnownFunction)
+TEST(CriticalSpeed, FindsTheRootOfAKnownFunction)
 {
-  const CriticalSpeed found = crossings_of_roots(roots_of({
+  const CriticalSpeed critical = crossings_of_roots(roots_of({
       {[](double v) { return std::log(v / 7.3); }, 120},
       {[](double) { return -5; },                  80 }
   }));
-  ASSERT_EQ(found.verdict, Verdict::crossing);
-  EXPECT_NEAR(found.speed, 7.3, 2e-10);  // tolerance of the search
-  EXPECT_TRUE(near(found.frequency, 120, within(1e-12, "given")));
-  ASSERT_EQ(found.crossings.size(), 1u);
-  EXPECT_TRUE(found.crossings[0].upward && found.crossings[0].of_stand);
-  EXPECT_TRUE(near(found.crossings[0].slope, 1 / 7.3,
+  ASSERT_EQ(critical.verdict, Verdict::crossing);
+  EXPECT_TRUE(near(critical.speed, 7.3, within(2e-10 / 7.3, "the search ends at 1e-10 m/s, on either side")));
+  EXPECT_TRUE(near(critical.frequency, 120, within(1e-12, "given")));
+  ASSERT_EQ(critical.crossings.size(), 1u);
+  EXPECT_TRUE(critical.crossings[0].upward && critical.crossings[0].of_stand);
+  EXPECT_TRUE(near(critical.crossings[0].slope, 1 / 7.3,
                    within(1e-6, "taken where the root leaves the noise, 1e-9 of its modulus")));
-  EXPECT_EQ(found.lowest_bite, 1);
-  EXPECT_EQ(found.highest_bite, 30);
-  EXPECT_EQ(sentence(found, {}), "unstable above 7.300 m/s (120.0 Hz)");
+  EXPECT_EQ(critical.lowest_bite, 1);
+  EXPECT_EQ(critical.highest_bite, 30);
+  EXPECT_EQ(sentence(critical, {}), "unstable above 7.300 m/s (120.0 Hz)");
 }
 
 // Unstable between 10.3 and 10.7 m/s only: both grid points, 10 and 11 m/s, are stable.
 TEST(CriticalSpeed, AnIslandBetweenTwoGridPointsIsFound)
 {
-  const auto hill           = [](const double v) { return 0.04 - (v - 10.5) * (v - 10.5); };
-  const CriticalSpeed found = crossings_of_roots(roots_of({
+  const auto hill              = [](const double v) { return 0.04 - (v - 10.5) * (v - 10.5); };
+  const CriticalSpeed critical = crossings_of_roots(roots_of({
       {hill,                      100},
       {[](double) { return -3; }, 60 }
   }));
-  ASSERT_EQ(found.verdict, Verdict::crossing);
-  EXPECT_NEAR(found.speed, 10.3, 2e-10);
-  ASSERT_EQ(found.crossings.size(), 2u);
-  EXPECT_NEAR(found.crossings[1].speed, 10.7, 2e-10);
-  EXPECT_FALSE(found.crossings[1].upward);
-  EXPECT_EQ(sentence(found, {}), "unstable above 10.300 m/s (100.0 Hz), stable above 10.700 m/s");
+  ASSERT_EQ(critical.verdict, Verdict::crossing);
+  EXPECT_TRUE(near(critical.speed, 10.3, within(2e-10 / 10.3, "the search ends at 1e-10 m/s, on either side")));
+  ASSERT_EQ(critical.crossings.size(), 2u);
+  EXPECT_TRUE(near(critical.crossings[1].speed, 10.7,
+                   within(2e-10 / 10.7, "the search ends at 1e-10 m/s, on either side")));
+  EXPECT_FALSE(critical.crossings[1].upward);
+  EXPECT_EQ(sentence(critical, {}), "unstable above 10.300 m/s (100.0 Hz), stable above 10.700 m/s");
 }
 
-TEST(CriticalSpeed, TwoModesAreKeptApart)
+TEST(CriticalSpeed, DistinguishesTwoModes)
 {
-  const CriticalSpeed found = crossings_of_roots(roots_of({
+  const CriticalSpeed critical = crossings_of_roots(roots_of({
       {[](double v) { return 3 * (v - 15.2); },   128},
       {[](double v) { return 0.1 * (v - 15.1); }, 81 }
   }));
-  EXPECT_NEAR(found.speed, 15.1, 2e-9);  // 1e-10 1/s of noise over a slope of 0.1
-  EXPECT_TRUE(near(found.frequency, 81, within(1e-12, "given")));
-  ASSERT_EQ(found.crossings.size(), 2u);
-  EXPECT_NEAR(found.crossings[1].speed, 15.2, 2e-10);
-  EXPECT_FALSE(found.crossings[1].of_stand);
-  EXPECT_TRUE(near(found.crossings[1].frequency, 128, within(1e-12, "given")));
+  EXPECT_TRUE(near(critical.speed, 15.1,
+                   within(2e-9 / 15.1, "1e-10 1/s of noise over a slope of 0.1 1/s per m/s, either side")));
+  EXPECT_TRUE(near(critical.frequency, 81, within(1e-12, "given")));
+  ASSERT_EQ(critical.crossings.size(), 2u);
+  EXPECT_TRUE(near(critical.crossings[1].speed, 15.2,
+                   within(2e-10 / 15.2, "the search ends at 1e-10 m/s, on either side")));
+  EXPECT_FALSE(critical.crossings[1].of_stand);
+  EXPECT_TRUE(near(critical.crossings[1].frequency, 128, within(1e-12, "given")));
 }
 
-TEST(CriticalSpeed, StableThroughoutSaysHowNear)
+TEST(CriticalSpeed, AStableRangeStatesItsMargin)
 {
   const SpeedRange range{2, 20};
-  const CriticalSpeed found =
+  const CriticalSpeed critical =
       crossings_of_roots(roots_of({
                              {[](double v) { return -0.5 - 0.01 * std::pow(v - 13.37, 2); }, 100}
   }),
                          range);
-  EXPECT_EQ(found.verdict, Verdict::stable);
-  EXPECT_TRUE(std::isnan(found.speed));
-  EXPECT_NEAR(found.margin, -0.5, 1e-6);         // flat top, golden sections to 0.01 m/s
-  EXPECT_NEAR(found.margin_speed, 13.37, 0.01);  // the same
-  EXPECT_EQ(sentence(found, range), "stable from 2 to 20 m/s; the slowest decay is 0.5 1/s at 13.37 m/s");
+  EXPECT_EQ(critical.verdict, Verdict::stable);
+  EXPECT_TRUE(std::isnan(critical.speed));
+  EXPECT_TRUE(near(critical.margin, -0.5, within(1e-6 / 0.5, "flat top, golden sections to 0.01 m/s")));
+  EXPECT_TRUE(near(critical.margin_speed, 13.37, within(0.01 / 13.37, "golden sections to 0.01 m/s")));
+  EXPECT_EQ(sentence(critical, range), "stable from 2 to 20 m/s; the slowest decay is 0.5 1/s at 13.37 m/s");
 }
 
-TEST(CriticalSpeed, UnstableThroughoutAndUnstableBelow)
+TEST(CriticalSpeed, DistinguishesUnstableThroughoutFromUnstableBelow)
 {
   const CriticalSpeed always = crossings_of_roots(roots_of({
       {[](double v) { return 1 + 0.1 * v; }, 100}
@@ -166,16 +169,16 @@ TEST(CriticalSpeed, EdgesOfTheBiteAreFoundWithTheirReason)
         {[](double x) { return x - 12.5; }, 100}
     })(v);
   };
-  const CriticalSpeed found = crossings_of_roots(roots);
-  EXPECT_NEAR(found.speed, 12.5, 2e-10);
-  EXPECT_NEAR(found.lowest_bite, 4.2, 1e-3);  // as fine as the edges are searched
-  EXPECT_GE(found.lowest_bite, 4.2);
-  EXPECT_NEAR(found.highest_bite, 21.4, 1e-3);
-  EXPECT_EQ(found.below, "no flattened radius: R'/R = 20");
-  EXPECT_EQ(found.above, "the rolls skid");
-  EXPECT_EQ(sentence(found, {}),
+  const CriticalSpeed critical = crossings_of_roots(roots);
+  EXPECT_TRUE(near(critical.speed, 12.5, within(2e-10 / 12.5, "the search ends at 1e-10 m/s, on either side")));
+  EXPECT_TRUE(near(critical.lowest_bite, 4.2, within(1e-3 / 4.2, "the edges are searched to 1e-3 m/s")));
+  EXPECT_GE(critical.lowest_bite, 4.2);
+  EXPECT_TRUE(near(critical.highest_bite, 21.4, within(1e-3 / 21.4, "the edges are searched to 1e-3 m/s")));
+  EXPECT_EQ(critical.below, "no flattened radius: R'/R = 20");
+  EXPECT_EQ(critical.above, "the rolls skid");
+  EXPECT_EQ(sentence(critical, {}),
             "unstable above 12.500 m/s (100.0 Hz); no steady bite below 4.20 m/s; no steady bite above 21.40 m/s");
-  for (const SpeedPoint &p : found.points)
+  for (const SpeedPoint &p : critical.points)
     EXPECT_EQ(p.no_bite.empty(), p.speed >= 4.2 && p.speed <= 21.4) << p.speed;
   const CriticalSpeed none = crossings_of_roots(roots, {22, 30});
   EXPECT_EQ(none.verdict, Verdict::no_bite);
@@ -183,55 +186,56 @@ TEST(CriticalSpeed, EdgesOfTheBiteAreFoundWithTheirReason)
 }
 
 // Creeping away without vibration: one real root.
-TEST(CriticalSpeed, ARealRootCounts)
+TEST(CriticalSpeed, FindsARealRootWithoutFrequency)
 {
   const auto roots = [](const double v) -> Eigen::VectorXcd {
     Eigen::VectorXcd r(3);
     r << v - 9.1, std::complex<double>(-1, 50), std::complex<double>(-1, -50);
     return r;
   };
-  const CriticalSpeed found = crossings_of_roots(roots);
-  EXPECT_NEAR(found.speed, 9.1, 2e-10);
-  EXPECT_EQ(found.frequency, 0);
+  const CriticalSpeed critical = crossings_of_roots(roots);
+  EXPECT_TRUE(near(critical.speed, 9.1, within(2e-10 / 9.1, "the search ends at 1e-10 m/s, on either side")));
+  EXPECT_EQ(critical.frequency, 0);
 }
 
 // Upper and lower half alike and no damper: three modes never move the gap and stand on the axis, where rounding
 // puts them on either side.  They must not count.
-TEST(CriticalSpeed, UndampedModesOnTheAxisDoNotCount)
+TEST(CriticalSpeed, IgnoresUndampedModesOnTheAxis)
 {
   const StandStructure alike =
       six_mass_structure({1e5, 7e4, 9e3, 9e3, 7e4, 1e5}, {7e10, 3e10, 6e10, 6e10, 3e10, 7e10}, {});
   const ChatterStandModel model{alike, 5, 5, 210e9};
-  const StandSpeed found = critical_speed(model, pass(), sequential_scheme);
-  ASSERT_EQ(found.verdict, Verdict::crossing);
+  const StandSpeed critical = critical_speed(model, pass(), sequential_scheme);
+  ASSERT_EQ(critical.verdict, Verdict::crossing);
   const auto matrix      = matrix_at_speed(model, pass(), sequential_scheme);
-  const RouthCount below = routh_count(matrix(found.speed - 1e-4)),
-                   above = routh_count(matrix(found.speed + 1e-4));
+  const RouthCount below = routh_count(matrix(critical.speed - 1e-4)),
+                   above = routh_count(matrix(critical.speed + 1e-4));
   EXPECT_EQ(below.unstable, 0);
   EXPECT_EQ(above.unstable, 2);
 }
 
-TEST(CriticalSpeed, OfAStandWithConstantFriction)
+TEST(CriticalSpeed, AgreesWithRouthForAStandWithConstantFriction)
 {
-  const StandSpeed found = critical_speed(four_high(), pass(), sequential_scheme);
-  ASSERT_EQ(found.verdict, Verdict::crossing);
+  const StandSpeed critical = critical_speed(four_high(), pass(), sequential_scheme);
+  ASSERT_EQ(critical.verdict, Verdict::crossing);
   const auto matrix = matrix_at_speed(four_high(), pass(), sequential_scheme);
-  EXPECT_NEAR(growth_rate(matrix(found.speed)), 0, 1e-9);  // 1/s, tolerance of the speed times the slope
-  EXPECT_NEAR(boundary_by_routh(matrix, found.speed - 0.01, found.speed + 0.01), found.speed,
-              1e-6);  // its halving
-  EXPECT_LT(growth_rate(matrix(found.speed - 0.1)), 0);
-  EXPECT_GT(growth_rate(matrix(found.speed + 0.1)), 0);
-  ASSERT_TRUE(found.at.has_value());
-  EXPECT_EQ(found.at->bite.roll_speed, found.speed);
-  ASSERT_EQ(found.states.size(), found.points.size());
-  for (std::size_t i = 0; i < found.points.size(); ++i)
-    EXPECT_EQ(found.states[i].force > 0, found.points[i].no_bite.empty());
+  EXPECT_TRUE(near(growth_rate(matrix(critical.speed)), 0,
+                   within(1e-9, "tolerance of the speed times a slope of some 1/s per m/s", 1)));
+  EXPECT_TRUE(near(boundary_by_routh(matrix, critical.speed - 0.01, critical.speed + 0.01), critical.speed,
+                   within(1e-6 / critical.speed, "the boundary of Routh is halved to 1e-6 m/s")));
+  EXPECT_LT(growth_rate(matrix(critical.speed - 0.1)), 0);
+  EXPECT_GT(growth_rate(matrix(critical.speed + 0.1)), 0);
+  ASSERT_TRUE(critical.at.has_value());
+  EXPECT_EQ(critical.at->bite.roll_speed, critical.speed);
+  ASSERT_EQ(critical.states.size(), critical.points.size());
+  for (std::size_t i = 0; i < critical.points.size(); ++i)
+    EXPECT_EQ(critical.states[i].force > 0, critical.points[i].no_bite.empty());
   // The same from the roots alone.
   const CriticalSpeed again = crossings_of_roots([&](const double v) { return eigenvalues(matrix(v)); });
-  EXPECT_EQ(again.speed, found.speed);
+  EXPECT_EQ(again.speed, critical.speed);
 }
 
-TEST(CriticalSpeed, RefusesARangeThatIsNone)
+TEST(CriticalSpeed, RefusesARangeThatDoesNotRise)
 {
   const auto search = [](const SpeedRange &range) {
     return refusal([&] {
@@ -241,8 +245,10 @@ TEST(CriticalSpeed, RefusesARangeThatIsNone)
                          range);
     });
   };
-  EXPECT_EQ(search({20, 10}), "speeds from 20 to 10 m/s are no range; both ends above zero and rising are needed");
-  EXPECT_EQ(search({0, 10}), "speeds from 0 to 10 m/s are no range; both ends above zero and rising are needed");
+  EXPECT_EQ(search({20, 10}),
+            "speeds from 20 to 10 m/s are not a range; both must be above zero and the second one larger");
+  EXPECT_EQ(search({0, 10}),
+            "speeds from 0 to 10 m/s are not a range; both must be above zero and the second one larger");
   EXPECT_EQ(search({1, 10, -1}), "steps of -1 and 0.03125 m/s and a tolerance of 1e-10 m/s have to be above zero");
 }
 
@@ -261,13 +267,16 @@ TEST(RootLocus, BranchesStayWithTheirModes)
     for (const Pair &p : pairs)
       if (std::abs(p.frequency - frequency) < 1e-6)
         for (Eigen::Index k = 0; k < 30; ++k) {
-          EXPECT_NEAR(locus.branch(row, k).real(), p.growth(locus.speed[k]), 1e-9) << row << " " << k;
-          EXPECT_NEAR(std::abs(locus.branch(row, k).imag()) / (2 * pi), p.frequency, 1e-9) << row << " " << k;
+          EXPECT_LT(std::abs(locus.branch(row, k).real() - p.growth(locus.speed[k])), 1e-9)
+              << "1/s, rounding of an eigenvalue; " << row << " " << k;
+          EXPECT_TRUE(near(std::abs(locus.branch(row, k).imag()) / (2 * pi), p.frequency,
+                           within(1e-9 / p.frequency, "rounding of an eigenvalue, 1e-9 Hz")))
+              << row << " " << k;
         }
   }
 }
 
-TEST(RootLocus, CoversTheEigenvaluesAndLeavesOutWhatHasNoBite)
+TEST(RootLocus, CoversTheEigenvaluesAndLeavesOutSpeedsWithoutABite)
 {
   const auto matrix     = matrix_at_speed(four_high(), pass(), sequential_scheme);
   const auto from_three = [&](const double v) -> Eigen::MatrixXd {
@@ -285,8 +294,8 @@ TEST(RootLocus, CoversTheEigenvaluesAndLeavesOutWhatHasNoBite)
   }
 }
 
-// Three counts of the same roots, on passes and stands of another kind than the published one.
-TEST(Counts, EigenvaluesRouthAndNyquistAgree)
+// Three methods for the number of the same roots, on passes and stands of another kind than the published one.
+TEST(UnstableRoots, EigenvaluesRouthAndNyquistAgreeOnTheirNumber)
 {
   for (const double damping : {0.1, 1., 30.})
     for (const double speed : {6., 12., 18., 24., 30.}) {
@@ -298,8 +307,8 @@ TEST(Counts, EigenvaluesRouthAndNyquistAgree)
     }
 }
 
-// On the axis itself the poles of an undamped structure have no side; beside it they have.
-TEST(Counts, NyquistBesideTheAxisWithoutDampers)
+// On the axis itself the poles of an undamped structure have no side; next to it they have.
+TEST(UnstableRoots, NyquistIsExactNextToTheAxisWithoutDampers)
 {
   const ChatterStandModel bare = four_high(0);
   for (const double speed : {8., 16., 24.}) {

@@ -24,15 +24,15 @@ LumpedModel stand_on_bearings(const double Kzc)
 namespace {
 double frequency_of(const MillModel &model, const std::string &label)
 {
-  const Modes found = modes(model);
-  const auto mass   = std::find(model.labels.begin(), model.labels.end(), label) - model.labels.begin();
-  Eigen::Index mode = 0;
-  found.kinetic_share.col(mass).maxCoeff(&mode);
-  return found.frequency[mode];
+  const Modes solution = modes(model);
+  const auto mass      = std::find(model.labels.begin(), model.labels.end(), label) - model.labels.begin();
+  Eigen::Index mode    = 0;
+  solution.kinetic_share.col(mass).maxCoeff(&mode);
+  return solution.frequency[mode];
 }
 }  // namespace
 
-TEST(HorizontalModel, RigidSeats)
+TEST(HorizontalModel, WithRigidSeatsOnlyTheBearingsYield)
 {
   const double row_sum = reference("bearing.row_sum");
   struct Row {
@@ -58,7 +58,7 @@ TEST(HorizontalModel, RigidSeats)
   }
 }
 
-TEST(HorizontalModel, SeatInSeriesWithTheBearings)
+TEST(HorizontalModel, ASeatIsInSeriesWithTheBearings)
 {
   for (const auto &row : reference("horizontal.seat").get<std::vector<std::vector<double>>>()) {
     ChockSeats seats;

@@ -78,23 +78,26 @@ std::vector<RollBite> passes()
 }
 }  // namespace
 
-TEST(SecondDerivatives, AreSymmetricAndThoseOfTheFirst)
+TEST(SecondDerivatives, AreSymmetricAndEqualDifferencesOfTheFirst)
 {
   const auto f = [](const auto &x, const auto &y) {
     using std::atan;
     using std::log;
     return pow(x, y) * exp(-1.0 * x * y) + atan(x / y) * log(x + y) + bite::expm1(x) / sqrt(y) - tan(x) * cos(y);
   };
-  using Inner    = Dual<2>;
-  const auto at  = [&](const double x, const double y) { return f(Inner::variable(x, 0), Inner::variable(y, 1)); };
+  using Inner         = Dual<2>;
+  const auto value_at = [&](const double x, const double y) {
+    return f(Inner::variable(x, 0), Inner::variable(y, 1));
+  };
   const double x = 0.7, y = 1.3;
   const auto second =
       f(Dual<2, Inner>::variable(Inner::variable(x, 0), 0), Dual<2, Inner>::variable(Inner::variable(y, 1), 1));
   EXPECT_TRUE(near(second.by[0].by[1], second.by[1].by[0], within(1e-14, "Schwarz")));
   for (int i = 0; i < 2; ++i) {
-    EXPECT_TRUE(near(second.by[i].value, at(x, y).by[std::size_t(i)], within(1e-14, "the same first derivative")));
-    const auto along_x = [&](const double c) { return at(x * c, y).by[std::size_t(i)]; };
-    const auto along_y = [&](const double c) { return at(x, y * c).by[std::size_t(i)]; };
+    EXPECT_TRUE(
+        near(second.by[i].value, value_at(x, y).by[std::size_t(i)], within(1e-14, "the same first derivative")));
+    const auto along_x = [&](const double c) { return value_at(x * c, y).by[std::size_t(i)]; };
+    const auto along_y = [&](const double c) { return value_at(x, y * c).by[std::size_t(i)]; };
     const auto fourth  = within(1e-9, "differences without the error of second order, step 1e-3");
     EXPECT_TRUE(near(x * second.by[i].by[0], difference(along_x, 1e-3), fourth));
     EXPECT_TRUE(near(y * second.by[i].by[1], difference(along_y, 1e-3), fourth));
@@ -104,21 +107,23 @@ TEST(SecondDerivatives, AreSymmetricAndThoseOfTheFirst)
 }
 
 // Steady state and coefficients by every number, for every law of hardening and friction.
-TEST(LinearSensitivity, DifferencesUnderEveryLaw)
+TEST(LinearSensitivity, EqualsDifferencesUnderEveryLaw)
 {
   for (const RollBite &pass : passes())
     for (const Linearisation scheme : schemes) {
       const Solved base = solved(pass, scheme);
       const auto d      = linear_sensitivity(pass, base.state, scheme);
       for (const PassNumber number : numbers_of(pass)) {
-        const auto at  = [&](const double f) { return solved(with_number_scaled(pass, number, f), scheme); };
-        const double e = 2e-4;
-        const Solved a[4]{at(1 + e), at(1 - e), at(1 + 2 * e), at(1 - 2 * e)};
-        const auto expect = [&](const double exact, const auto &of, const char *what) {
-          const double one = (of(a[0]) - of(a[1])) / (2 * e), two = (of(a[2]) - of(a[3])) / (4 * e);
-          const double size = std::abs(of(base));
+        const auto value_at = [&](const double f) { return solved(with_number_scaled(pass, number, f), scheme); };
+        const double e      = 2e-4;
+        const Solved a[4]{value_at(1 + e), value_at(1 - e), value_at(1 + 2 * e), value_at(1 - 2 * e)};
+        const auto expect = [&](const double exact, const auto &function, const char *what) {
+          const double one        = (function(a[0]) - function(a[1])) / (2 * e),
+                       two        = (function(a[2]) - function(a[3])) / (4 * e);
+          const double size       = std::abs(function(base));
+          const double difference = (4 * one - two) / 3;
           // 2e-4 to the fourth power times a curvature below 1e6; rounding of states 1e-14 over the step.
-          EXPECT_NEAR(exact, (4 * one - two) / 3, 1e-7 * size)
+          EXPECT_LE(std::abs(exact - difference), 1e-7 * size)
               << what << " by " << name_of(number).key << ", " << name_of(pass.strip.flow_stress.law) << ", "
               << name_of(pass.strip.friction.law);
         };
@@ -153,7 +158,7 @@ TEST(LinearSensitivity, DifferencesUnderEveryLaw)
 }
 
 // What the units of the inputs alone say, at random passes: all stresses, all lengths and times, the width.
-TEST(LinearSensitivity, SimilarityOfRandomPasses)
+TEST(LinearSensitivity, RandomPassesSatisfySimilarity)
 {
   std::mt19937 random(20170515);
   const auto between = [&](const double a, const double b) {
@@ -179,9 +184,9 @@ TEST(LinearSensitivity, SimilarityOfRandomPasses)
     }
     ++tried;
     const auto d   = linear_sensitivity(b, s.state, scheme);
-    const auto sum = [](const auto &by, std::initializer_list<std::pair<PassNumber, int>> of) {
+    const auto sum = [](const auto &by, std::initializer_list<std::pair<PassNumber, int>> list) {
       double total = 0;
-      for (const auto &[number, power] : of)
+      for (const auto &[number, power] : list)
         total += power * by[int(number)];
       return total;
     };
@@ -219,7 +224,7 @@ TEST(LinearSensitivity, SimilarityOfRandomPasses)
   }
 }
 
-TEST(LinearSensitivity, NumbersOfAPass)
+TEST(LinearSensitivity, ListsTheNumbersThatActInAPass)
 {
   RollBite b     = film_pass();
   const auto has = [&](const PassNumber number) {

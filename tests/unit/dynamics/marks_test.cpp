@@ -38,7 +38,7 @@ MarkSources z_mill()
 }
 }  // namespace
 
-TEST(Marks, OfTheZMillAgainstTheReference)
+TEST(Marks, NumbersOfTheZMillAreThoseOfTheReference)
 {
   const auto expected      = reference("marks", "cluster");
   const MarksRecord record = marks_of(question(), z_mill());
@@ -62,7 +62,7 @@ TEST(Marks, PublishedSpacingsOfOtherMills)
   EXPECT_TRUE(near(mark_frequency(18.2, mark_spacing(18.2, 128.1)), 128.1, within(1e-15, "inverse")));
 }
 
-TEST(Marks, AWholeNumberIsOneOnlyWhereItCanBeTold)
+TEST(Marks, AWholeNumberIsAcceptedOnlyWhereItIsDistinguishable)
 {
   MarkSources s;
   s.rolls = {
@@ -80,12 +80,12 @@ TEST(Marks, AWholeNumberIsOneOnlyWhereItCanBeTold)
   };
   EXPECT_EQ(with(0.001), "whole; between; between; ");
   EXPECT_EQ(with(0.002), "whole; between; whole; ");
-  EXPECT_EQ(with(0.01), "whole; between; not told apart; ");
-  EXPECT_EQ(with(0.03), "not told apart; not told apart; not told apart; ");
+  EXPECT_EQ(with(0.01), "whole; between; not distinguishable; ");
+  EXPECT_EQ(with(0.03), "not distinguishable; not distinguishable; not distinguishable; ");
   EXPECT_TRUE(near(marks_of(question(), s).rolls[0].chance, 0.4, within(1e-12, "2 x 1 % x 20")));
 }
 
-TEST(Marks, ForwardSlipStretchesWhatTheRollPrints)
+TEST(Marks, ForwardSlipStretchesTheSpacing)
 {
   MarksQuestion q          = question();
   const double without     = marks_of(q, z_mill()).rolls[0].per_turn;
@@ -96,7 +96,7 @@ TEST(Marks, ForwardSlipStretchesWhatTheRollPrints)
       near(record.frequency / record.rolls[0].rotation, record.rolls[0].per_turn, within(1e-14, "(40.2)")));
 }
 
-TEST(Marks, EventsOfATurn)
+TEST(Marks, EventsPerTurnAreCompared)
 {
   MarkSources s = z_mill();
   // 4.1667 kHz over 49.8 of them in a second
@@ -104,7 +104,7 @@ TEST(Marks, EventsOfATurn)
   const MarksRecord record = marks_of(question(), s);
   ASSERT_EQ(record.events.size(), 1u);
   EXPECT_TRUE(near(record.events[0].multiple, record.rolls[0].per_turn / 0.4, within(1e-13, "definition")));
-  EXPECT_EQ(record.events[0].verdict, "not told apart");
+  EXPECT_EQ(record.events[0].verdict, "not distinguishable");
 }
 
 TEST(Marks, MeetingsLieOnModeAndRollNextToTheSpeed)
@@ -144,12 +144,12 @@ TEST(Marks, MapPeaksWhereAModeIsMet)
   // On a meeting it is 1/(2 zeta).
   const MarksRecord record = marks_of(q, s);
   const MarkMeeting &m     = record.meetings[6];
-  const MarkMap at         = mark_map(q, {"", record.rolls[std::size_t(m.roll)].diameter}, s,
+  const MarkMap peak       = mark_map(q, {"", record.rolls[std::size_t(m.roll)].diameter}, s,
                                       {Eigen::VectorXd::Constant(1, m.speed), Eigen::VectorXd::Constant(1, m.waves)});
-  EXPECT_TRUE(near(at.gain(0, 0), 20 * std::log10(50), within(1e-10, "damping of 1 %")));
+  EXPECT_TRUE(near(peak.gain(0, 0), 20 * std::log10(50), within(1e-10, "damping of 1 %")));
 }
 
-TEST(Marks, AxesHoldWhatIsAskedOrTheModes)
+TEST(Marks, AxesOfTheMapCoverTheRequestOrTheModes)
 {
   const MarksQuestion q = question();
   const auto modes      = z_mill().modes;
@@ -175,7 +175,7 @@ TEST(Marks, AxesHoldWhatIsAskedOrTheModes)
   EXPECT_TRUE(holds(low, M_PI * 1.45 * 100 / q.speed));
 }
 
-TEST(Marks, RefusalsAndNotes)
+TEST(Marks, RefusesWrongInputAndNotesLimits)
 {
   MarksQuestion q = question();
   q.spacing       = -1;

@@ -22,34 +22,34 @@ Eigen::MatrixXd reference_matrix(const std::string &entry)
 }
 }  // namespace
 
-TEST(Modes, FrequenciesAndShapesOfThePublishedStand)
+TEST(Modes, FrequenciesAndShapesAreThoseOfThePublishedStand)
 {
-  const Modes found = modes(published);
-  EXPECT_TRUE(near(found.frequency, reference_vector("modes.published.frequencies"),
+  const Modes solution = modes(published);
+  EXPECT_TRUE(near(solution.frequency, reference_vector("modes.published.frequencies"),
                    within(1e-6, "eigenvalues in double precision")));
   const Eigen::MatrixXd shapes = reference_matrix("modes.published.shapes");
   for (int k = 0; k < 6; ++k) {
-    const double sign = found.shape.col(k).dot(shapes.col(k)) > 0 ? 1 : -1;
-    EXPECT_TRUE(near(sign * found.shape.col(k), shapes.col(k),
+    const double sign = solution.shape.col(k).dot(shapes.col(k)) > 0 ? 1 : -1;
+    EXPECT_TRUE(near(sign * solution.shape.col(k), shapes.col(k),
                      within(1e-5, "eigenvectors in double precision, of the largest component",
                             shapes.col(k).cwiseAbs().maxCoeff())))
         << "mode " << k + 1;
   }
 }
 
-TEST(Modes, StrainEnergySharesPerSpring)
+TEST(Modes, StrainEnergySharesPerSpringAreThoseOfTheReference)
 {
   const Eigen::MatrixXd shares = reference_matrix("modes.published.strain_energy");
-  const Modes found            = modes(published);
+  const Modes solution         = modes(published);
   for (int k = 0; k < 6; ++k)
-    EXPECT_TRUE(near(found.strain_share.row(k).transpose(), shares.row(k).transpose(),
+    EXPECT_TRUE(near(solution.strain_share.row(k).transpose(), shares.row(k).transpose(),
                      within(1e-6, "quadratic in shapes of double precision, of the whole energy", 1)))
         << "mode " << k + 1;
 }
 
 TEST(Modes, StrainShareIsTwiceTheSensitivityOfTheFrequency)
 {
-  const Modes found = modes(published);
+  const Modes solution = modes(published);
   for (std::size_t spring = 0; spring < 7; ++spring) {
     const auto frequency = [&](const double factor) {
       auto changed = published_stand();
@@ -58,31 +58,31 @@ TEST(Modes, StrainShareIsTwiceTheSensitivityOfTheFrequency)
     };
     const double step = 1e-4;
     const Eigen::VectorXd elasticity =
-        (frequency(1 + step) - frequency(1 - step)).cwiseQuotient(2 * step * found.frequency);
-    EXPECT_TRUE(near(elasticity, found.strain_share.col(Eigen::Index(spring)) / 2,
+        (frequency(1 + step) - frequency(1 - step)).cwiseQuotient(2 * step * solution.frequency);
+    EXPECT_TRUE(near(elasticity, solution.strain_share.col(Eigen::Index(spring)) / 2,
                      within(1e-6, "central difference: error of order step^2 = 1e-8, rounding 1e-12/step", 1)));
   }
 }
 
 TEST(Modes, EnergySharesAndMassNormAddUp)
 {
-  const Modes found = modes(published);
+  const Modes solution = modes(published);
   for (int k = 0; k < 6; ++k) {
-    EXPECT_TRUE(near(found.strain_share.row(k).sum(), 1, within(1e-12, "whole energy")));
-    EXPECT_TRUE(near(found.kinetic_share.row(k).sum(), 1, within(1e-12, "V^T M V = 1")));
-    EXPECT_GE(found.kinetic_share.row(k).minCoeff(), 0);
+    EXPECT_TRUE(near(solution.strain_share.row(k).sum(), 1, within(1e-12, "whole energy")));
+    EXPECT_TRUE(near(solution.kinetic_share.row(k).sum(), 1, within(1e-12, "V^T M V = 1")));
+    EXPECT_GE(solution.kinetic_share.row(k).minCoeff(), 0);
   }
 }
 
 TEST(Modes, ModalDampingGivesEveryPoleItsRatio)
 {
-  const auto found    = poles(mill_model(published_stand(), settings("measured", 0.013)));
-  const auto undamped = modes(mill_model(published_stand(), settings("measured", 0)));
-  ASSERT_EQ(found.size(), 6u);
+  const auto all_poles = poles(mill_model(published_stand(), settings("measured", 0.013)));
+  const auto undamped  = modes(mill_model(published_stand(), settings("measured", 0)));
+  ASSERT_EQ(all_poles.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
-    EXPECT_TRUE(
-        near(found[k].damping, 0.013, within(1e-9, "modes decouple exactly; eigenvalues of a 12 x 12 matrix")));
-    EXPECT_TRUE(near(found[k].frequency, undamped.frequency[Eigen::Index(k)], within(1e-9, "|lambda| = w")));
+    EXPECT_TRUE(near(all_poles[k].damping, 0.013,
+                     within(1e-9, "modes decouple exactly; eigenvalues of a 12 x 12 matrix")));
+    EXPECT_TRUE(near(all_poles[k].frequency, undamped.frequency[Eigen::Index(k)], within(1e-9, "|lambda| = w")));
   }
 }
 

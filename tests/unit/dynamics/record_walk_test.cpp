@@ -17,13 +17,13 @@ ForceRecord noise(const Eigen::Index n, const double spacing, const double jitte
   std::mt19937 engine(3);
   std::uniform_real_distribution<double> any(-1, 1);
   ForceRecord record{Eigen::VectorXd(n), Eigen::VectorXd(n), {}};
-  double at = 0.125;
+  double position = 0.125;
   for (Eigen::Index i = 0; i < n; ++i) {
-    record.time[i]  = at;
+    record.time[i]  = position;
     record.force[i] = 976e3 + 1e3 * any(engine);
-    at += spacing * (1 + jitter * any(engine)) * (gaps && i % 97 == 50 ? 7 : 1);
+    position += spacing * (1 + jitter * any(engine)) * (gaps && i % 97 == 50 ? 7 : 1);
     if (jitter == 0 && !gaps)
-      at = 0.125 + double(i + 1) * spacing;
+      position = 0.125 + double(i + 1) * spacing;
   }
   return record;
 }

@@ -47,7 +47,7 @@ Eigen::MatrixXd with_roots(const std::vector<std::complex<double>> &roots)
 }
 }  // namespace
 
-TEST(Routh, CountsRootsThatAreKnown)
+TEST(Routh, NumberOfKnownRootsIsRight)
 {
   const RouthCount stable = routh_count(with_roots({
       {-1,     2},
@@ -74,7 +74,7 @@ TEST(Routh, CountsRootsThatAreKnown)
             3);
 }
 
-TEST(Routh, LineBesideTheAxis)
+TEST(Routh, WorksForALineNextToTheAxis)
 {
   const Eigen::MatrixXd A = with_roots({
       {-1,   2},
@@ -87,7 +87,7 @@ TEST(Routh, LineBesideTheAxis)
   EXPECT_EQ(routh_count(A, -1).on_axis, 2);
 }
 
-TEST(Routh, RootsOnTheAxisAreSaidToBeThere)
+TEST(Routh, ReportsRootsOnTheAxis)
 {
   const RouthCount pair = routh_count(with_roots({
       {0,   2},
@@ -131,9 +131,9 @@ TEST(Routh, SymmetricRootsAreCountedOnTheirSides)
   EXPECT_EQ(four.on_axis, 2);
 }
 
-// s^4 + s^3 + 2 s^2 + 2 s + 3: the array begins a row with a zero that is no sign of roots on the axis.
+// s^4 + s^3 + 2 s^2 + 2 s + 3: the array begins a row with a zero that does not mean roots on the axis.
 // Roots 0.4057 +- 1.2928 i and -0.9057 +- 0.9020 i.
-TEST(Routh, LeadingZero)
+TEST(Routh, HandlesALeadingZero)
 {
   const RouthCount count = routh_count(companion({1, 2, 2, 3}));
   EXPECT_EQ(count.unstable, 2);
@@ -157,7 +157,7 @@ TEST(Routh, AgreesWithEigenvaluesOfRandomSystems)
 }
 
 // Roots over ten decades: a double does not hold the polynomial.
-TEST(Routh, RootsFarApart)
+TEST(Routh, HandlesRootsFarApart)
 {
   std::vector<std::complex<double>> roots;
   for (int i = -5; i <= 5; ++i)

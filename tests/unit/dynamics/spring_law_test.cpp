@@ -6,7 +6,7 @@
 
 using namespace mill::dynamics;
 
-TEST(SpringLaw, MeetsItsSamplesAndAPowerLawBetweenAndBeyondThem)
+TEST(SpringLaw, ReproducesItsSamplesAndAPowerLawBetweenAndBeyondThem)
 {
   const SpringLaw law = power_law(1e13, 1.5, 1e5, 3e6, 9);
   ASSERT_TRUE(law.usable());

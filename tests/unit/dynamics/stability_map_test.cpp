@@ -19,9 +19,9 @@ ChatterStandModel stand()
           4.95, 4.95, 210e9};
 }
 
-Eigen::VectorXd values(std::initializer_list<double> of)
+Eigen::VectorXd values(std::initializer_list<double> list)
 {
-  return Eigen::Map<const Eigen::VectorXd>(of.begin(), Eigen::Index(of.size()));
+  return Eigen::Map<const Eigen::VectorXd>(list.begin(), Eigen::Index(list.size()));
 }
 
 StabilityMap mapped(const RollBite &pass, const Eigen::VectorXd &speed, const MapQuantity quantity,
@@ -59,9 +59,9 @@ TEST(StabilityMap, CellsAndBoundaryAreSingleEvaluations)
     range.to   = 24;
     for (Eigen::Index j = 0; j < 3; ++j) {
       const RollBite column = with_quantity(pass, quantity, value[j]);
-      const auto found      = critical_speed(stand(), column, Linearisation::sequential, range);
-      EXPECT_EQ(map.critical_speed[j], found.speed);
-      EXPECT_EQ(map.critical_frequency[j], found.frequency);
+      const auto critical   = critical_speed(stand(), column, Linearisation::sequential, range);
+      EXPECT_EQ(map.critical_speed[j], critical.speed);
+      EXPECT_EQ(map.critical_frequency[j], critical.frequency);
       for (Eigen::Index i = 0; i < 8; ++i) {
         const auto A = chatter_matrix(stand(), working_point(column, speed[i], Linearisation::sequential).by);
         EXPECT_EQ(map.growth(i, j), growth_rate(A));
@@ -74,7 +74,7 @@ TEST(StabilityMap, CellsAndBoundaryAreSingleEvaluations)
   }
 }
 
-TEST(StabilityMap, EmptyCellsSayWhy)
+TEST(StabilityMap, EmptyCellsHaveAReason)
 {
   const RollBite pass = film_pass();
   const auto map      = mapped(pass, values({1, 18}), MapQuantity::tension, values({1, 2.3, 4.15, 4.5}));
@@ -104,7 +104,7 @@ TEST(StabilityMap, EmptyCellsSayWhy)
     EXPECT_FALSE(reason_of(NoBite(r)).empty());
 }
 
-TEST(StabilityMap, ThreadsChangeNothing)
+TEST(StabilityMap, ResultIsTheSameForAnyNumberOfThreads)
 {
   const auto speed = Eigen::VectorXd::LinSpaced(6, 1, 26);
   const auto value = Eigen::VectorXd::LinSpaced(7, 0.05, 0.45);
@@ -122,7 +122,7 @@ TEST(StabilityMap, ThreadsChangeNothing)
   }
 }
 
-TEST(StabilityMap, RefusesInWords)
+TEST(StabilityMap, RefusesWrongAxesWithTheReason)
 {
   const RollBite pass = film_pass();
   EXPECT_EQ(refusal(pass, values({}), MapQuantity::tension, values({1})),

@@ -165,7 +165,7 @@ TEST(HousingStatics, FrameTakesStiffnessAndMassOfTheParts)
   }
 }
 
-TEST(HousingStatics, VtuHoldsTheDisplacement)
+TEST(HousingStatics, VtuNamesDisplacementAndStressWithoutTheDate)
 {
   const MillHousing h = small();
   const auto body     = meshed(h);

@@ -47,10 +47,10 @@ TEST(RollSurface, LiesOnTheOutside)
   EXPECT_EQ(s.faces.maxCoeff(), double(s.position.rows() - 1));
   double area = 0;  // of the flat faces: a little less than that of the cylinders
   for (Eigen::Index f = 0; f < s.faces.rows(); ++f) {
-    const auto at = [&](const int c) -> Eigen::Vector3d {
+    const auto value_at = [&](const int c) -> Eigen::Vector3d {
       return s.position.row(Eigen::Index(s.faces(f, c))).transpose();
     };
-    area += 0.5 * (at(2) - at(0)).cross(at(3) - at(1)).norm();
+    area += 0.5 * (value_at(2) - value_at(0)).cross(value_at(3) - value_at(1)).norm();
   }
   const double drawn = M_PI / 2 * (roll.radius * roll.half_length + roll.neck_radius * roll.neck_length) +
                        M_PI / 4 * roll.radius * roll.radius;  // shoulder and end together

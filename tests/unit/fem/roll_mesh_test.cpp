@@ -155,14 +155,14 @@ TEST(RollMesh, AMeshThatDoesNotArriveIsRefused)
   const rlimit full{20000, before.rlim_max};
   std::signal(SIGXFSZ, SIG_IGN);
   setrlimit(RLIMIT_FSIZE, &full);
-  std::string said;
+  std::string message;
   try {
     meshes::mesh_roll("backup roll", backup, coarse(), folder + "/roll.msh");
   } catch (const InputError &e) {
-    said = e.what();
+    message = e.what();
   }
   setrlimit(RLIMIT_FSIZE, &before);
-  EXPECT_NE(said.find("cannot be written"), std::string::npos) << said;
+  EXPECT_NE(message.find("cannot be written"), std::string::npos) << message;
   EXPECT_TRUE(std::filesystem::is_empty(folder));
   std::filesystem::remove_all(folder);
 }
@@ -177,6 +177,6 @@ TEST(RollMesh, EveryLineOfNodesAndElementsIsMissed)
     EXPECT_NE(meshes::missing_of_mesh(whole.substr(0, std::size_t(cut * double(whole.size())))), "") << cut;
   // What a disk that was full for a moment swallows: a block of 4 kB in the middle.
   const auto nodes = whole.find("$Nodes"), elements = whole.find("$Elements");
-  for (const auto at : {nodes + 9000, elements + 9000})
-    EXPECT_NE(meshes::missing_of_mesh(std::string(whole).erase(at, 4096)), "") << at;
+  for (const auto state : {nodes + 9000, elements + 9000})
+    EXPECT_NE(meshes::missing_of_mesh(std::string(whole).erase(state, 4096)), "") << state;
 }

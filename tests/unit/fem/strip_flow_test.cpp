@@ -6,10 +6,14 @@
 #include "meshes/strip/strip_flow.h"
 #include "reduce/bite/arc/half_plane.h"
 #include "reduce/bite/slab/karman.h"
+#include "tests/support/near.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
+#include <iterator>
+#include <sstream>
 #include <unistd.h>
+#include <vector>
 
 using namespace mill;
 
@@ -88,7 +92,8 @@ TEST(StripFlow, BitesNextToSkiddingConverge)
     model.derivatives  = false;
     const auto flow    = fem::solve_strip_flow(lines_of(b), b, model);
     const double force = bite::solve_karman(b, bite::Theory::karman, bite::Arc::hitchcock).force;
-    EXPECT_NEAR(flow.state.force / force, 1, 0.08) << p.radius;  // slab against finite elements, 12 x 3 elements
+    EXPECT_TRUE(near(flow.state.force / force, 1, within(0.08, "slab against finite elements, 12 x 3 elements")))
+        << p.radius;  // slab against finite elements, 12 x 3 elements
     EXPECT_LT(std::abs(flow.balance.power), 0.02) << p.radius;
     EXPECT_LT(flow.work, 2e5) << p.radius;
   }
@@ -113,7 +118,7 @@ TEST(StripBlock, Lines)
   EXPECT_EQ(lines.inlet.size(), 7);
   EXPECT_EQ(lines.outlet.size(), 7);
   EXPECT_EQ(lines.rows.size(), 7);
-  EXPECT_NEAR(lines.inlet[0], 8e-3, 1e-12);  // one entry thickness
+  EXPECT_TRUE(near(lines.inlet[0], 8e-3, within_absolute(1e-12, "one entry thickness, rounding")));
   EXPECT_EQ(lines.arc[24], 1);
   // Ends and neutral point have the finest elements.
   const Eigen::VectorXd size = lines.arc.tail(24) - lines.arc.head(24);
@@ -158,7 +163,7 @@ TEST(StripFlow, ScalesWithStressAndLength)
   large.strip.exit_thickness *= 3;
   large.strip.flow_stress.k *= 7;
   const double small_force = solve(b).state.force;
-  EXPECT_NEAR(solve(large).state.force / (21 * small_force), 1, 1e-9);  // both converged to 1e-9
+  EXPECT_TRUE(near(solve(large).state.force / (21 * small_force), 1, within(1e-9, "both converged to 1e-9")));
 }
 
 TEST(StripFlow, FieldsAreOnTheirGrid)
@@ -170,19 +175,24 @@ TEST(StripFlow, FieldsAreOnTheirGrid)
   for (Eigen::Index i = 1; i < flow.x.rows(); ++i)
     EXPECT_GT(flow.x(i, 0), flow.x(i - 1, 0));
   EXPECT_LT(flow.vx.maxCoeff(), 0);  // against x
-  EXPECT_NEAR(flow.y(flow.y.rows() - 1, 6), 4e-3, 1e-15);
+  EXPECT_TRUE(near(flow.y(flow.y.rows() - 1, 6), 4e-3, within_absolute(1e-15, "m, rounding of the thickness")));
   const auto n = flow.last_contact - flow.first_contact + 1;
   EXPECT_EQ(flow.state.position.size(), n);
   EXPECT_EQ(flow.nodal_force.size(), n);
-  EXPECT_NEAR(flow.state.position[n - 1], flow.entry_position, 1e-15);
-  EXPECT_NEAR(flow.state.position[0], flow.state.exit_position, 1e-15);
+  EXPECT_TRUE(near(flow.state.position[n - 1], flow.entry_position,
+                   within_absolute(1e-15, "m, the last contact node is the entry")));
+  EXPECT_TRUE(near(flow.state.position[0], flow.state.exit_position,
+                   within_absolute(1e-15, "m, the first contact node is the exit")));
   // The roller's surface is a circle through the gap.
   for (Eigen::Index i = 0; i < n; ++i) {
     const double x = flow.state.position[i];
-    EXPECT_NEAR(flow.roll_surface[i], 2.5e-3 + 0.21 - std::sqrt(0.21 * 0.21 - x * x), 1e-13);
+    EXPECT_TRUE(near(flow.roll_surface[i], 2.5e-3 + 0.21 - std::sqrt(0.21 * 0.21 - x * x),
+                     within_absolute(1e-13, "m, a circle through the gap, rounding")));
   }
   // Pressure and friction make up the force to the angle of the arc (0.12 rad, squared).
-  EXPECT_NEAR(flow.nodal_force.sum() / flow.state.force, 1, 0.015);
+  EXPECT_TRUE(
+      near(flow.nodal_force.sum() / flow.state.force, 1,
+           within(0.015, "pressure and friction make up the force to the angle of the arc, 0.12 rad squared")));
   // Shear drives the strip at the entry and holds it at the exit.
   EXPECT_GT(flow.state.shear[n - 2], 0);
   EXPECT_LT(flow.state.shear[1], 0);
@@ -190,7 +200,8 @@ TEST(StripFlow, FieldsAreOnTheirGrid)
   EXPECT_GT(flow.state.neutral_position, 0);
   EXPECT_LT(flow.state.neutral_position, flow.entry_position);
   // Strain comes from nothing and is that of the reduction, or more, behind the bite.
-  EXPECT_NEAR(flow.strain(flow.strain.rows() - 1, 3), 0, 1e-12);
+  EXPECT_TRUE(
+      near(flow.strain(flow.strain.rows() - 1, 3), 0, within_absolute(1e-12, "no strain at the entry, rounding")));
   EXPECT_GT(flow.strain.row(0).minCoeff(), 0.99 * std::log(8. / 5));
 }
 
@@ -206,19 +217,21 @@ TEST(StripFlow, RowsAreStreamlines)
   };
   for (Eigen::Index row = 2; row < flow.y.cols(); row += 2)
     for (Eigen::Index i = 0; i < flow.y.rows(); i += 2)
-      EXPECT_NEAR(through(i, row) / through(0, row), 1, 4e-3) << i << ' ' << row;  // mesh; exact for the last row
+      EXPECT_TRUE(
+          near(through(i, row) / through(0, row), 1, within(4e-3, "error of the mesh; exact for the last row")))
+          << i << ' ' << row;  // mesh; exact for the last row
 }
 
 TEST(StripFlow, AnotherStateAsStartLeadsToTheSame)
 {
   const bite::RollBite b = demo();
-  bite::RollBite near    = b;
-  near.strip.exit_thickness *= 1.02;
+  bite::RollBite thicker = b;
+  thicker.strip.exit_thickness *= 1.02;
   const StripLines mesh     = lines_of(b);
-  const fem::StripFlow from = fem::solve_strip_flow(mesh, near, quick());
+  const fem::StripFlow from = fem::solve_strip_flow(mesh, thicker, quick());
   const fem::StripFlow warm = fem::solve_strip_flow(mesh, b, quick(), nullptr, &from);
   const fem::StripFlow cold = fem::solve_strip_flow(mesh, b, quick());
-  EXPECT_NEAR(warm.state.force / cold.state.force, 1, 1e-8);
+  EXPECT_TRUE(near(warm.state.force / cold.state.force, 1, within(1e-8, "both end at residuals of 1e-9")));
   EXPECT_LT(warm.history.size(), cold.history.size());
 }
 
@@ -230,13 +243,16 @@ TEST(StripFlow, MovingGap)
   const fem::StripFlow at_rest = fem::solve_strip_flow(mesh, b);
   b.gap_rate                   = 1e-4;
   const fem::StripFlow opens   = fem::solve_strip_flow(mesh, b, quick(), nullptr, &at_rest);
-  EXPECT_NEAR(opens.balance.flux, 0, 1e-10);
-  EXPECT_NEAR(opens.balance.power, 0, 1e-8);
+  EXPECT_TRUE(near(opens.balance.flux, 0,
+                   within_absolute(1e-10, "volume is kept by the equations, end of the iteration")));
+  EXPECT_TRUE(
+      near(opens.balance.power, 0, within_absolute(1e-8, "power is kept by the equations, end of the iteration")));
   b.gap_rate                  = -1e-4;
   const fem::StripFlow closes = fem::solve_strip_flow(mesh, b, quick(), nullptr, &at_rest);
   const double difference     = (opens.state.force - closes.state.force) / 2e-4;
   // Truncation of the difference.
-  EXPECT_NEAR(bite::by(at_rest.state.force_by, bite::Input::gap_rate) / difference, 1, 1e-4);
+  EXPECT_TRUE(near(bite::by(at_rest.state.force_by, bite::Input::gap_rate) / difference, 1,
+                   within(1e-4, "truncation of the difference")));
 }
 
 TEST(StripFlow, SpeedLawOfFriction)
@@ -248,10 +264,13 @@ TEST(StripFlow, SpeedLawOfFriction)
   b.roll_speed                   = 2;
   const StripLines mesh          = lines_of(b);
   const fem::StripFlow flow      = fem::solve_strip_flow(mesh, b);
-  EXPECT_NEAR(flow.state.friction, 0.2 - 0.02 * std::log(2.), 1e-12);
+  EXPECT_TRUE(
+      near(flow.state.friction, 0.2 - 0.02 * std::log(2.), within_absolute(1e-12, "the law itself, rounding")));
   // The speed acts through the friction alone.
-  EXPECT_NEAR(bite::by(flow.state.force_by, bite::Input::roll_speed),
-              bite::by(flow.state.force_by, bite::Input::friction) * -0.02 / 2, 1e-6 * flow.state.force);
+  EXPECT_TRUE(near(bite::by(flow.state.force_by, bite::Input::roll_speed),
+                   bite::by(flow.state.force_by, bite::Input::friction) * -0.02 / 2,
+                   within_absolute(1e-6 * flow.state.force,
+                                   "the speed acts through the friction alone, end of the iteration")));
 }
 
 TEST(StripFlow, FilmFrictionIsThatOfItsOwnSpeeds)
@@ -267,8 +286,9 @@ TEST(StripFlow, FilmFrictionIsThatOfItsOwnSpeeds)
   b.roll_speed              = 5;
   const fem::StripFlow flow = fem::solve_strip_flow(lines_of(b), b, quick());
   EXPECT_GT(flow.state.film_thickness, 0);
-  EXPECT_NEAR(flow.state.friction, bite::film_friction(f, flow.state.film_thickness),
-              1e-6);  // the regularised ends still deform: speed of the mid plane there, mean speed here
+  EXPECT_TRUE(near(
+      flow.state.friction, bite::film_friction(f, flow.state.film_thickness),
+      within_absolute(1e-6, "the regularised ends still deform: speed of the mid plane there, mean speed here")));
 }
 
 TEST(StripFlow, ARollThatDoesNotYieldIsARigidOne)
@@ -280,11 +300,13 @@ TEST(StripFlow, ARollThatDoesNotYieldIsARigidOne)
   fem::StripFlowModel model = quick();
   model.arc                 = bite::Arc::elastic;
   const fem::StripFlow flow = fem::solve_strip_flow(lines_of(b), b, model, &stiff);
-  EXPECT_NEAR(flow.state.force / solve(b).state.force, 1, 1e-4);  // h2 of the strip there, of the gap here
-  EXPECT_NEAR(flow.exit_thickness, b.strip.exit_thickness, 1e-12);
+  EXPECT_TRUE(near(flow.state.force / solve(b).state.force, 1,
+                   within(1e-4, "exit thickness of the strip there, of the gap here")));
+  EXPECT_TRUE(
+      near(flow.exit_thickness, b.strip.exit_thickness, within_absolute(1e-12, "m, the gap is given, rounding")));
 }
 
-TEST(StripFlow, AFlexibilityThatIsTooShortIsSaid)
+TEST(StripFlow, ReportsAFlexibilityThatIsTooShort)
 {
   const bite::RollBite b = demo();
   const auto shorter =
@@ -301,7 +323,20 @@ TEST(StripFlow, AFlexibilityThatIsTooShortIsSaid)
   }
 }
 
-TEST(StripFlow, WritesItsFields)
+namespace {
+// Numbers of one array of a VTU file that is written as text.
+std::vector<double> numbers_of(const std::string &text, const std::string &name)
+{
+  const auto tag = text.find("Name=\"" + name + "\"");
+  if (tag == std::string::npos)
+    return {};
+  const auto begin = text.find('>', tag) + 1;
+  std::istringstream in(text.substr(begin, text.find('<', begin) - begin));
+  return {std::istream_iterator<double>(in), {}};
+}
+}  // namespace
+
+TEST(StripFlow, FileHoldsVelocityAndStrainOfEveryNode)
 {
   const std::string path    = scratch("strip_flow") + ".vtu";
   const fem::StripFlow flow = solve(demo());
@@ -311,6 +346,17 @@ TEST(StripFlow, WritesItsFields)
   for (const char *field : {"velocity", "pressure_Pa", "strain", "strain_rate", "stress_Pa"})
     EXPECT_NE(text.find(std::string("Name=\"") + field + "\""), std::string::npos) << field;
   EXPECT_EQ(text.find("nan"), std::string::npos);
+  const auto velocity = numbers_of(text, "velocity"), strain = numbers_of(text, "strain");
+  ASSERT_EQ(velocity.size(), 3u * 259);
+  ASSERT_EQ(strain.size(), 259u);
+  const Tolerance printed = within(1e-8, "numbers of the file have nine digits", 1e-3);
+  std::size_t node        = 0;
+  for (Eigen::Index i = 0; i < flow.x.rows(); ++i)
+    for (Eigen::Index j = 0; j < flow.x.cols(); ++j, ++node) {
+      EXPECT_TRUE(near(velocity[3 * node], flow.vx(i, j), printed)) << i << ' ' << j;
+      EXPECT_TRUE(near(velocity[3 * node + 1], flow.vy(i, j), printed)) << i << ' ' << j;
+      EXPECT_TRUE(near(strain[node], flow.strain(i, j), printed)) << i << ' ' << j;
+    }
   std::filesystem::remove(path);
 }
 
@@ -334,7 +380,10 @@ TEST(StripFlow, OneLawForSlabAndBothStrips)
   const double entry              = 900e6 * std::pow(0.5e-4, 0.3);  // theory.md (8.1a) at zero
   for (const double stress :
        {slab.entry_flow_stress, rigid.state.entry_flow_stress, elastic.flow.state.entry_flow_stress})
-    EXPECT_NEAR(stress / entry, 1, 1e-12);
-  EXPECT_NEAR(rigid.state.force / slab.force, 1, 0.03) << "thin strip: shear and a mesh of 12 x 3";
-  EXPECT_NEAR(elastic.flow.state.force / slab.force, 1.06, 0.06) << "its elastic ends carry some per cent more";
+    EXPECT_TRUE(near(stress / entry, 1, within(1e-12, "one law at one strain, rounding")));
+  EXPECT_TRUE(near(rigid.state.force / slab.force, 1, within(0.03, "thin strip: shear and a mesh of 12 x 3")))
+      << "thin strip: shear and a mesh of 12 x 3";
+  EXPECT_TRUE(near(elastic.flow.state.force / slab.force, 1.06,
+                   within_absolute(0.06, "its elastic ends carry some per cent more")))
+      << "its elastic ends carry some per cent more";
 }

@@ -324,6 +324,6 @@ TEST(StripElastic, FactorsOfFrictionActWhereTheRollPresses)
   EXPECT_TRUE(
       near(std::abs(state.shear[state.shear.size() - 8]), 0.15 * 0.5 * 700e6,
            within(0.03, "pressure over pressure plus a hundredth of the flow stress, at twice the flow stress: "
-                        "0.5 %; slip beside its smearing: below 1 %")));
+                        "0.5 %; slip next to its smearing: below 1 %")));
   EXPECT_EQ(s.flow.slip_changes, 1);
 }

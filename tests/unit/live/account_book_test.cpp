@@ -66,7 +66,7 @@ std::string line_of(const std::int64_t s, const std::string &force, const std::s
 }  // namespace
 
 // TW-28: 100000 blocks lost, doubled, out of order, cut, with nulls and garbage; the identity holds after each.
-TEST(Account, HoldsAtEveryStepWhateverArrives)
+TEST(Account, BalancesAtEveryStepForAnyOrderOfArrival)
 {
   const ParameterSet set = parameter_set("R1");
   LiveSamples run({"test", "as published", set.stand, set.dynamics, "hash"}, 1000);

@@ -40,7 +40,7 @@ public:
 };
 }  // namespace
 
-TEST(ArrivalWatch, ARateAsStatedIsNothingToTell)
+TEST(ArrivalWatch, ReportsNothingForTheStatedRate)
 {
   for (const double factor : {1.0, 1.015, 0.985}) {
     MadeSource source;
@@ -50,7 +50,7 @@ TEST(ArrivalWatch, ARateAsStatedIsNothingToTell)
   }
 }
 
-TEST(ArrivalWatch, AWrongRateIsToldOnceAndIsOverWhenItIsRight)
+TEST(ArrivalWatch, ReportsAWrongRateOnceUntilItIsRight)
 {
   MadeSource source;
   source.run(55, 1.25);
@@ -74,7 +74,7 @@ TEST(ArrivalWatch, AWrongRateIsToldOnceAndIsOverWhenItIsRight)
   EXPECT_NE(slow.told[0].text.find("states 1000 Hz: 50.0 % less"), std::string::npos) << slow.told[0].text;
 }
 
-TEST(ArrivalWatch, WhatIsPlayedOrWaitsIsNoWrongRate)
+TEST(ArrivalWatch, DoesNotReportPlayedOrWaitingSources)
 {
   MadeSource played;
   played.run(200, 50);

@@ -164,7 +164,7 @@ double rms(const Eigen::VectorXd &x)
 }
 }  // namespace
 
-TEST(ChatterWatch, AnnouncedBeforeTheLimitInAllRuns)
+TEST(ChatterWatch, AnnouncesChatterBeforeTheLimitInAllRuns)
 {
   const Stand stand;
   const double calm  = std::sqrt(2.) * rms(stand.run(1, 17, 17, 0, 1, 60, 1e4).measured.col(0));
@@ -193,7 +193,7 @@ TEST(ChatterWatch, AnnouncedBeforeTheLimitInAllRuns)
 }
 
 // Five minutes; MILLSTAND_CALM_PARTS=12 makes it an hour.
-TEST(ChatterWatch, NoneInACalmHour)
+TEST(ChatterWatch, RaisesNoAlarmInACalmHour)
 {
   const Stand stand;
   const char *asked = std::getenv("MILLSTAND_CALM_PARTS");

@@ -107,7 +107,7 @@ TEST(CsvFaults, ABadLineKeepsItsPlaceWithoutATimeColumn)
   EXPECT_EQ(account.rejected, 1);
 }
 
-TEST(CsvFaults, AColumnThatIsMissingIsSaidLineByLine)
+TEST(CsvFaults, ReportsAMissingColumnLineByLine)
 {
   Lines lines("time [s],force [kN],upper_work_roll [g]");
   for (int k = 0; k < 300; ++k)
@@ -122,7 +122,7 @@ TEST(CsvFaults, AColumnThatIsMissingIsSaidLineByLine)
 }
 
 // A recorder was started again with other columns, in the same file.
-TEST(CsvFaults, AnotherHeadBeginsANewRecord)
+TEST(CsvFaults, StartsANewRecordAtAnotherHead)
 {
   for (const int n : {20, 100}) {  // within the lines that tell the columns, and behind them
     Lines lines("time [s],upper_work_roll [g],force [kN]");
@@ -146,7 +146,7 @@ TEST(CsvFaults, AnotherHeadBeginsANewRecord)
   }
 }
 
-TEST(CsvFaults, AnotherRateIsGoneOnWith)
+TEST(CsvFaults, ContinuesWithAnotherRate)
 {
   Lines lines(two_columns);
   lines.rows(5000, 0, 1e-3);
@@ -164,7 +164,7 @@ TEST(CsvFaults, AnotherRateIsGoneOnWith)
   EXPECT_TRUE(came.refused.empty());
 }
 
-TEST(CsvFaults, ARateThatTheTimesDoNotTellIsRefused)
+TEST(CsvFaults, RefusesTimesThatDoNotDetermineARate)
 {
   Lines lines(two_columns);
   for (int k = 0; k < 100; ++k)
@@ -181,7 +181,7 @@ TEST(CsvFaults, ARateThatTheTimesDoNotTellIsRefused)
   }
 }
 
-TEST(CsvFaults, TimesThatRunBackTellNoRate)
+TEST(CsvFaults, RefusesTimesThatRunBackwards)
 {
   Lines lines(two_columns);
   lines.rows(100, 9, -1e-3);
@@ -223,7 +223,7 @@ TEST(CsvFaults, AClockThatJumpsAheadIsFollowed)
   const CameMessages came = lines.end();
   EXPECT_EQ(came.notes,
             std::vector<std::string>{"loss: mill.csv:502: the clock jumps ahead by 7200 s and goes on from "
-                                     "there: what is between counts as missing"});
+                                     "there: what is between is missing"});
   EXPECT_EQ(came.numbers.size(), 1000u);
   const auto account = account_of(lines.messages);
   EXPECT_EQ(account.missing, 7200000);
@@ -261,7 +261,7 @@ TEST(CsvFaults, AClockWithADateThatGoesBackIsWaitedFor)
   const CameMessages came = lines.end();
   ASSERT_EQ(came.notes.size(), 1u);
   EXPECT_EQ(came.notes[0],
-            "loss: mill.csv:402: the clock goes back by 600.4 s: what stands there a second time is not used");
+            "loss: mill.csv:402: the clock goes back by 600.4 s: samples of the same time are not used");
   const auto account = account_of(lines.messages);
   EXPECT_EQ(account.processed, 500);
   EXPECT_EQ(account.offered, 500);

@@ -124,9 +124,8 @@ TEST(CsvFeed, NumbersSamplesByTheirTimes)
   EXPECT_EQ(came.numbers, (std::vector<std::int64_t>{0, 1, 2, 5, 6, 4, 7}));
   EXPECT_EQ(came.force[3], 905e3);
   EXPECT_TRUE(std::isnan(came.force[4]));
-  EXPECT_EQ(came.notes.back(),
-            "loss: force.csv: the time goes back by 0.003 s; what stands there a second time is not "
-            "used");
+  EXPECT_EQ(came.notes.back(), "loss: force.csv: the time goes back by 0.003 s; samples of the same time are not "
+                               "used");
 }
 
 TEST(CsvFeed, FiveBadLinesInARowCloseIt)
@@ -159,16 +158,17 @@ TEST(CsvFeed, SaysWhatAHeadLacks)
   live::SourceRules rules;
   rules.places = {"upper_work_roll"};
   live::CsvFeed feed("rolls.csv", rules);
-  feed.line("time [s],upper_work_roll [g]", 1);
+  feed.line("time [s],torque [Nm]", 1);
   feed.line("0,0.1", 2);
   feed.line("0.001,0.1", 3);
   try {
     feed.settle();
-    FAIL() << "a record without a force was taken";
+    FAIL() << "a record without a force and without an acceleration was taken";
   } catch (const InputError &error) {
-    EXPECT_EQ(error.problems.front().message,
-              "no channel \"force\", which drives the twin; name the column of the "
-              "rolling force with --channel NAME=force");
+    EXPECT_EQ(
+        error.problems.front().message,
+        "no channel \"force\", which drives the twin, and no acceleration; name the column of the rolling force "
+        "with --channel NAME=force, or give the unit of an acceleration with --unit NAME=g");
     EXPECT_EQ(error.problems.front().place.file, "rolls.csv");
     EXPECT_EQ(error.problems.front().place.line, 1);
   }

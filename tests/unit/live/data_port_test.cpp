@@ -95,7 +95,7 @@ TEST(DataPort, OneSourceAtATimeAndFourClients)
   EXPECT_EQ(a.until("{\"ack\":0}\n"), "{\"millstand\":1}\n{\"ack\":0}\n");
 }
 
-TEST(DataPort, WhatIsNoSourceIsShownTheDoor)
+TEST(DataPort, ClosesConnectionsThatAreNotASource)
 {
   live::SampleQueue queue;
   const live::DataPort port(settings(), queue);
@@ -143,7 +143,8 @@ TEST(DataPort, RefusesAddressesWithAReason)
 {
   auto its    = settings();
   its.address = "localhost";
-  EXPECT_EQ(refusal(its), "--input tcp:localhost: this is no literal address; name one such as 127.0.0.1 or ::1");
+  EXPECT_EQ(refusal(its),
+            "--input tcp:localhost: this is not a literal address; write for example 127.0.0.1 or ::1");
   its.address = "0.0.0.0";
   its.port    = 8461;
   EXPECT_EQ(refusal(its),
@@ -157,7 +158,7 @@ TEST(DataPort, RefusesAddressesWithAReason)
                               ": the port is taken, perhaps by another millstand live; choose another one");
 }
 
-TEST(DataPort, ATokenIsAskedForAndTheRiskSaid)
+TEST(DataPort, AsksForATokenAndStatesTheRisk)
 {
   live::SampleQueue queue;
   auto its    = settings("0123456789abcdef0123456789abcdef");

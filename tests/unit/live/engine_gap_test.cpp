@@ -127,7 +127,7 @@ TEST(LiveGaps, ASecondRecordOfTheSameClockCountsWhatIsBetween)
 }
 
 // A source whose clock was set back sends what was there already: after a minute of it somebody is told, once.
-TEST(LiveGaps, AMinuteThatComesAgainIsTold)
+TEST(LiveGaps, ReportsAMinuteThatComesAgain)
 {
   LiveSamples run(published(), 100);
   run.engine().take(live::SourceHead{100, 1000.0, "a", {{"force", "N"}}, {1}});
@@ -152,7 +152,8 @@ TEST(LiveGaps, StateOfAnotherCaseIsNotTaken)
   auto other       = published();
   other.hash       = "another";
   LiveSamples second(other, 1000, &state);
-  EXPECT_EQ(second.said.front(),
-            "the stored state belongs to another case, or to other values of this one; the twin starts anew");
+  EXPECT_EQ(
+      second.said.front(),
+      "the stored state belongs to another case, or to other values of this one; the twin starts without it");
   EXPECT_EQ(second.engine().resumed_at(), 0);
 }

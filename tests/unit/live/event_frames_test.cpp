@@ -20,7 +20,7 @@ TEST(EventFrames, AFrameHasAnIdAndOneLineOfData)
   EXPECT_EQ(store.add("alarm", "{\n\"id\":\r\n1}")->text, "id: 2\nevent: alarm\ndata: { \"id\":  1}\n\n");
 }
 
-TEST(EventFrames, OfEachKindTwoWaitAndAlarmsAll)
+TEST(EventFrames, KeepsTwoFramesOfEachKindAndAllAlarms)
 {
   live::FrameStore store;
   live::FrameQueue queue;
@@ -41,7 +41,7 @@ TEST(EventFrames, OfEachKindTwoWaitAndAlarmsAll)
   EXPECT_TRUE(queue.empty());
 }
 
-TEST(EventFrames, WhoeverLeavesHundredsOfAlarmsWaitingBeginsAnew)
+TEST(EventFrames, DisconnectsABrowserWithHundredsOfWaitingAlarms)
 {
   live::FrameStore store;
   live::FrameQueue queue;

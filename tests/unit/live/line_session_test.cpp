@@ -81,10 +81,10 @@ TEST(LineSession, RefusesHeadsWithAReason)
       head_reason(R"({"millstand":1,"rate":20000,"units":{"force":"kN","upper_work_roll":"gee"}})"),
       "line 1: channel \"upper_work_roll\" has the unit \"gee\"; an acceleration (g, m/s2) or a velocity (mm/s) "
       "is needed");
-  EXPECT_EQ(
-      head_reason(R"({"millstand":1,"rate":20000,"units":{"upper_work_roll":"g"}})"),
-      "line 1: no channel \"force\", which drives the twin; name the column of the rolling force with --channel "
-      "NAME=force");
+  EXPECT_EQ(head_reason(R"({"millstand":1,"rate":20000,"units":{"torque":"Nm"}})"),
+            "line 1: no channel \"force\", which drives the twin, and no acceleration; name the column of the "
+            "rolling force "
+            "with --channel NAME=force, or give the unit of an acceleration with --unit NAME=g");
   EXPECT_EQ(head_reason(R"({"millstand":1,"rate":20000,"start":"yesterday","units":{"force":"kN"}})"),
             "line 1: 'yesterday' is not a time; write for example 2026-01-05T10:00:00.00005+01:00");
   EXPECT_EQ(head_reason(R"({"millstand":1,"rate":20000,"start":"10:00:00","units":{"force":"kN"}})"),
@@ -112,7 +112,7 @@ TEST(LineSession, RefusesBlocksWithAReasonAndItsSamples)
   EXPECT_EQ(reason_of(session, R"({"s":0,"force":[[1]]})"), "line 8: \"force\" holds a list inside a list");
   EXPECT_EQ(reason_of(session, R"({"s":0,"force":976.2})"),
             "line 9: \"force\" is one number; write a list, \"force\":[976.2]");
-  EXPECT_EQ(reason_of(session, R"({"s":0,"force":[1],"force":[2]})"), "line 10: \"force\" stands twice");
+  EXPECT_EQ(reason_of(session, R"({"s":0,"force":[1],"force":[2]})"), "line 10: \"force\" appears twice");
   EXPECT_EQ(reason_of(session, R"({"s":0,"force":[1)"), "line 11: no JSON from byte 18 on");
   EXPECT_EQ(reason_of(session, R"({"s":0})"), "line 12: no samples");
   EXPECT_EQ(reason_of(session, "{\"s\":" + deep(100000)), "line 13: \"s\" holds a list inside a list");
@@ -147,7 +147,7 @@ TEST(LineSession, FiveBadLinesInARowClose)
   EXPECT_EQ(last.reply, R"({"rejected":"no JSON from byte 1 on","line":21,"closed":"five bad lines in a row"})");
 }
 
-TEST(LineSession, ANumberFarAheadIsNotBelieved)
+TEST(LineSession, RefusesANumberFarAhead)
 {
   live::LineSession session(rules());
   session.take(good_head);
@@ -173,10 +173,9 @@ TEST(LineSession, ASecondSourceIsRefusedWhileTheFirstSends)
   EXPECT_EQ(reason_of(session, good_head), "taken");
   EXPECT_EQ(reason_of(session, R"({"s":0,"force":[1]})"), "taken");
   now += 4;
-  EXPECT_EQ(
-      reason_of(session, other),
-      "line 5: source \"daq-2\" begins while \"daq-1\" sends, which goes on; blocks of two cannot be told apart "
-      "here: stop one of them, or give it a stand of its own");
+  EXPECT_EQ(reason_of(session, other), "line 5: source \"daq-2\" begins while \"daq-1\" sends, which goes on; "
+                                       "blocks of two sources cannot be apart "
+                                       "here: stop one of them, or give it a stand of its own");
   EXPECT_EQ(reason_of(session, good_head), "taken") << "the first may say its head again";
   EXPECT_EQ(reason_of(session, R"({"s":1,"force":[1]})"), "taken") << "and goes on";
   now += 6;
@@ -194,7 +193,7 @@ TEST(LineSession, AskForTheToken)
   EXPECT_EQ(reason_of(session, with), "taken");
 }
 
-TEST(LineSession, TellsWhereToGoOn)
+TEST(LineSession, SendsTheNumberToContinueAt)
 {
   auto its = rules();
   its.next = [] { return std::optional<std::int64_t>(4711); };
@@ -217,7 +216,7 @@ TEST(LineCutter, KeepsHalfALineAndCutsALongOne)
 }
 
 // Short form of the fuzz run: MILLSTAND_PASSES times as many inputs.
-TEST(LineSession, NothingThatIsSentBreaksIt)
+TEST(LineSession, SurvivesAnyInput)
 {
   const char *const passes = std::getenv("MILLSTAND_PASSES");
   const int rounds         = 10000 * (passes ? std::max(1, std::atoi(passes)) : 1);

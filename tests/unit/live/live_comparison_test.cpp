@@ -124,7 +124,7 @@ Case given_case(const std::string &folder)
 }
 }  // namespace
 
-TEST(LiveComparison, AContactSoftensAndAProposalWaits)
+TEST(LiveComparison, ProposesASofterContact)
 {
   const SixMasses stand;
   Comparison comparison(setup_of(stand));
@@ -170,11 +170,11 @@ TEST(LiveComparison, AContactSoftensAndAProposalWaits)
   EXPECT_EQ(page.state, "open");
   for (const ProposedValue &value : page.values) {
     if (value.key == "K3") {
-      EXPECT_TRUE(value.told);
+      EXPECT_TRUE(value.identified);
       EXPECT_NEAR(value.to / value.from, 0.95, 0.002);
       EXPECT_LT(value.low, 0.95 * value.from);
       EXPECT_GT(value.high, 0.95 * value.from);
-    } else if (value.told) {
+    } else if (value.identified) {
       EXPECT_NEAR(value.to / value.from, 1, 0.05) << value.key;
     } else {
       EXPECT_EQ(value.to, value.from) << value.key;
@@ -192,7 +192,7 @@ TEST(LiveComparison, AContactSoftensAndAProposalWaits)
 }
 
 // Killed between two blocks and started again, it goes on as one that ran through: sums, alarm, what is proposed.
-TEST(LiveComparison, ARestartLosesNoDrift)
+TEST(LiveComparison, KeepsItsDriftOverARestart)
 {
   const SixMasses stand;
   constexpr double slightly = 0.9999;  // of K3: some standard deviations of a block
@@ -231,7 +231,7 @@ TEST(LiveComparison, ARestartLosesNoDrift)
   EXPECT_EQ(third.proposals().size(), again.proposals().size());
 }
 
-TEST(LiveComparison, AdoptedByHandIsACase)
+TEST(LiveComparison, AdoptedProposalIsACase)
 {
   namespace fs             = std::filesystem;
   const std::string folder = testing::TempDir() + "adopted-proposal";
@@ -269,7 +269,7 @@ TEST(LiveComparison, AdoptedByHandIsACase)
   EXPECT_NEAR(std::get<Lumped>(read.spec).dynamics.modal_damping, 0.012, 1e-9);
   const std::string file = read_text(adopted->file);
   EXPECT_NE(file.find("# K3: -5.00 %, standard deviation 0.10 %"), std::string::npos) << file;
-  EXPECT_NE(file.find("# not told by these data, as before: K1"), std::string::npos);
+  EXPECT_NE(file.find("# not identified by these data, as before: K1"), std::string::npos);
   EXPECT_EQ(read_text(folder + "/adopted.log"),
             "2023-11-14T22:13:25Z proposal 1 adopted: calibrated-20231114T221325Z.toml; Mode 6 has fallen by "
             "2.50 %.\n");
@@ -298,7 +298,8 @@ TEST(LiveComparison, SaysWhatCannotBeCompared)
   Comparison comparison(setup);
   ASSERT_EQ(comparison.notes().size(), 2u);
   EXPECT_EQ(comparison.notes()[0], "channel upper_work_roll is in \"V\" and not in m/s2: it is not compared");
-  EXPECT_EQ(comparison.notes()[1], "no channel is an acceleration at a place of the model: nothing is compared");
+  EXPECT_EQ(comparison.notes()[1],
+            "no channel is an acceleration at a place of the model: the twin is not compared with the mill");
   LiveBlock block;
   block.rate      = rate;
   block.force     = Eigen::VectorXd::Zero(100);
@@ -327,7 +328,7 @@ TEST(LiveComparison, AlarmsHaveOneNumberUntilTheyAreOver)
   EXPECT_EQ(book.news()[0].id, 102);
 }
 
-TEST(LiveComparison, WorkBesideGivesItsResultOnce)
+TEST(LiveComparison, BackgroundWorkGivesItsResultOnce)
 {
   LowPriorityTask<int> task;
   EXPECT_FALSE(task.wait());

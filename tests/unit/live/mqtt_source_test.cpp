@@ -139,7 +139,7 @@ TEST(Mqtt, UnderstandsItsAddress)
 
 // TW-33: what a broker drops while nobody reads is counted from the numbers, exactly; a new start of the broker
 // and of the connection loses nothing that the broker kept.
-TEST(Mqtt, LossCountedIsTheLossMade)
+TEST(Mqtt, CountsExactlyTheSamplesThatWereLost)
 {
   Broker broker;
   if (!live::has_mqtt() || !broker.start() || std::system("command -v mosquitto_pub >/dev/null") != 0)

@@ -25,7 +25,7 @@ TEST(PageCommand, EachIsRead)
   EXPECT_EQ(live::page_command(R"({"command":"advice"})").kind, live::PageCommandKind::advice);
 }
 
-TEST(PageCommand, WhatIsNoneIsRefusedWithTheReason)
+TEST(PageCommand, RefusesOtherCommandsWithAReason)
 {
   const std::string factor = "command: \"factor\" is a number from 0.5 to 1.5, times the model's own value";
   const std::string flat   = "command: a JSON object without lists or objects inside is needed";

@@ -142,7 +142,7 @@ TEST(PageServer, CommandsArriveOnceAndAreAnswered)
 }
 
 // TW-31, item by item: 4xx, and nothing is done.
-TEST(PageServer, WhatIsNotAllowedIsRefusedAndNothingIsDone)
+TEST(PageServer, RefusesForbiddenRequestsWithoutEffect)
 {
   Served served;
   const int port         = served.server.port();
@@ -252,7 +252,7 @@ TEST(PageServer, ABrowserThatLeavesIsForgotten)
 }
 
 // TW-30: 16 browsers of which 4 never read; those that read miss nothing, the next is refused.
-TEST(PageServer, FourThatNeverReadDisturbNobody)
+TEST(PageServer, FourBrowsersThatNeverReadDoNotDisturbTheOthers)
 {
   Served served;
   const int port = served.server.port();
@@ -293,7 +293,7 @@ TEST(PageServer, FourThatNeverReadDisturbNobody)
   EXPECT_LT(seen, frames / 2);
 }
 
-TEST(PageServer, TheThirtyThirdConnectionIsTurnedAway)
+TEST(PageServer, RefusesTheThirtyThirdConnection)
 {
   Served served;
   const int port = served.server.port();
@@ -380,6 +380,6 @@ TEST(PageServer, TokensAreLongKeptAndGuarded)
       "a token is 22 to 256 letters, digits, - _ . ~ without blanks (128 bit and more); `openssl rand -hex 24` "
       "makes one");
   EXPECT_EQ(refusal([&] { live::token_of_file(own_folder()); }),
-            "is no file; a token is the first line of a file of its own");
+            "is not a file; the token must be the first line of a file");
   fs::remove_all(own_folder());
 }

@@ -94,7 +94,7 @@ TEST(PlaceSpectrum, APlaceWithoutSensorHasTheTwinAlone)
   EXPECT_EQ(next->segments, 1);
 }
 
-TEST(PlaceSpectrum, WhatWasBeforeAChangeIsNotAveraged)
+TEST(PlaceSpectrum, DoesNotAverageSamplesFromBeforeAChange)
 {
   live::PlaceSpectrum display;
   display.begin(source());

@@ -75,7 +75,7 @@ TEST(QuickLine, ReadsWhatTheParserReads)
 }
 
 // Whatever it takes of a line that was spoilt is what the parser takes; what it does not take it leaves as it was.
-TEST(QuickLine, TakesNothingThatIsNoJson)
+TEST(QuickLine, RefusesTextThatIsNotJson)
 {
   std::mt19937 random(8);
   const std::string letters = "0123456789+-.eE,:[]{}\" nulx\\\t\x01\xc3";

@@ -32,7 +32,7 @@ TEST(SampleQueue, HoldsTwoSeconds)
   EXPECT_TRUE(queue.try_push(more));
 }
 
-TEST(SampleQueue, StopsWhoWouldFillItUntilThereIsRoom)
+TEST(SampleQueue, BlocksTheSenderUntilThereIsRoom)
 {
   SampleQueue queue;
   queue.push(head());
@@ -48,7 +48,7 @@ TEST(SampleQueue, StopsWhoWouldFillItUntilThereIsRoom)
   EXPECT_EQ(queue.samples(), 500);
 }
 
-TEST(SampleQueue, WhatIsDroppedKeepsItsPlace)
+TEST(SampleQueue, DroppedBlocksKeepTheirPlace)
 {
   SampleQueue queue;
   queue.push(head());

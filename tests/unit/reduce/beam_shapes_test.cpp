@@ -51,7 +51,7 @@ TEST(EquivalentMass, UniformBeam)
   EXPECT_TRUE(
       near(mass_ratio(uniform_beam(1)), 3968.0 / 7875, within(1e-12, "polynomial shape, exact quadrature")));
   EXPECT_TRUE(near(mass_ratio(uniform_beam(1e-4)), 17.0 / 35,
-                   within(1e-6, "the patch of 1e-4 span is no point: error of order patch^2")));
+                   within(1e-6, "the patch of 1e-4 span is not a point: error of order patch^2")));
   EXPECT_TRUE(near(reference("mass.uniform_load"), 3968.0 / 7875, within(1e-15, "same number")));
 }
 

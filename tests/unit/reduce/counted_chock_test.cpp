@@ -43,13 +43,13 @@ TEST(CountedChock, IsNoSpringOfTheChainWhereTheBearingHasIt)
     EXPECT_EQ(elastic.K[i].value, rigid.K[i].value) << "K" << i + 1 << " has no chock";
   for (const auto &chock :
        {std::pair(1, "frame.upper_chock_stiffness"), std::pair(5, "frame.lower_chock_stiffness")}) {
-    const char *key   = chock.second;
-    const auto counts = [&](const LumpedModel &model) {
+    const char *key          = chock.second;
+    const auto chock_springs = [&](const LumpedModel &model) {
       const auto &inputs = model.K[std::size_t(chock.first)].inputs;
       return std::count(inputs.begin(), inputs.end(), key);
     };
-    EXPECT_EQ(counts(elastic), 0) << key;
-    EXPECT_EQ(counts(rigid), 1) << key;
+    EXPECT_EQ(chock_springs(elastic), 0) << key;
+    EXPECT_EQ(chock_springs(rigid), 1) << key;
   }
   // The masses follow: with the chock as a spring of its own less of the cylinder moves with the roll.
   EXPECT_NE(elastic.M[1].value, rigid.M[1].value);

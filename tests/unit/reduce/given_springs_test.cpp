@@ -1,4 +1,4 @@
-// A given K2 or K6 in the place of parts that nobody has drawn, theory (34.2).
+// A given K2 or K6 in the place of parts that are not drawn, theory (34.2).
 #include "core/base/files.h"
 #include "core/model/case.h"
 #include "reduce/stand/lumped_stand.h"

@@ -27,7 +27,7 @@ const FrameChoice axes{0};
 
 TEST(HousingFrame, CornerMomentOfASymmetricFrame)
 {
-  // Opening by two opposite forces: M = (P L / 8) / (1 + H I_beam / (L I_post)), whatever the shear.
+  // Opening by two opposite forces: M = (P L / 8) / (1 + H I_beam / (L I_post)), independent of the shear.
   for (const double post : {0.1, 0.3, 0.8}) {
     const MillHousing h = symmetric(post, 0.4);
     const double L = h.window_width + post, H = h.window_height + 0.4, I = std::pow(0.4 / post, 3);
@@ -40,7 +40,7 @@ TEST(HousingFrame, CornerMomentOfASymmetricFrame)
 TEST(HousingFrame, OpeningOfASymmetricFrame)
 {
   // Beam under half of the force of one housing per post, end moments M; half of a post's stretch and, on the
-  // outside of the post, none of its bending: the feet are in its middle, where it does not turn.
+  // outside of the post, without its bending: the feet are in its middle, where it does not turn.
   const MillHousing h = symmetric(0.3, 0.4);
   const auto f        = housing_frame(h, axes);
   const double E = h.steel.youngs_modulus, nu = h.steel.poisson_ratio, G = E / (2 * (1 + nu));
@@ -53,7 +53,7 @@ TEST(HousingFrame, OpeningOfASymmetricFrame)
   EXPECT_TRUE(near(f.u_seat, -f.u_screw, within(1e-12, "the lower half mirrors the upper")));
   EXPECT_TRUE(near(
       f.exchanged, 0,
-      within(1e-9, "no work crosses a plane of symmetry; elements of 0.5 mm beside 2 m cost digits", f.u_screw)));
+      within(1e-9, "no work crosses a plane of symmetry; elements of 0.5 mm next to 2 m cost digits", f.u_screw)));
 }
 
 TEST(HousingFrame, EnergyIsWork)

@@ -106,7 +106,9 @@ TEST(WorkRollBending, VanishesUnderAStripAsWideAsTheBarrel)
     return BentWorkRoll(foundation_shape({L / 2, strip / 2, K / L, 2.1e11 * M_PI * std::pow(0.42, 4) / 64}));
   };
   for (const char *reference : {"mid", "mean"}) {
-    EXPECT_NEAR(work_roll_bending(roll(1.4), K, L / 2, reference) * K, 0, 1e-9);
+    EXPECT_TRUE(
+        near(work_roll_bending(roll(1.4), K, L / 2, reference) * K, 0,
+             within_absolute(1e-9, "an even load does not bend the roll; rounding times a stiffness of 4e10")));
     EXPECT_GT(work_roll_bending(roll(1.0), K, L / 2, reference), 0);
     EXPECT_GT(work_roll_bending(roll(0.6), K, L / 2, reference),
               work_roll_bending(roll(1.0), K, L / 2, reference));

@@ -230,7 +230,7 @@ TEST(CommonNames, OneForEachModeThatTwoModelsShare)
   EXPECT_GE(shared, 12);
 }
 
-// The name goes over with the shape, and the shares that say something else stand beside it.
+// The name follows the shape; shares that differ are given in addition.
 TEST(CommonNames, TheDetailedModelGivesThemAndTheOtherSaysWhatItSees)
 {
   Models m       = models_of(demo_drawing(), 976.2e3, 0);
@@ -251,7 +251,7 @@ TEST(CommonNames, TheDetailedModelGivesThemAndTheOtherSaysWhatItSees)
 }
 
 // A chock that a beam carries rigidly is named as one that stands on its bearing is.
-TEST(ModeNames, ACarriedChockCountsAsAChock)
+TEST(ModeNames, NamesACarriedChockAsAChock)
 {
   FourHigh drawing                   = demo_drawing();
   drawing.work_roll.chock_mass_upper = drawing.work_roll.chock_mass_lower = 1200;
@@ -270,5 +270,6 @@ TEST(ModeNames, ACarriedChockCountsAsAChock)
   };
   const auto named = mode_names(with), blind = mode_names(without);
   EXPECT_GE(std::count_if(named.begin(), named.end(), is_chock), 2) << "one for each work roll at least";
-  EXPECT_EQ(std::count_if(blind.begin(), blind.end(), is_chock), 0) << "counted with the roll they are nobody's";
+  EXPECT_EQ(std::count_if(blind.begin(), blind.end(), is_chock), 0)
+      << "counted with the roll they belong to no mode";
 }

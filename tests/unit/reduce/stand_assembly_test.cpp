@@ -105,7 +105,7 @@ TEST(StandAssembly, MassesThatAreZeroGetNoUnknown)
   const StandModel little                                            = demo_beams(drawing);
   EXPECT_EQ(little.M.rows(), n);
   EXPECT_TRUE(near(stand_modes(none).frequency.head(12).eval(), stand_modes(little).frequency.head(12).eval(),
-                   within(1e-6, "a gram beside tons")));
+                   within(1e-6, "a gram next to tons")));
   const Eigen::VectorXd y = static_displacement(none);
   EXPECT_TRUE(near(point_of(none, "cylinder").row.dot(y), demo_chain(drawing).flexibility.cylinder, rounding));
   EXPECT_TRUE(near(point_of(none, "upper backup chock").row.dot(y), demo_chain(drawing).flexibility.chock_upper,

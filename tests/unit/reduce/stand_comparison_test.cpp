@@ -1,4 +1,4 @@
-// Two models of one stand beside each other, and how few masses are enough.
+// Two models of one stand compared, and how few masses are enough.
 #include "reduce/stand/masses_needed.h"
 #include "reduce/stand/six_masses.h"
 #include "reduce/stand/stand_comparison.h"
@@ -84,13 +84,13 @@ TEST(StandComparison, PairsTakeTheBestFirstAndNoRowTwice)
       0.0, 0.0, 0.4;
   const auto pairs = pair_modes(mac, Eigen::Vector3d(10, 14, 30), Eigen::Vector3d(11, 12, 33));
   EXPECT_EQ(pairs[1].other, 0);
-  EXPECT_NEAR(pairs[1].difference, 0.2, 1e-14);
+  EXPECT_TRUE(near(pairs[1].difference, 0.2, within(1e-14, "one division of two short numbers")));
   EXPECT_EQ(pairs[0].other, 1);
   EXPECT_EQ(pairs[0].mac, 0.6);
   EXPECT_EQ(pairs[2].other, -1);
   EXPECT_EQ(pair_modes(mac, Eigen::Vector3d(10, 14, 30), Eigen::Vector3d(11, 12, 33), 0.3)[2].other, 2);
   EXPECT_EQ(pair_modes(mac, Eigen::Vector3d(10, 20, 30), Eigen::Vector3d(11, 12, 33))[0].other, -1)
-      << "20 Hz is no counterpart of 11 Hz, however alike they look";
+      << "20 Hz is not a counterpart of 11 Hz, even with equal shapes";
 }
 
 TEST(StandComparison, SentencesOfTheDemoStand)

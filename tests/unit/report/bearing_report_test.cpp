@@ -2,6 +2,7 @@
 #include "report/front/html.h"
 #include "report/plot/number.h"
 #include "report/results/names.h"
+#include "tests/support/near.h"
 #include "tests/support/sample_run.h"
 #include <cmath>
 #include <filesystem>
@@ -43,7 +44,7 @@ Table ring(const std::vector<double> &rows, const int rollers = 20, const double
 }
 }  // namespace
 
-TEST(BearingReport, SaysWhereTheHeaviestRollerIs)
+TEST(BearingReport, StatesThePlaceOfTheHeaviestRoller)
 {
   EXPECT_TRUE(says(heaviest_roller_sentence(ring({1, 2, 1, 1})),
                    "On the load line:</b> the heaviest roller, in row 2, "
@@ -62,12 +63,12 @@ TEST(BearingReport, SaysWhereTheHeaviestRollerIs)
 TEST(BearingReport, RowsThatCarryTheSameAreDrawnOnce)
 {
   const auto titles = [](const std::vector<double> &rows) {
-    std::vector<std::string> found;
+    std::vector<std::string> texts;
     for (const std::string &svg : roller_polars(ring(rows))) {
-      const std::size_t at = svg.find("aria-label=\"") + 12;
-      found.push_back(svg.substr(at, svg.find(':', at) - at));
+      const std::size_t position = svg.find("aria-label=\"") + 12;
+      texts.push_back(svg.substr(position, svg.find(':', position) - position));
     }
-    return found;
+    return texts;
   };
   EXPECT_EQ(titles({1, 1, 1, 1}), (std::vector<std::string>{"Each row"}));
   EXPECT_EQ(titles({1, 2, 2, 1}), (std::vector<std::string>{"Rows 1 and 4", "Rows 2 and 3"}));
@@ -90,7 +91,7 @@ TEST(BearingReport, PublishedTableSpellsOutTheFactor)
                          "class=\"num\">540.5 <span class=\"deviation\">(\u221220.3\u00a0%)"));
 }
 
-TEST(BearingReport, ShowsEveryModelBesideTheRun)
+TEST(BearingReport, ComparesEveryModelWithTheRun)
 {
   const std::string html = html_report(write_sample_run(bearing_sample()));
   for (const char *legend : {"tangent, this run", "secant, this run", "tangent, the same with rigid rings",
@@ -106,7 +107,7 @@ TEST(BearingReport, ShowsEveryModelBesideTheRun)
 }
 
 // A stand of an earlier version: no other models, no companions, and no complaint about them.
-TEST(BearingReport, OldFilesMakeTheirOldFigures)
+TEST(BearingReport, FilesOfEarlierVersionsKeepTheirFigures)
 {
   const std::string html = html_report(write_sample_run());
   EXPECT_TRUE(says(html, "Radial stiffness over load"));
@@ -163,17 +164,18 @@ TEST(BearingReport, ResultsAreGrouped)
   EXPECT_EQ(meaning_of("Kzc.row3_axial"), "the bearing at its load, axial force of row 3");
 }
 
-TEST(BearingReport, AnglesAndCountsAreShownAsOneReadsThem)
+TEST(BearingReport, AnglesAreInDegreesAndIntegersHaveNoDecimals)
 {
   EXPECT_EQ(engineering(0.32, "rad").unit, "\u00b0");
-  EXPECT_NEAR(engineering(pi, "rad").value, 180, 1e-10) << "rounding";
+  EXPECT_TRUE(near(engineering(pi, "rad").value, 180,
+                   within(1e-10 / 180, "one multiplication with a factor of 17 digits")));
   EXPECT_EQ(engineering(5e-4, "rad").unit, "mrad");
   const std::string html = html_report(write_sample_run(bearing_sample()));
   EXPECT_TRUE(says(html, "<b>21</b>")) << "loaded rollers are counted";
   EXPECT_TRUE(says(html, "ISO/TS 16281, rigid rings: 25.0\u00a0% <span class=\"deviation\">(\u22124.5 points)"));
 }
 
-TEST(BearingReport, SaysHowTheRowsAreArranged)
+TEST(BearingReport, StatesTheArrangementOfTheRows)
 {
   auto run = read_run(write_sample_run(bearing_sample()));
   EXPECT_TRUE(

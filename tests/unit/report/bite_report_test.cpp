@@ -1,5 +1,6 @@
 #include "report/bite/figures.h"
 #include "report/front/html.h"
+#include "tests/support/near.h"
 #include "tests/support/sample_csv.h"
 #include "tests/support/sample_run.h"
 #include <cmath>
@@ -21,7 +22,9 @@ const double arc = std::sqrt(R * (h_e - h_d));
 
 double pressure_at(const double x)
 {
-  const auto H   = [](const double at) { return 2 * std::sqrt(R / h_d) * std::atan(at / std::sqrt(R * h_d)); };
+  const auto H = [](const double position) {
+    return 2 * std::sqrt(R / h_d) * std::atan(position / std::sqrt(R * h_d));
+  };
   const double h = h_d + x * x / R;
   return k * std::min(h / h_e * std::exp(mu * (H(arc) - H(x))), h / h_d * std::exp(mu * H(x)));
 }
@@ -32,8 +35,8 @@ void write_arc(const fs::path &stem, const std::string &model, const double fact
 {
   const VectorXd x = VectorXd::LinSpaced(61, 0, arc), h = h_d + x.array().square() / R;
   const VectorXd p     = factor * x.unaryExpr(&pressure_at);
-  const VectorXd shear = x.unaryExpr([](const double at) {
-                            return std::clamp((at - neutral) / 5e-4, -1.0, 1.0);
+  const VectorXd shear = x.unaryExpr([](const double position) {
+                            return std::clamp((position - neutral) / 5e-4, -1.0, 1.0);
                           }).cwiseProduct(mu * p);
   const double h_n     = h_d + neutral * neutral / R;
   sample::write_csv(stem.string() + "." + model + ".csv", sample::Csv()
@@ -46,11 +49,15 @@ void write_arc(const fs::path &stem, const std::string &model, const double fact
 
 void write_roll(const fs::path &stem)
 {
-  const VectorXd x      = VectorXd::LinSpaced(81, -0.03, 0.055);
-  const VectorXd circle = x.unaryExpr([](const double at) { return h_d / 2 + R - std::sqrt(R * R - at * at); });
-  const VectorXd dent   = x.unaryExpr([](const double at) { return 9e-6 * std::pow((at - 0.01) / 0.03, 2); });
-  const VectorXd strip  = x.unaryExpr([](const double at) {
-    return at < 0 ? h_d / 2 : at > arc ? h_e / 2 : h_d / 2 + R - std::sqrt(R * R - at * at);
+  const VectorXd x = VectorXd::LinSpaced(81, -0.03, 0.055);
+  const VectorXd circle =
+      x.unaryExpr([](const double position) { return h_d / 2 + R - std::sqrt(R * R - position * position); });
+  const VectorXd dent =
+      x.unaryExpr([](const double position) { return 9e-6 * std::pow((position - 0.01) / 0.03, 2); });
+  const VectorXd strip = x.unaryExpr([](const double position) {
+    return position < 0     ? h_d / 2
+           : position > arc ? h_e / 2
+                            : h_d / 2 + R - std::sqrt(R * R - position * position);
   });
   sample::write_csv(stem.string() + ".roll.csv", sample::Csv()
                                                      .with("x [m]", x)
@@ -82,16 +89,16 @@ void write_field(const fs::path &stem)
                                                       .with("velocity_x [m/s]", VectorXd::Constant(n, -1)));
 }
 
-void write_k4(const fs::path &curves, const std::string &input, const VectorXd &at)
+void write_k4(const fs::path &curves, const std::string &input, const VectorXd &positions)
 {
-  const VectorXd slope = (2e8 + 1e8 * at.array() / at.maxCoeff()).matrix();
-  VectorXd fe          = VectorXd::Constant(at.size(), NAN);
-  fe[at.size() / 2]    = 0.97 * slope[at.size() / 2];
+  const VectorXd slope     = (2e8 + 1e8 * positions.array() / positions.maxCoeff()).matrix();
+  VectorXd fe              = VectorXd::Constant(positions.size(), NAN);
+  fe[positions.size() / 2] = 0.97 * slope[positions.size() / 2];
   sample::write_csv(curves / ("bite-k4-" + input + ".csv"), sample::Csv()
                                                                 .with(input + (input == "tension" ? " [Pa]"
                                                                                : input == "speed" ? " [m/s]"
                                                                                                   : ""),
-                                                                      at)
+                                                                      positions)
                                                                 .with("plastic_slope [N/m]", slope)
                                                                 .with("combined [N/m]", 0.995 * slope)
                                                                 .with("force [N]", 4e-3 * slope)
@@ -184,13 +191,14 @@ bool says(const std::string &text, const std::string &what)
 int count(const std::string &text, const std::string &what)
 {
   int n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + 1))
+  for (std::size_t position = text.find(what); position != std::string::npos;
+       position             = text.find(what, position + 1))
     ++n;
   return n;
 }
 }  // namespace
 
-TEST(BiteReport, PassesAndTheirModels)
+TEST(BiteReport, ReadsPassesAndTheirModels)
 {
   const report::Run run = read_run(run_with_bites());
   const auto passes     = bite_passes(run);
@@ -201,14 +209,15 @@ TEST(BiteReport, PassesAndTheirModels)
                                                         "bland-ford", "sims", "karman-rigid"}));
   EXPECT_EQ(passes[1].models, std::vector<std::string>{"fe"});
   EXPECT_EQ(bite_value(run, passes[0], "force", "orowan"), 942.8e3);
-  EXPECT_TRUE(std::isnan(bite_value(run, passes[0], "force", "nobody")));
-  EXPECT_EQ(bite_model_name("nobody"), "nobody");
+  EXPECT_TRUE(std::isnan(bite_value(run, passes[0], "force", "unknown-model")));
+  EXPECT_EQ(bite_model_name("unknown-model"), "unknown-model");
 }
 
 TEST(BiteReport, NeutralPointIsWhereTheSlipChangesSign)
 {
   const report::Run run = read_run(run_with_bites());
-  EXPECT_NEAR(neutral_point(*bite_table(run, bite_passes(run)[0], "fe")), neutral, 1e-5);  // chord of a spacing
+  EXPECT_TRUE(near(neutral_point(*bite_table(run, bite_passes(run)[0], "fe")), neutral,
+                   within(1e-5 / neutral, "chord of the slip over one spacing of the table")));
   Table arc;
   arc.add("x", "m", VectorXd::LinSpaced(5, 0, 4e-3));
   EXPECT_TRUE(std::isnan(neutral_point(arc)));
@@ -221,7 +230,7 @@ TEST(BiteReport, NeutralPointIsWhereTheSlipChangesSign)
   EXPECT_TRUE(std::isnan(neutral_point(dragged)));
 }
 
-TEST(BiteReport, SectionShowsWhatIsStored)
+TEST(BiteReport, SectionShowsEveryStoredPart)
 {
   const std::string page = html_page(read_run(run_with_bites()));
   EXPECT_TRUE(says(page, "<details class=\"part\" id=\"bite\""));
@@ -237,7 +246,7 @@ TEST(BiteReport, SectionShowsWhatIsStored)
   EXPECT_TRUE(says(page, "All passes, by the model that gives K4"));
 }
 
-TEST(BiteReport, ModelsStandBesideTheFiniteElements)
+TEST(BiteReport, ModelsAreComparedWithTheFiniteElements)
 {
   const report::Run run   = read_run(run_with_bites());
   const std::string table = bite_model_table(run, bite_passes(run)[0]);
@@ -249,7 +258,7 @@ TEST(BiteReport, ModelsStandBesideTheFiniteElements)
 }
 
 // 989.5 rigid, + 5.5 flattening, - 52.2 inhomogeneity, - 14.8 the rest = 928.
-TEST(BiteReport, BreakdownAddsUp)
+TEST(BiteReport, StepsOfTheForceAddUpToTheForce)
 {
   const report::Run run   = read_run(run_with_bites());
   const std::string table = bite_breakdown_table(run, bite_passes(run)[0]);
@@ -258,7 +267,7 @@ TEST(BiteReport, BreakdownAddsUp)
   EXPECT_EQ(bite_breakdown_table(run, bite_passes(run)[1]), "");
 }
 
-TEST(BiteReport, FourNamesOfK4)
+TEST(BiteReport, ExplainsTheFourStiffnessesCalledK4)
 {
   report::Run run        = read_run(run_with_bites());
   const std::string text = k4_relation(run);
@@ -271,8 +280,8 @@ TEST(BiteReport, FourNamesOfK4)
   EXPECT_EQ(k4_table(run), "");
 }
 
-// Every cell of the mesh is drawn, merged along the strip; a table that is no grid draws nothing.
-TEST(BiteReport, FieldIsDrawnInItsPlace)
+// Every cell of the mesh is drawn, merged along the strip; a table that is not a grid draws nothing.
+TEST(BiteReport, CellsOfTheFieldAreDrawnAtTheirPlace)
 {
   const report::Run run   = read_run(run_with_bites());
   const Table *field      = bite_table(run, bite_passes(run)[0], "field");
@@ -287,13 +296,13 @@ TEST(BiteReport, FieldIsDrawnInItsPlace)
   EXPECT_EQ(bite_field(shorter, "strain"), "");
 }
 
-TEST(BiteReport, NothingWithoutABite)
+TEST(BiteReport, IsEmptyWithoutABite)
 {
   const std::string page = html_page(read_run(write_sample_run()));
   EXPECT_FALSE(says(page, "Roll bite"));
 }
 
-TEST(BiteReport, PageIsSmall)
+TEST(BiteReport, APageWithBitesIsSmall)
 {
   // 2 MB is the limit of the whole page; the bite's share with 540 field points is a small part of it.
   const std::string with    = html_page(read_run(run_with_bites())),
@@ -307,8 +316,8 @@ TEST(BiteReport, NamesOfPassesAreEscapedOnce)
   std::stringstream text;
   text << std::ifstream(file).rdbuf();
   std::string json = text.str();
-  for (std::size_t at; (at = json.find("bite.pass 1.")) != std::string::npos;)
-    json.replace(at, 11, "bite.pass <1>");
+  for (std::size_t position; (position = json.find("bite.pass 1.")) != std::string::npos;)
+    json.replace(position, 11, "bite.pass <1>");
   std::ofstream(file) << json;
   const std::string html = html_report(file.parent_path().string());
   EXPECT_NE(html.find("Bite of pass &lt;1&gt;</h3>"), std::string::npos);

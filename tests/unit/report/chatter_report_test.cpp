@@ -100,13 +100,13 @@ TEST(ChatterReport, EveryFigureAndTableIsThere)
                             "Events of the nonlinear motion",
                             ">Critical speed<",
                             "Friction at the working speed",
-                            "How the bite is made linear",
-                            "Other readings of the data",
-                            "Which conclusions",
+                            "The linearisation of the bite",
+                            "Variants of the data",
+                            "Conclusions that these variants share",
                             "by models of growing detail",
                             "Stands in tandem: 1, 2",
                             "Critical mode of all stands",
-                            "Beside published and measured"})
+                            "Compared with published and measured"})
     EXPECT_EQ(count(html, title) > 0, true) << title;
   expect_sound(html, "whole page");
   EXPECT_EQ(count(html, "class=\"absent\""), 0);
@@ -116,7 +116,7 @@ TEST(ChatterReport, EveryFigureAndTableIsThere)
   EXPECT_LT(html.size(), 2000000u) << "a report is mailed";
 }
 
-// One figure without a unit is one figure nobody can use.
+// A figure without a unit cannot be used.
 TEST(ChatterReport, EveryFigureNamesItsUnits)
 {
   const std::string html = html_report(sample::run_with_chatter());

@@ -1,6 +1,7 @@
 #include "report/compare/comparison.h"
+#include "report/front/html.h"
+#include "tests/support/near.h"
 #include <cmath>
-#include <gtest/gtest.h>
 
 using namespace mill::report;
 
@@ -48,9 +49,9 @@ TEST(Comparison, ResultsThatDifferLargestFirst)
   const auto changed = changed_results(runs);
   ASSERT_EQ(changed.size(), 2u) << "K3 differs by rounding, K4 stands in one run only";
   EXPECT_EQ(changed[0].results[0]->name, "K2");
-  EXPECT_NEAR(changed[0].change, -0.2, 1e-15);
+  EXPECT_TRUE(near(changed[0].change, -0.2, within(1e-14, "one quotient and one difference of numbers near one")));
   EXPECT_TRUE(changed[0].beyond);
-  EXPECT_NEAR(changed[1].change, 0.01, 1e-15);
+  EXPECT_TRUE(near(changed[1].change, 0.01, within(1e-13, "101/100 - 1 loses two digits by cancellation")));
   EXPECT_FALSE(changed[1].beyond) << "1 % with 1 % of either run";
 }
 
@@ -68,4 +69,23 @@ TEST(Comparison, ThePageSaysHowMuchDiffers)
   EXPECT_NE(page.find("<th>a</th><th>b</th>"), std::string::npos);
   EXPECT_NE(page.find("+50.0\u00a0%"), std::string::npos);
   EXPECT_EQ(page.find(">nan<"), std::string::npos);
+}
+
+TEST(Comparison, OnlyItsOwnPageIsRecognised)
+{
+  const std::string page = comparison_page(
+      {
+          run_with("a", {{"K1", 1}}
+           ), run_with("b", {{"K1", 2}}
+           )
+  },
+      {"", ""});
+  EXPECT_TRUE(is_comparison_page(page));
+  EXPECT_FALSE(is_comparison_page(html_page(run_with("a",
+                                                     {
+                                                         {"K1", 1}
+  }))))
+      << "the report of a run";
+  EXPECT_FALSE(is_comparison_page("")) << "an empty file may be somebody's";
+  EXPECT_FALSE(is_comparison_page("<!DOCTYPE html>\n<title>prices</title><style></style>" + page)) << "embedded";
 }

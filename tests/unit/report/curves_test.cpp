@@ -31,9 +31,9 @@ TEST(Curves, FactorsOfEveryDimension)
 
 TEST(Curves, QuantityOfAnOperatingPoint)
 {
-  const auto in = [](const mill::OperatingPoint &at, const char *unit) {
+  const auto in = [](const mill::OperatingPoint &operating_point, const char *unit) {
     Result result;
-    result.at_values = at.values();
+    result.at_values = operating_point.values();
     return quantity_at(result, unit);
   };
   EXPECT_EQ(in(mill::at_force(976.2e3), "N"), 976.2e3);
@@ -44,9 +44,9 @@ TEST(Curves, QuantityOfAnOperatingPoint)
   },
                        "kN"),
                    1200, within(1e-15, "one division")))
-      << "the thickness before it is no load";
+      << "the thickness before it is not a load";
   EXPECT_TRUE(near(in({"{}", {{1e6, "N/mm"}}}, "N/m"), 1e6, within(1e-15, "one division")));
-  EXPECT_TRUE(std::isnan(in({"{}", {{1e6, "N/mm"}}}, "kN"))) << "a line load is no load";
+  EXPECT_TRUE(std::isnan(in({"{}", {{1e6, "N/mm"}}}, "kN"))) << "a line load is not a load";
   EXPECT_TRUE(std::isnan(in("rest", "kN")));
 }
 

@@ -4,16 +4,16 @@
 using namespace mill::report;
 
 namespace {
-Result result(const char *name, const double value, const char *unit, const mill::OperatingPoint &at = {},
-              const double error = 0.01)
+Result result(const char *name, const double value, const char *unit,
+              const mill::OperatingPoint &operating_point = {}, const double error = 0.01)
 {
   Result r{};
   r.name           = name;
   r.value          = value;
   r.unit           = unit;
   r.source         = "computed: test";
-  r.at             = at.text();
-  r.at_values      = at.values();
+  r.at             = operating_point.text();
+  r.at_values      = operating_point.values();
   r.error_estimate = error;
   return r;
 }
@@ -50,7 +50,7 @@ bool says(const std::string &html, const std::string &text)
 TEST(FirstScreen, NamesModulusAndModes)
 {
   const std::string html = first_screen(four_high());
-  EXPECT_TRUE(says(html, "<b>Done.</b> Mill modulus 4500\u00a0kN/mm; third octave 128\u00a0Hz; fifth octave, "
+  EXPECT_TRUE(says(html, "<b>Finished.</b> Mill modulus 4500\u00a0kN/mm; third octave 128\u00a0Hz; fifth octave, "
                          "upper stack 620\u00a0Hz."))
       << html;
   EXPECT_LT(html.find("<span>third octave</span>"), html.find("<span>fifth octave, upper stack</span>"));
@@ -79,7 +79,7 @@ TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
 }
 
 // A level that comes from a made record says nothing about the mill.
-TEST(FirstScreen, LevelsOfMadeForcesAreNotShown)
+TEST(FirstScreen, LevelsOfSyntheticForcesAreNotShown)
 {
   mill::report::Run run = four_high();
   run.manifest.passes   = {
@@ -94,7 +94,7 @@ TEST(FirstScreen, LevelsOfMadeForcesAreNotShown)
   EXPECT_FALSE(says(html, "pass 1"));
 }
 
-TEST(FirstScreen, FiveFactsAndTheRestFolded)
+TEST(FirstScreen, ShowsFiveWarningsAndFoldsTheRest)
 {
   mill::report::Run run = four_high();
   for (int i = 1; i <= 7; ++i)
@@ -105,7 +105,7 @@ TEST(FirstScreen, FiveFactsAndTheRestFolded)
   EXPECT_LT(html.find("<summary>2 more</summary>"), html.find("Fact number 6"));
 }
 
-TEST(FirstScreen, EstimatesFoldWithWhatTheyCost)
+TEST(FirstScreen, EstimatesAreFoldedWithTheirEffect)
 {
   mill::report::Run run = four_high();
   EXPECT_FALSE(says(first_screen(run), "estimated"));
@@ -114,7 +114,7 @@ TEST(FirstScreen, EstimatesFoldWithWhatTheyCost)
   };
   const std::string html = first_screen(run);
   EXPECT_TRUE(says(html, "1 value is estimated; frame.upper_post_stiffness costs most accuracy")) << html;
-  EXPECT_TRUE(says(html, "<td>K1 \u00b120.0\u00a0%</td><td>rule of thumb</td>")) << html;
+  EXPECT_TRUE(says(html, "<td>K1 \u00b120\u00a0%</td><td>rule of thumb</td>")) << html;
   EXPECT_TRUE(says(html, "40\u202f000 .. 80\u202f000"));
 }
 

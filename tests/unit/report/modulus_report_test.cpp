@@ -25,7 +25,7 @@ Result result(const std::string &name, const double value, const std::string &so
 }
 }  // namespace
 
-TEST(ModulusReport, FigureAndTableOfTheGauge)
+TEST(ModulusReport, ShowsFigureAndTableOfTheThickness)
 {
   report::Run run;
   EXPECT_EQ(
@@ -57,7 +57,7 @@ TEST(ModulusReport, FigureAndTableOfTheGauge)
   EXPECT_TRUE(shows(page.body(), "8.85 <span class=\"deviation\">"));
 }
 
-TEST(ModulusReport, NamesOfModesWithWhatDecided)
+TEST(ModulusReport, ShowsNamesOfModesWithTheDecidingNumbers)
 {
   report::Run run;
   EXPECT_EQ(named_mode_table(run), "");
@@ -74,7 +74,8 @@ TEST(ModulusReport, NamesOfModesWithWhatDecided)
   EXPECT_TRUE(shows(table, "six masses 761.3"));
 }
 
-// The modes of the best model lead the short table, the six masses stand beside them; alone they are all there is.
+// The modes of the best model lead the short table, the six masses follow for comparison; alone they are the whole
+// table.
 TEST(ModulusReport, TheBestModelLeadsTheFrequencies)
 {
   report::Run run;
@@ -90,7 +91,7 @@ TEST(ModulusReport, TheBestModelLeadsTheFrequencies)
   EXPECT_EQ(titles(), std::vector<std::string>{"Natural frequency"});
   run.results.push_back(result("craig-bampton.f1", 37.8, "computed: rolls as reduced finite elements"));
   EXPECT_EQ(titles(), (std::vector<std::string>{"Natural frequency, rolls as reduced finite elements",
-                                                "Natural frequency, six masses beside it"}));
+                                                "Natural frequency, compared with six masses"}));
   const NamedMode mode = named_mode(run.results[1]);
   EXPECT_EQ(mode.name, "third octave, upper stack");
   EXPECT_EQ(mode.why, "K2 and K6 97 %");

@@ -64,7 +64,7 @@ TEST(NonlinearReport, ShowsWhatARunStored)
     EXPECT_NE(html.find(words), std::string::npos) << words;
 }
 
-TEST(NonlinearReport, AFileOfAnotherProgramIsSaid)
+TEST(NonlinearReport, AFileOfAnotherProgramIsReported)
 {
   const std::string folder = write_sample_run();
   const std::string slug   = read_run(folder).manifest.passes.at(0).slug;

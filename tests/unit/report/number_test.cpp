@@ -17,7 +17,45 @@ TEST(Number, SignificantDigitsGroupsAndPowers)
   EXPECT_EQ(significant(0), "0");
 }
 
-TEST(Number, WhatIsNoNumberIsADash)
+TEST(Number, AValueHasTheDigitsThatItsErrorAllows)
+{
+  EXPECT_EQ(known_digits(60.3838, 0.64), "60");
+  EXPECT_EQ(known_digits(39948.2, 0.004), "39\u202f950") << "error 160, two digits of it";
+  EXPECT_EQ(known_digits(39948.2, 0.01), "39\u202f900") << "error 400, one digit of it";
+  EXPECT_EQ(known_digits(218.34, 0.001), "218.3") << "error 0.22 allows two decimals, four digits are asked";
+  EXPECT_EQ(known_digits(218.34, 0.001, 6), "218.34");
+  EXPECT_EQ(known_digits(-218.34, 0.02), "\u2212218") << "error 4.4";
+  EXPECT_EQ(known_digits(0.029, 3.0), "0.03") << "an error above the value leaves one digit";
+  EXPECT_EQ(known_digits(4.0192e10, 0.004), "4.019 \u00d7 10\u00b9\u2070");
+}
+
+TEST(Number, WithoutAnErrorAllDigitsAreShown)
+{
+  EXPECT_EQ(known_digits(60.3838, NAN), "60.38");
+  EXPECT_EQ(known_digits(60.3838, 0, 5), "60.384");
+  EXPECT_EQ(known_digits(0, 0.1), "0");
+  EXPECT_EQ(known_digits(NAN, 0.1), "\u2013");
+}
+
+TEST(Number, AFrequencyHasAtMostOneDecimal)
+{
+  EXPECT_EQ(frequency_text(60.3838, NAN), "60.4");
+  EXPECT_EQ(frequency_text(60.3838, 0.64), "60");
+  EXPECT_EQ(frequency_text(1234.56, 1e-5), "1234.6");
+  EXPECT_EQ(frequency_text(0.0421, NAN), "0.04");
+  EXPECT_EQ(frequency_text(0, NAN), "0.0");
+}
+
+TEST(Number, AnAccuracyHasTwoDigits)
+{
+  EXPECT_EQ(accuracy(0.64), "\u00b164\u00a0%");
+  EXPECT_EQ(accuracy(-0.0041), "\u00b10.41\u00a0%");
+  EXPECT_EQ(accuracy(1.234), "\u00b1120\u00a0%");
+  EXPECT_EQ(accuracy(1e-9), "\u00b10\u00a0%");
+  EXPECT_EQ(accuracy(NAN), "\u2013");
+}
+
+TEST(Number, ADashStandsForNaNAndInfinity)
 {
   EXPECT_EQ(significant(NAN), "\u2013");
   EXPECT_EQ(fixed(INFINITY, 2), "\u2013");

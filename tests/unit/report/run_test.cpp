@@ -34,7 +34,7 @@ void overwrite(const std::string &path, const std::string &text)
 }
 }  // namespace
 
-TEST(Run, ReadsWhatARunLeaves)
+TEST(Run, ReadsTheFilesOfARun)
 {
   const auto run = read_run(write_sample_run());
   EXPECT_EQ(run.case_name, "four-high-1400");
@@ -63,12 +63,13 @@ TEST(Run, ItsOwnTablesAreNotReadAgain)
   at_hand.at("response/pass-1").columns.at(0)[0] = 77;
   at_hand.at("response/pass-2").columns.at(0)[0] = std::numeric_limits<double>::infinity();
   at_hand["curves/never-written"]                = at_hand.at("response/pass-1");
-  const auto own                                 = read_own_run(directory, at_hand);
-  EXPECT_EQ(own.table("response/pass-1")->columns.at(0)[0], 77) << "taken as it is";
-  EXPECT_EQ(own.table("response/pass-2")->columns.at(0)[0], read.table("response/pass-2")->columns.at(0)[0])
+  const auto from_memory                         = read_own_run(directory, at_hand);
+  EXPECT_EQ(from_memory.table("response/pass-1")->columns.at(0)[0], 77) << "taken as it is";
+  EXPECT_EQ(from_memory.table("response/pass-2")->columns.at(0)[0],
+            read.table("response/pass-2")->columns.at(0)[0])
       << "a file says this in another way: read";
-  EXPECT_EQ(own.tables.size(), read.tables.size()) << "what is no file is not of the run";
-  EXPECT_EQ(own.remarks, read.remarks);
+  EXPECT_EQ(from_memory.tables.size(), read.tables.size()) << "what is not a file does not belong to the run";
+  EXPECT_EQ(from_memory.remarks, read.remarks);
 }
 
 TEST(Run, NoResultsIsAnInputErrorWithTheRemedy)
@@ -76,7 +77,7 @@ TEST(Run, NoResultsIsAnInputErrorWithTheRemedy)
   const std::string directory = write_sample_run();
   std::filesystem::remove(directory + "/results.json");
   EXPECT_EQ(message_of(directory),
-            "results.json:0:0: there is no results.json in " + directory +
+            "results.json:0:0: no results.json in " + directory +
                 "; name the folder that `millstand run` has written, or run the case first");
 }
 
@@ -84,9 +85,8 @@ TEST(Run, BrokenResultsAreNamedWithTheirPlace)
 {
   const std::string directory = write_sample_run();
   overwrite(directory + "/results.json", "{\n  \"case\": \"a\",\n  \"status\" \"ok\"\n}\n");
-  EXPECT_EQ(message_of(directory),
-            "results.json:3:15: this is not JSON any more; run the case again, or restore the "
-            "file as the program wrote it");
+  EXPECT_EQ(message_of(directory), "results.json:3:15: this is not JSON; run the case again, or restore the "
+                                   "file as the program wrote it");
   overwrite(directory + "/results.json", "");
   EXPECT_EQ(message_of(directory).substr(0, 17), "results.json:1:1:");
   for (const char *foreign :
@@ -158,7 +158,7 @@ TEST(Run, NestingAndNumbersBeyondAllBoundsAreRefused)
 }
 
 // An ending that no kind of curve has made a contact of its own out of a curve of a known one.
-TEST(Run, ACurveOfNoKindIsSaidAndIsNoContactOfItsOwn)
+TEST(Run, AnUnknownCurveIsReportedAndNotTakenForAContact)
 {
   const std::filesystem::path directory = write_sample_run(), curves = directory / "curves";
   std::filesystem::copy_file(curves / "contact-upper.csv", curves / "contact-upper-roughness.csv");
@@ -168,8 +168,8 @@ TEST(Run, ACurveOfNoKindIsSaidAndIsNoContactOfItsOwn)
   EXPECT_EQ(items_of(run, curve::bearing), (std::vector<std::string>{"trb", "crb"}));
   ASSERT_EQ(run.remarks.size(), 2u);
   EXPECT_EQ(run.remarks[1],
-            "curves/contact-upper-roughness.csv is none of the curves that this program knows and is not shown.");
+            "curves/contact-upper-roughness.csv is not a curve that this program knows and is not shown.");
   const std::string html = html_page(run);
   EXPECT_EQ(html.find("Contact upper-roughness"), std::string::npos);
-  EXPECT_NE(html.find("curves/contact-upper-roughness.csv is none of the curves"), std::string::npos);
+  EXPECT_NE(html.find("curves/contact-upper-roughness.csv is not a curve that this program"), std::string::npos);
 }

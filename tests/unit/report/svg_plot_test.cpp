@@ -16,8 +16,8 @@ std::vector<Tick> ticks_in(const std::string &svg, const std::string &which, con
 {
   const std::regex tick("<text class=\"t " + which + "\" x=\"([-0-9.]+)\" y=\"([-0-9.]+)\"[^>]*>([^<]*)</text>");
   std::vector<Tick> ticks;
-  for (std::sregex_iterator found(svg.begin(), svg.end(), tick), end; found != end; ++found)
-    ticks.push_back({std::stod((*found)[coordinate == "x" ? 1 : 2]), std::stod((*found)[3])});
+  for (std::sregex_iterator match(svg.begin(), svg.end(), tick), end; match != end; ++match)
+    ticks.push_back({std::stod((*match)[coordinate == "x" ? 1 : 2]), std::stod((*match)[3])});
   return ticks;
 }
 
@@ -46,7 +46,7 @@ double logarithmic(const std::vector<Tick> &ticks, const double value)
 }  // namespace
 
 // A curve is read back with the ticks as the only ruler, as a reader does.
-TEST(SvgPlot, PointsStandWhereTheTicksSay)
+TEST(SvgPlot, PointsAgreeWithTheTicks)
 {
   Plot plot;
   plot.x                  = {"approach", "mm"};
@@ -67,7 +67,7 @@ TEST(SvgPlot, PointsStandWhereTheTicksSay)
   }
 }
 
-TEST(SvgPlot, LogarithmicAxes)
+TEST(SvgPlot, PointsAgreeWithTheTicksOfLogarithmicAxes)
 {
   Plot plot;
   plot.x = {"frequency", "Hz", Scale::logarithmic};
@@ -87,7 +87,7 @@ TEST(SvgPlot, LogarithmicAxes)
   }
 }
 
-TEST(SvgPlot, EscapesWhatUsersWrite)
+TEST(SvgPlot, EscapesTextsOfUsers)
 {
   Plot plot;
   plot.title = "<script> & \"quotes\"";
@@ -120,7 +120,7 @@ TEST(SvgPlot, PeakOfALongRecordIsDrawn)
   EXPECT_LT(svg.size(), 60000u) << "at most four points in each of 500 columns, 20 bytes each";
 }
 
-TEST(SvgPlot, GapsAndEmptyData)
+TEST(SvgPlot, HandlesGapsAndEmptyData)
 {
   Plot plot;
   plot.x            = {"x", "m"};
@@ -131,7 +131,8 @@ TEST(SvgPlot, GapsAndEmptyData)
   const std::string svg = svg_plot(plot);
   EXPECT_EQ(svg.find("nan"), std::string::npos);
   std::size_t strokes = 0;
-  for (std::size_t at = svg.find("<polyline"); at != std::string::npos; at = svg.find("<polyline", at + 1))
+  for (std::size_t position = svg.find("<polyline"); position != std::string::npos;
+       position             = svg.find("<polyline", position + 1))
     ++strokes;
   EXPECT_EQ(strokes, 2u) << "one on each side of the gap";
   plot.lines[0].y.setConstant(NAN);
@@ -153,9 +154,9 @@ TEST(SvgPlot, MarkNamesDoNotOverlap)
   };
   std::vector<Box> boxes;
   const std::regex flag("<text class=\"flag\" x=\"([-0-9.]+)\" y=\"([-0-9.]+)\"[^>]*>([^<]*)</text>");
-  for (std::sregex_iterator found(svg.begin(), svg.end(), flag), end; found != end; ++found) {
-    const double half = text_width((*found)[3], 11) / 2, x = std::stod((*found)[1]);
-    boxes.push_back({x - half, x + half, std::stod((*found)[2])});
+  for (std::sregex_iterator match(svg.begin(), svg.end(), flag), end; match != end; ++match) {
+    const double half = text_width((*match)[3], 11) / 2, x = std::stod((*match)[1]);
+    boxes.push_back({x - half, x + half, std::stod((*match)[2])});
     EXPECT_GE(boxes.back().left, 0);
     EXPECT_LE(boxes.back().right, plot.width);
   }

@@ -29,7 +29,7 @@ TEST(Ticks, LabelsHaveTheDecimalsOfTheStep)
             (std::vector<std::string>{"\u2212100", "\u221250", "0", "50", "100"}));
 }
 
-TEST(Ticks, LogarithmicDecades)
+TEST(Ticks, LogarithmicTicksAreAtDecades)
 {
   EXPECT_EQ(log_ticks(1, 1000, 6).labels, (std::vector<std::string>{"1", "10", "100", "1000"}));
   EXPECT_EQ(log_ticks(1, 1000, 6).minor.size(), 24u) << "2..9 in three decades";
@@ -38,7 +38,7 @@ TEST(Ticks, LogarithmicDecades)
   EXPECT_LE(log_ticks(1e-12, 1e12, 6).at.size(), 7u) << "a wide range labels only some of its decades";
 }
 
-TEST(Ticks, OfARangeWithoutDigitsThereAreNone)
+TEST(Ticks, ARangeWithoutDigitsHasNoTicks)
 {
   for (const auto &[low, high] : {std::pair(-1e308, 1e308), std::pair(-5e-324, 5e-324), std::pair(1e300, 1e300),
                                   std::pair(1.0, double(NAN)), std::pair(0.0, double(INFINITY))})

@@ -115,6 +115,30 @@ TEST(Cleaning, ShortGapsAreFilledLongOnesCut)
   EXPECT_NEAR(clean.events[1].from, 2.0, 1e-9);
 }
 
+// A gap of 300 s at 1 MHz would be 2.4 GB of missing samples for each channel.
+TEST(Cleaning, ShortensAGapThatIsMuchLongerThanTheRecord)
+{
+  const Eigen::Index n = 20000;
+  RawRecord record     = even(noise(n), 0);
+  record.time          = 1e-6 * Eigen::VectorXd::LinSpaced(n, 0, double(n - 1));
+  record.time.tail(n / 2).array() += 300;
+  const CleanRecord clean = clean_record(std::move(record));
+  EXPECT_TRUE(near(clean.rate, 1e6, within(1e-6, "times of 300 s resolve 4e-14 s")));
+  EXPECT_LT(clean.n, Eigen::Index(1) << 21);
+  ASSERT_EQ(clean.channels[0].pieces.size(), 2u);
+  EXPECT_EQ(clean.channels[0].n_used(), n);
+  ASSERT_EQ(clean.notes.size(), 1u);
+  EXPECT_EQ(clean.notes[0].rfind("the gap of 300 s at 0.009999 s is shortened to 1.04858 s", 0), 0u)
+      << clean.notes[0];
+  // a gap that costs little stays as it is
+  RawRecord slow = even(noise(n), 0);
+  slow.time      = 1e-3 * Eigen::VectorXd::LinSpaced(n, 0, double(n - 1));
+  slow.time.tail(n / 2).array() += 300;
+  const CleanRecord kept = clean_record(std::move(slow));
+  EXPECT_EQ(kept.n, n + 300000);
+  EXPECT_TRUE(kept.notes.empty());
+}
+
 TEST(Cleaning, WhatStandsStillIsRemoved)
 {
   Eigen::VectorXd x = noise(20000);

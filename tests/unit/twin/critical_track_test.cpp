@@ -58,7 +58,7 @@ TEST(CriticalTrack, FollowsASweepOfInputs)
   }
 }
 
-TEST(CriticalTrack, SaysWhenItIsLost)
+TEST(CriticalTrack, ReportsWhenItIsLost)
 {
   const ChatterModel model = published_stand();
   CriticalTrack track(model);
@@ -125,7 +125,7 @@ TEST(CriticalTrack, IntervalIsThatOfChangedInputs)
 }
 
 // Whatever the structure is given by, its masses, springs and dampers are in doubt.
-TEST(CriticalTrack, EveryNumberOfAStructureHasADoubt)
+TEST(CriticalTrack, EveryNumberOfAStructureHasAnUncertainty)
 {
   LumpedModel chain;
   for (std::size_t i = 0; i < chain.M.size(); ++i)

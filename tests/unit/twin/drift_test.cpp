@@ -61,7 +61,7 @@ TEST(Cusum, LengthOfAShortRuleAgainstSimulation)
                    within(4 / std::sqrt(double(alarms)), "run lengths scatter like an exponential")));
 }
 
-TEST(Cusum, TellsSinceWhenAndHowFar)
+TEST(Cusum, EstimatesTimeAndSizeOfTheChange)
 {
   Cusum cusum;
   for (int k = 0; k < 50; ++k)
@@ -153,7 +153,7 @@ TEST(ModeFit, FrequencyWithinItsOwnInterval)
 }
 
 // Gains, a sensor upside down and a delay of the vibration against the force do not move the frequency.
-TEST(ModeFit, GainAndDelayDoNotCount)
+TEST(ModeFit, DoesNotDependOnGainAndDelay)
 {
   const auto stand   = six_masses(1);
   BlockSpectra block = blocks_of(stand, 77, 1)[0];

@@ -60,6 +60,18 @@ TEST(Likelihood, SlopesOfSpringsAndRatios)
   expect_slopes(unknowns, 2e-5);
 }
 
+TEST(Likelihood, SlopesOfMassesAndOfGroups)
+{
+  expect_slopes({
+      {"M2",    0.1 },
+      {"M3",    0.05},
+      {"M4/M5", 0.1 },
+      {"K1/K7", 0.1 },
+      {"K3",    0.05},
+      {"zeta2", 0.7 }
+  });
+}
+
 TEST(Likelihood, SlopesOfTheFrequenciesOfModes)
 {
   expect_slopes({
@@ -110,7 +122,7 @@ TEST(Likelihood, InformationIsThatOfTheResponseSlopes)
 
 // A piece cut out of the middle rings on from before it; without the transients its bins would be wrong by far
 // more than the noise.
-TEST(Likelihood, APieceThatRingsOnFromBeforeItIsExplained)
+TEST(Likelihood, ExplainsAPieceThatStillRingsFromBefore)
 {
   calibration::Recipe r = recipe("two");
   r.n                   = 60000;
@@ -164,7 +176,7 @@ TEST(Likelihood, EstimatesOfARecordWhoseTruthIsKnown)
   EXPECT_NEAR(misfit_on(calibration::stand_r(), unknowns, fit.estimate, check, data, fit.noise), 1, 0.03);
 }
 
-TEST(Likelihood, WhatTheChainDoesNotHaveIsNotFitted)
+TEST(Likelihood, RefusesUnknownsThatTheChainDoesNotHave)
 {
   const MeasuredResponse none;
   try {
@@ -175,6 +187,6 @@ TEST(Likelihood, WhatTheChainDoesNotHaveIsNotFitted)
                Eigen::VectorXd::Zero(1), none, {}, Wanted::cost);
     FAIL();
   } catch (const InputError &e) {
-    EXPECT_STREQ(e.what(), "error: \"K4\" is nothing of this stand that can be fitted");
+    EXPECT_STREQ(e.what(), "error: \"K4\": this stand has no spring, mass or damping ratio of this name");
   }
 }

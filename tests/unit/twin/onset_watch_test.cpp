@@ -94,7 +94,7 @@ TEST(OnsetWatch, BaselineByDefinition)
   EXPECT_NEAR(watch.baseline(), std::sqrt(2.), 0.08) << "rms of |z| of two normals";
 }
 
-TEST(OnsetWatch, MissingValuesBeginAnew)
+TEST(OnsetWatch, MissingValuesBeginANewPiece)
 {
   OnsetWatch watch(band, 50, {});
   const Eigen::VectorXd noise = synthetic::normals(5, 2000);
@@ -113,7 +113,7 @@ TEST(OnsetWatch, MissingValuesBeginAnew)
     EXPECT_NEAR(z(0, 0).real(), 2, 1e-12) << "0-peak of what mixes to zero frequency";
     (std::isfinite(std::abs(z(0, 1))) ? finite : missing)++;
   });
-  EXPECT_EQ(missing, 16) << "every tenth of the 151 places of the missing sample below the filter";
+  EXPECT_EQ(missing, 6) << "every tenth of the 51 places of the missing sample in the filter of 0.1 s";
   EXPECT_GT(finite, 50);
 }
 

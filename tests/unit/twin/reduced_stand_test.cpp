@@ -118,7 +118,7 @@ TEST(ReducedStand, SlopesAreThoseOfDifferences)
   }
 }
 
-TEST(ReducedStand, APlanKnowsItsConnectionsAndTheDampingOfEachMode)
+TEST(ReducedStand, PlansConnectionsAndTheDampingOfEachMode)
 {
   const FittedStand stand = fitted_bars();
   EXPECT_EQ(number_of_places(stand), 4);
@@ -136,8 +136,8 @@ TEST(ReducedStand, APlanKnowsItsConnectionsAndTheDampingOfEachMode)
   std::vector<Unknown> each{common[0]};
   for (Eigen::Index i = 0; i < stand.detailed->kept; ++i)
     each.push_back({"zeta" + std::to_string(i + 1), 0.7});
-  const Told one = planned(stand, common, record), all = planned(stand, each, record);
-  // All together are the common one: what it is told is the sum of what each of them is told.
+  const Identification one = planned(stand, common, record), all = planned(stand, each, record);
+  // All together are the common one: its information is the sum of theirs.
   double sum = 0;
   for (std::size_t i = 1; i < each.size(); ++i)
     sum += 1 / std::pow(all.shrink[Eigen::Index(i)] * 0.7, 2) - 1 / (0.7 * 0.7);

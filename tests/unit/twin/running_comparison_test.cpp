@@ -93,7 +93,7 @@ TEST(RunningComparison, DelayBetweenSamplesAndItsUncertainty)
   EXPECT_LT(std::abs(sum / counted), 0.5);
 }
 
-TEST(RunningComparison, UpsideDownIsTold)
+TEST(RunningComparison, ReportsAnInvertedSensor)
 {
   const auto force = synthetic::band_force(21, 8000, rate, 1, 30, 800).force;
   const auto all   = rows(-delayed(force, -0.02), force);
@@ -130,7 +130,7 @@ TEST(RunningComparison, IncoherentShareIsUnbiased)
   EXPECT_NEAR(mean, 1, 0.02) << "raw it would be 1 - 1/nd";
 }
 
-TEST(RunningComparison, BlockLengthDoesNotMatterAndAGapBeginsAnew)
+TEST(RunningComparison, DoesNotDependOnBlockLengthAndStartsAgainAfterAGap)
 {
   const auto y = synthetic::white(41, 12000, rate, 1), x = synthetic::white(42, 12000, rate, 1);
   const auto one = rows(x, y, 12000), many = rows(x, y, 77);

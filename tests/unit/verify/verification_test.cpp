@@ -82,7 +82,7 @@ TEST(Judging, ACaseThatOnlyReportsIsNotCounted)
   const Outcome reports = run(page("reports", {check(2, 1, 0, Judged::reported)}));
   EXPECT_EQ(verdict_text(reports), "reported");
   EXPECT_EQ(summary_text({reports, run(page("judges", {check(1, 1, 0, Judged::absolute)}))}),
-            "1 of 1 cases pass, 1 of 1 judged checks; 1 value reported beside a reference, not judged");
+            "1 of 1 cases pass, 1 of 1 judged checks; 1 value compared with a reference, not judged");
 }
 
 TEST(Judging, ASkippedCaseNeitherPassesNorFails)
@@ -135,7 +135,7 @@ TEST(Printing, ShowsDeviationToleranceAndVerdict)
   EXPECT_EQ(check_text(deviating(105)).deviation, "+5 %");
 }
 
-TEST(Printing, AKnownDeviationTellsCauseAndRemedy)
+TEST(Printing, AKnownDeviationHasCauseAndRemedy)
 {
   const std::string text = known_text({run(page("bent", {deviating(105)}))});
   EXPECT_EQ(text, "  known deviation, bent: force: 105 N, asked 100 (+5 %)\n    cause: the spring is bent\n"
@@ -186,7 +186,7 @@ TEST(Printing, SummaryCountsAndNamesWhatFailed)
   EXPECT_EQ(summary_text({good}), "1 of 1 cases pass, 1 of 1 judged checks");
   EXPECT_EQ(summary_text({good, bad}), "1 of 2 cases pass, 2 of 3 judged checks; failed: bad");
   EXPECT_EQ(summary_text({good, rest}), "2 of 2 cases pass, 1 of 1 judged checks; 1 known deviation; "
-                                        "1 value reported beside a reference, not judged");
+                                        "1 value compared with a reference, not judged");
 }
 
 TEST(Selecting, TakesNamesInTheirOrderAndNamesTheNearest)
@@ -199,7 +199,8 @@ TEST(Selecting, TakesNamesInTheirOrderAndNamesTheNearest)
     FAIL() << "an unknown name was taken";
   } catch (const InputError &e) {
     ASSERT_EQ(e.problems.size(), 1u);
-    EXPECT_EQ(e.problems[0].message, "there is no verification case 'crown-pair'; did you mean 'crowned-pair'?");
+    EXPECT_EQ(e.problems[0].message,
+              "no verification case has the name 'crown-pair'; did you mean 'crowned-pair'?");
   }
   EXPECT_TRUE(contains(list_text(all), "love-patch    unit          A spring.\n"));
 }
@@ -249,7 +250,7 @@ TEST(Manual, TheSuiteRunsEveryGroup)
   }
   EXPECT_EQ(split(MANUAL_GROUPS, ","), known) << "tests/manual.cmake lists the groups that CTest runs";
   EXPECT_EQ(split(LONG_GROUPS, ","), with_long_form) << "and those with cases of the long form";
-  EXPECT_EQ(long_form.size(), names_of_long_form().size()) << "a name of the long form is no case";
+  EXPECT_EQ(long_form.size(), names_of_long_form().size()) << "a name of the long form is not a case";
 }
 
 TEST(Manual, NamesAreUniqueAndEveryTextIsThere)

@@ -69,6 +69,21 @@ TEST(Bodies, ARollerAgreesWithLundbergAndWarnsOfASharpEnd)
   EXPECT_FALSE(sharp.contains("contact.space.line_load_ratio"));
 }
 
+// The largest line load lies where the rounding begins, in the middle of rows that grow towards mid-length.
+TEST(Bodies, ARoundedRollersEdgeFactorsHoldTheirErrorEstimates)
+{
+  const std::string rounded = few +
+                              "--set contact.space.tilt='0 mrad' --set upper='{diameter = \"25 mm\", length = "
+                              "\"40 mm\", profile = \"arc\", profile_length = \"2 mm\", profile_drop = \"20 "
+                              "um\"}' ";
+  const auto by_default = run("cases/tilted-roller.toml", "rounded", rounded),
+             fine = run("cases/tilted-roller.toml", "rounded-fine", rounded + "--set contact.space.rectangles=24");
+  for (const char *name : {"contact.space.line_load_ratio", "contact.space.edge_factor"}) {
+    EXPECT_LE(std::abs(of(by_default, name) / of(fine, name) - 1), of(by_default, name, "error_estimate")) << name;
+    EXPECT_LT(of(by_default, name, "error_estimate"), 0.05) << name;
+  }
+}
+
 TEST(Bodies, ATiltedCrownMovesItsContact)
 {
   const auto values = run("cases/elliptic-contact.toml", "rolled", few + "--set contact.space.tilt='10 mrad'");

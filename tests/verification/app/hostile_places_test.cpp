@@ -232,6 +232,22 @@ TEST(HostilePlaces, FilesOfTwoRunsAreRefused)
   EXPECT_EQ(soon("report " + a).exit_code, 0);
 }
 
+TEST(HostilePlaces, AComparisonReplacesOnlyAComparison)
+{
+  const std::string a = finished_run("compared-a"), b = finished_run("compared-b", " --set 'given.K1=5e3 kN/mm'"),
+                    page = scratch("compared") + "/page.html", notes = scratch("compared") + "/notes.html";
+  const std::string runs = "report " + a + " " + b + " -o ";
+  mill::write_atomically(notes, "not to be lost");
+  expect_refused(soon(runs + notes),
+                 "exists and is not a comparison that 'millstand report' wrote; choose another "
+                 "name with -o");
+  EXPECT_EQ(mill::read_text(notes), "not to be lost");
+  expect_refused(soon(runs + a + "/report.html"), "is not a comparison");
+  fs::remove(page);
+  EXPECT_EQ(soon(runs + page).exit_code, 0);
+  EXPECT_EQ(soon(runs + page).exit_code, 0) << "its own page is replaced";
+}
+
 namespace {
 // As a kill between the renames leaves it: all of the earlier run gone, some entries of the new one not yet in
 // place.

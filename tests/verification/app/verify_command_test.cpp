@@ -46,8 +46,8 @@ TEST(VerifyCommand, TheSummaryCountsJudgedChecks)
 {
   const auto outcome = millstand("verify -q film-slab-equation");
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
-  EXPECT_NE(outcome.out.find("1 of 1 cases pass, 8 of 8 judged checks; 2 values reported beside a reference, not "
-                             "judged\n"),
+  EXPECT_NE(outcome.out.find(
+                "1 of 1 cases pass, 8 of 8 judged checks; 2 values compared with a reference, not judged\n"),
             std::string::npos)
       << outcome.out;
 }

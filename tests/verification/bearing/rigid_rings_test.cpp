@@ -28,7 +28,8 @@ RollerBearing crowned(const int slices)
 }
 }  // namespace
 
-// Reference: Palmgren law, cup angle 19.66 deg; its clearance counts normal to the raceway, the case's radially.
+// Reference: Palmgren law, cup angle 19.66 deg; its clearance is measured normal to the raceway, the case's
+// radially.
 TEST(BearingStiffness, MeetsTheReferenceTable)
 {
   const auto root = within(1e-9, "root found to rounding, closed-form law");
@@ -50,8 +51,8 @@ TEST(BearingStiffness, StribeckNumberAndPowerLawWithoutClearance)
 {
   for (const double load : {1e3, 488e3, 5e6}) {
     const BearingState state = solve_bearing(tapered("iso", 19.66), load);
-    EXPECT_NEAR(state.roller_max * 4 * 39 * std::cos(19.66 * degree) / load, 4.0847,
-                1e-4);  // printed; Stribeck's own 4.08
+    EXPECT_TRUE(near(state.roller_max * 4 * 39 * std::cos(19.66 * degree) / load, 4.0847,
+                     within_absolute(1e-4, "printed with five digits; Stribeck's own 4.08")));
     EXPECT_TRUE(near(state.tangent / state.secant, 10.0 / 9, within(1e-9, "power law without clearance")));
     EXPECT_TRUE(near(state.roller_tangent / state.roller_secant, 10.0 / 9, within(1e-12, "power law")));
     EXPECT_EQ(state.loaded_rollers[0], 19);
@@ -150,8 +151,10 @@ TEST(BearingStiffness, TiltMovesLoadBetweenRows)
   for (const auto &row : share) {
     const BearingState state = solve_bearing(tapered("iso", 20), row[0], row[1]);
     for (int r = 0; r < 4; ++r)
-      EXPECT_NEAR(state.row_share[r] * 100, row[2 + r],
-                  0.5);  // printed to 0.1; laminae, which the print may lack, change 0.1 and more at half the load
+      EXPECT_TRUE(near(
+          state.row_share[r] * 100, row[2 + r],
+          within_absolute(
+              0.5, "printed to 0.1; laminae, which the print may lack, change 0.1 and more at half the load")));
     EXPECT_TRUE(near(state.row_share.sum(), 1, within(1e-12, "shares of one load")));
   }
   // 22.1075 and 19.5678 kN/um by a bisection of (5.11) to (5.13) in another language, 41 laminae and one.
@@ -200,9 +203,9 @@ TEST(BearingStiffness, TangentIsTheSlopeOfTheCurve)
                within(5e-4, "a lamina that comes into contact inside the step bends the curve like d^(1/9)")));
     }
   const double load = 300e3, step = 1e-4 * load;
-  const auto at = [&](double F) { return solve_bearing(tapered("palmgren", 19.66), F).displacement; };
+  const auto value_at = [&](double F) { return solve_bearing(tapered("palmgren", 19.66), F).displacement; };
   EXPECT_TRUE(near(solve_bearing(tapered("palmgren", 19.66), load).tangent,
-                   2 * step / (at(load + step) - at(load - step)),
+                   2 * step / (value_at(load + step) - value_at(load - step)),
                    within(1e-6, "no roller changes its state: central difference, truncation 1e-9")));
 }
 
@@ -238,7 +241,7 @@ TEST(BearingStiffness, RefusesInWords)
   } catch (const InputError &error) {
     EXPECT_STREQ(error.problems.at(0).message.c_str(),
                  "bearing.trb: radial load 0 kN; with a clearance of 100 um no roller is loaded "
-                 "without load, so there is no stiffness");
+                 "without load, so a stiffness does not exist");
   }
   EXPECT_THROW(solve_bearing(tapered("iso", 20), -1e3), InputError);
   EXPECT_THROW(solve_bearing(tapered("iso", 13.5), 1e5), InputError);

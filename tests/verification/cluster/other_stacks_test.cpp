@@ -80,7 +80,7 @@ TEST(OtherStacks, AFourHighHasTheVerticalFrequenciesOfItsChain)
     EXPECT_TRUE(near(vertical[i], expected[Eigen::Index(i)], within(1e-10, "the same matrices"))) << i;
 }
 
-TEST(OtherStacks, ATwentyHighCarriesByItsAngles)
+TEST(OtherStacks, LoadsOfATwentyHighFollowItsAngles)
 {
   const Case the_case       = read_case("cases/twenty-high.toml");
   const ClusterStand &stand = *std::get<ClusterCase>(the_case.spec).stand;
@@ -98,11 +98,11 @@ TEST(OtherStacks, ATwentyHighCarriesByItsAngles)
       {"J-B", 0.340871}
   };
   for (std::size_t i = 0; i < state.stack.contacts.size(); ++i)
-    if (const auto found = statics.find(state.stack.contacts[i].name); found != statics.end())
+    if (const auto match = statics.find(state.stack.contacts[i].name); match != statics.end())
       EXPECT_TRUE(
-          near(state.rest.contact_loads[i] / force, found->second,
+          near(state.rest.contact_loads[i] / force, match->second,
                within(2e-5, "six digits, places of the backing shafts rounded to 0.1 mm, approaches of 0.1 um")))
-          << found->first;
+          << match->first;
   EXPECT_TRUE(state.rest.stable());
   EXPECT_TRUE(cluster::free_motions(state.stack).empty());
 }
@@ -121,7 +121,7 @@ TEST(OtherStacks, TwentyRollsTakeMilliseconds)
   EXPECT_LT(best, 0.1) << "20 ms alone on a machine; here tests run side by side";
 }
 
-TEST(OtherStacks, CoupledSpinLeavesTheTrainFreeToRoll)
+TEST(OtherStacks, WithCoupledSpinTheRollsTurnTogetherFreely)
 {
   const Case the_case = read_case("cases/z-mill.toml");
   ClusterStand stand  = *std::get<ClusterCase>(the_case.spec).stand;
@@ -132,8 +132,8 @@ TEST(OtherStacks, CoupledSpinLeavesTheTrainFreeToRoll)
   // Four contacts without a ring join five spins: one is left free.
   EXPECT_LT(std::abs(coupled.modes[0].frequency), 1e-2);
   EXPECT_GT(coupled.modes[1].frequency, 100);
-  // On the vertical line no contact slips in a vertical motion: those modes stay, but for the control rolls beside
-  // it.
+  // On the vertical line no contact slips in a vertical motion: those modes stay, except for the control rolls
+  // next to it.
   const auto vertical = [&](const cluster::PassState &s, const std::size_t i) {
     return s.modes[std::size_t(s.identity[i])].frequency;
   };

@@ -88,7 +88,7 @@ TEST(BearingDynamics, PeriodOnAPowerLawIsTheQuadrature)
     };
     constexpr int quarters = 81;
     const auto response    = simulate(o, quarters * T / 4 * (1 + 1e-9), 4 / T);
-    // After 20 1/4 periods the mass passes through the middle; how far it is from there tells the period.
+    // After 20 1/4 periods the mass passes through the middle; its distance from there gives the period.
     const double late = response.position(quarters, 0) / response.velocity(quarters, 0);
     EXPECT_TRUE(near(1 + late / (quarters * T / 4), 1, within(1e-7, "1e-11 per step, 3000 steps"))) << n;
     EXPECT_TRUE(near(response.position(80, 0), A, within(1e-6, "amplitude after 20 periods"))) << n;
@@ -222,7 +222,7 @@ TEST(BearingDynamics, AcrossTheLoadARoundBearingHasItsSecant)
   EXPECT_LT((response.position.col(0).array() / d - 1).abs().maxCoeff(), 1e-9) << "at rest it stays at rest";
 }
 
-TEST(BearingDynamics, SaysWhatIsWrongWithTheInput)
+TEST(BearingDynamics, RefusesWrongInputWithTheReason)
 {
   const BearingOscillator good = oscillator(power_curve(1e10, 1));
   const auto message           = [&](const auto &change, const double duration = 0.1, const double rate = 1e4) {
@@ -256,7 +256,7 @@ TEST(BearingDynamics, SaysWhatIsWrongWithTheInput)
 }
 
 // Pressed beyond the last sample the motion goes on, and says so.
-TEST(BearingDynamics, SaysWhenTheCurveIsTooShort)
+TEST(BearingDynamics, NotesThatTheCurveIsTooShort)
 {
   BearingOscillator o = oscillator(power_curve(1e10, 1));
   o.start             = BearingState{

@@ -1,5 +1,5 @@
-// The bite at one moment, the linear and the nonlinear motion, and what a record tells, over stands and strips
-// that no publication has.
+// The bite at one moment, the linear and the nonlinear motion, and what a record determines, over stands and
+// strips that no publication has.
 #include "core/base/errors.h"
 #include "dynamics/chatter/equations.h"
 #include "dynamics/chatter/run.h"
@@ -98,7 +98,7 @@ bool happened(const ChatterRun &run, const ChatterChange change)
 }
 }  // namespace
 
-TEST(UnsteadyBite, AtTheSteadyMomentItIsTheLinearBite)
+TEST(UnsteadyBite, AtTheSteadyStateItEqualsTheLinearBite)
 {
   for (const bite::RollBite &b : {rolling(), rolling(0.5), dry()})
     for (const Linearisation scheme : schemes) {
@@ -120,7 +120,7 @@ TEST(UnsteadyBite, AtTheSteadyMomentItIsTheLinearBite)
     }
 }
 
-TEST(UnsteadyBite, SlopesAreThoseOfTheAnswerFarFromTheSteadyState)
+TEST(UnsteadyBite, SlopesAreRightFarFromTheSteadyState)
 {
   for (const Linearisation scheme : schemes) {
     const WorkingPoint p  = at(rolling(), scheme);
@@ -188,7 +188,7 @@ TEST(UnsteadyBite, KeepsTheNeutralPointOnTheArcWhereTheRollsSkid)
   EXPECT_TRUE(near(held.exit_speed, 14, within(1e-12, "neutral point at the exit")));
 }
 
-TEST(UnsteadyBite, TensionBeyondTheFlowStressCountsAsThat)
+TEST(UnsteadyBite, TensionIsLimitedToTheFlowStress)
 {
   const WorkingPoint p = at(rolling());
   const auto u         = bite::unsteady_bite(p.bite, p.state, Linearisation::sequential);
@@ -200,7 +200,7 @@ TEST(UnsteadyBite, TensionBeyondTheFlowStressCountsAsThat)
   EXPECT_EQ(bite::bite_slopes_at(u, m).by.force[2], 0);
 }
 
-TEST(UnsteadyBite, NeedsASpeed)
+TEST(UnsteadyBite, RefusesAMissingRollSpeed)
 {
   bite::RollBite b = dry();
   const auto state = [&] { return bite::solve_bland_ford(b, bite::Arc::hitchcock, 0); }();
@@ -231,7 +231,7 @@ TEST(ChatterHistory, StartOfAModalStandOpensTheGapWithLeastMotion)
   EXPECT_LT((x - s.b * s.b.dot(x) / s.b.squaredNorm()).norm(), 1e-12 * x.norm());  // along M^-1 b
 }
 
-TEST(ChatterHistory, GoesOnFromItsLastState)
+TEST(ChatterHistory, ContinuesFromItsLastState)
 {
   const auto p       = at(rolling());
   const auto s       = stand();
@@ -259,7 +259,7 @@ TEST(ChatterHistory, TheCriticalModeIsOneExponential)
   EXPECT_TRUE(near(modes[0].amplitude, 1e-6, within(1e-7, "as its growth")));
 }
 
-TEST(ChatterHistory, RefusesNoDuration)
+TEST(ChatterHistory, RefusesADurationOfZero)
 {
   const auto p = at(rolling());
   const auto s = stand();
@@ -304,7 +304,7 @@ TEST(ChatterEquations, JacobianOnEverySideOfTheEdges)
   compare(z);
 }
 
-TEST(NonlinearRun, TendsToTheLinearOneOnAnyStand)
+TEST(NonlinearRun, TendsToTheLinearRunOnAnyStand)
 {
   std::mt19937 random(1);
   for (int i = 0; i < 12; ++i) {
@@ -365,7 +365,7 @@ TEST(NonlinearRun, WithoutTensionTheStripGoesSlack)
   EXPECT_EQ(run.history.entry_tension.minCoeff(), 0);
 }
 
-TEST(NonlinearRun, RollsThatPartAreNotHeldTogether)
+TEST(NonlinearRun, SeparatedRollsDoNotPullEachOther)
 {
   const auto p = at(rolling());
   const auto s = stand();
@@ -408,7 +408,7 @@ TEST(NonlinearRun, StopsWhereTheRollsWouldMeet)
   EXPECT_GT(run.history.gap.size(), 0);
 }
 
-TEST(NonlinearRun, RefusesWhatItCannotStartFrom)
+TEST(NonlinearRun, RefusesWrongOptionsAndStarts)
 {
   const auto s     = stand();
   const auto p     = at(rolling());

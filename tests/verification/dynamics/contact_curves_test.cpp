@@ -168,8 +168,9 @@ TEST(ContactCurves, SecondHarmonicIsThatOfTheCurvature)
   const CurveStand &stand   = chain.stand;
   using Complex             = std::complex<double>;
   const double w            = 2 * M_PI * frequency;
-  const auto answers        = [&](const std::size_t k, const double at) {
-    return 1.0 / Complex(stand.rate[k] * stand.rate[k] - at * at, 2 * damping * stand.rate[k] * at);
+  const auto answers        = [&](const std::size_t k, const double position) {
+    return 1.0 /
+           Complex(stand.rate[k] * stand.rate[k] - position * position, 2 * damping * stand.rate[k] * position);
   };
   for (const double part : {1e-3, 1e-4}) {
     const Eigen::Index n = per_period * periods + 1;
@@ -273,7 +274,7 @@ TEST(ContactCurves, HarmonicBalanceIsTheSteadyStateOfFixedSteps)
   }
 }
 
-TEST(ContactCurves, ModesThatStrainAContactBendAndPart)
+TEST(ContactCurves, FrequenciesOfModesThatStrainAContactFollowTheAmplitude)
 {
   const ChainOnCurves chain = chain_on_curves(load, 0.01);
   const ForceRecord force   = noise(1e4, 0.5);

@@ -41,7 +41,7 @@ ForceRecord uneven_record(const double duration)
 }
 }  // namespace
 
-// The same polyline with `per_line` more samples on it, none of which changes it.
+// The same polyline with `per_line` more samples on it, which do not change it.
 namespace {
 ForceRecord with_points_between(const ForceRecord &record, const Eigen::Index per_line)
 {
@@ -68,10 +68,10 @@ TEST(ExactHold, BothFormsMeetAnIndependentMatrixExponential)
     const Eigen::MatrixXd expected =
         exact_hold(model.M, model.K, model.C, model.b, force.force.array() - mean, 1e-4);
     for (const HoldForm form : {HoldForm::modal, HoldForm::matrix_exponential}) {
-      const Response found = mill_response(model, force, 10e3, form);
-      EXPECT_EQ(found.form, form) << set << " " << found.note;
+      const Response response = mill_response(model, force, 10e3, form);
+      EXPECT_EQ(response.form, form) << set << " " << response.note;
       for (const Mass roll : {upper_work_roll, lower_work_roll})
-        EXPECT_LT(largest_difference(found.acceleration.col(roll), expected.col(roll)), 1e-9)
+        EXPECT_LT(largest_difference(response.acceleration.col(roll), expected.col(roll)), 1e-9)
             << set << ", roll " << roll << ", form " << int(form) << ": both are exact, of the peak";
     }
   }
@@ -120,12 +120,12 @@ TEST(ExactHold, UnevenSamplesAreHonouredExactly)
 {
   const ForceRecord few = uneven_record(2);
   for (const char *set : {"P3", "R1"}) {
-    const MillModel model = model_of(set);
-    const Response found  = mill_response(model, few, 20e3);
+    const MillModel model   = model_of(set);
+    const Response response = mill_response(model, few, 20e3);
     for (const Eigen::Index per_line : {2, 7}) {
       const Response same = mill_response(model, with_points_between(few, per_line), 20e3);
       EXPECT_LT(
-          largest_difference(same.acceleration.col(upper_work_roll), found.acceleration.col(upper_work_roll)),
+          largest_difference(same.acceleration.col(upper_work_roll), response.acceleration.col(upper_work_roll)),
           1e-10)
           << set << ": same polyline, " << per_line << " points per line";
     }
@@ -158,7 +158,7 @@ TEST(ExactHold, ASampleATenthOfTheSpacingLateIsHonoured)
 TEST(ExactHold, UnevenPathIsTheEvenPath)
 {
   // One sample moved along its line by 2e-6 of the spacing is enough for the uneven path, which makes the
-  // exponentials of every step anew; up to the line before that sample the polyline is the same.
+  // exponentials of every step again; up to the line before that sample the polyline is the same.
   const ForceRecord even = twelve_tones();
   ForceRecord moved      = even;
   const double share     = 2e-6;
@@ -175,13 +175,13 @@ TEST(ExactHold, RepeatedPolesAreIntegratedAsExactly)
   ForceRecord force = twelve_tones();
   force.time.conservativeResize(2001);
   force.force.conservativeResize(2001);
-  const MillModel model = mill_model(published_stand(), settings("measured", 1));
-  const Response found  = mill_response(model, force, 10e3);
+  const MillModel model   = mill_model(published_stand(), settings("measured", 1));
+  const Response response = mill_response(model, force, 10e3);
   const Eigen::MatrixXd expected =
       exact_hold(model.M, model.K, model.C, model.b, force.force.array() - force.force.mean(), 1e-4);
-  EXPECT_EQ(found.form, HoldForm::matrix_exponential);
+  EXPECT_EQ(response.form, HoldForm::matrix_exponential);
   for (const Mass roll : {upper_work_roll, lower_work_roll})
-    EXPECT_LT(largest_difference(found.acceleration.col(roll), expected.col(roll)), 1e-9);
+    EXPECT_LT(largest_difference(response.acceleration.col(roll), expected.col(roll)), 1e-9);
 }
 
 // Preparing a step costs ten times what making it does: every sample behind a gap may not have one of its own.

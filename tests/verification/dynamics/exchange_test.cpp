@@ -168,8 +168,8 @@ TEST(Exchange, EquationsOfModelicaInModesMoveAsTheChainDoes)
   const Motion m          = motion_of(chain);
   const auto shape        = modes(chain.chain).shape;
   modelica::Values values = parameters_of(model);
-  const auto modal        = [&](const Eigen::VectorXd &of) {
-    return Eigen::MatrixXd(shape.transpose() * chain.chain.M.cwiseProduct(of));
+  const auto modal        = [&](const Eigen::VectorXd &vector) {
+    return Eigen::MatrixXd(shape.transpose() * chain.chain.M.cwiseProduct(vector));
   };
   values["q"] = modal(m.y), values["p"] = values["der(q)"] = modal(m.v), values["der(p)"] = modal(m.a);
   values["a"] = m.a, values["y"] = m.y;
@@ -231,9 +231,9 @@ TEST(Exchange, ComponentsOfModelicaAreJoinedAsTheSpringsAre)
     // The load cell reads one spring.
     modelica::Values values = known;
     const Motion m          = motion_of(s);
-    const auto at           = [&](const int mass) { return mass < 0 ? 0 : m.y[mass]; };
+    const auto value_at     = [&](const int mass) { return mass < 0 ? 0 : m.y[mass]; };
     for (const auto &[spring, two] : ends) {
-      values[spring + ".s_rel"] = Eigen::MatrixXd::Constant(1, 1, at(two[1]) - at(two[0]));
+      values[spring + ".s_rel"] = Eigen::MatrixXd::Constant(1, 1, value_at(two[1]) - value_at(two[0]));
       values[spring + ".c"]     = value_of(model.components.at(spring).modifiers.at("c"), known);
     }
     for (const auto &e : model.equations)
@@ -375,16 +375,16 @@ TEST(Exchange, StateSpaceFilesGivePolesAndResponsesOfTheChain)
   const Eigen::MatrixXd &A = read.at("A"), &B = read.at("B"), &C = read.at("C"), &D = read.at("D");
   ASSERT_EQ(A.rows(), 12);
   ASSERT_EQ(C.rows(), 13);
-  std::vector<double> found;
+  std::vector<double> result;
   for (const auto &pole : A.eigenvalues())
     if (pole.imag() > 0)
-      found.push_back(std::abs(pole) / (2 * M_PI));
-  std::sort(found.begin(), found.end());
+      result.push_back(std::abs(pole) / (2 * M_PI));
+  std::sort(result.begin(), result.end());
   const auto wanted = poles(s.chain);
-  ASSERT_EQ(found.size(), wanted.size());
-  for (std::size_t k = 0; k < found.size(); ++k)
+  ASSERT_EQ(result.size(), wanted.size());
+  for (std::size_t k = 0; k < result.size(); ++k)
     EXPECT_TRUE(
-        near(found[k], wanted[k].frequency, within(1e-7, "A mixes entries of 1 and of 1e8, not balanced here")));
+        near(result[k], wanted[k].frequency, within(1e-7, "A mixes entries of 1 and of 1e8, not balanced here")));
   const Eigen::Vector4d frequency(3, 40, 333, 800);
   const auto response = frequency_response(s.chain, frequency);
   using Complex       = std::complex<double>;
@@ -426,7 +426,7 @@ TEST(Exchange, TheCheckSeesAWrongNumber)
     wrong.b = -wrong.b;
     EXPECT_GT(difference(wrong), exchange_agreement) << "sign";
   }
-  // Critical damping: a double pole, which rounding splits, is no difference.
+  // Critical damping: a double pole, which rounding splits, is not a difference.
   const Sample damped = sample("disturbance", "open", 6.2e6);
   EXPECT_LT(difference_from(first_order_form(damped.stand), damped.own, damped.stand.frequency),
             exchange_agreement);

@@ -21,23 +21,25 @@ MillModel model_of(const std::string &set)
 TEST(LargestResponse, TwentySecondsOfEverySet)
 {
   for (const char *set : {"P1", "P2", "P3", "P4", "Q1", "R1", "R2", "R3"}) {
-    const auto expected         = reference("bound.any_force").at(set).get<std::vector<double>>();
-    const Eigen::VectorXd found = largest_response(model_of(set), 6639.0 / 2, 20, 80e3);
+    const auto expected          = reference("bound.any_force").at(set).get<std::vector<double>>();
+    const Eigen::VectorXd result = largest_response(model_of(set), 6639.0 / 2, 20, 80e3);
     const Tolerance grid =
         within(0.02, "the reference samples the impulse response at 40 kHz, 11 points per period of "
                      "the highest mode");
-    EXPECT_TRUE(near(found[upper_work_roll], expected[0], grid)) << set;
-    EXPECT_TRUE(near(found[lower_work_roll], expected[1], grid)) << set;
+    EXPECT_TRUE(near(result[upper_work_roll], expected[0], grid)) << set;
+    EXPECT_TRUE(near(result[lower_work_roll], expected[1], grid)) << set;
   }
 }
 
 TEST(LargestResponse, LiteralDampingCannotReachThePublishedPeaks)
 {
-  const Eigen::VectorXd found = largest_response(model_of("P1"), 6639.0 / 2, 60, 80e3) / standard_gravity;
-  EXPECT_TRUE(near(found[upper_work_roll], 1.01, within(0.02, "printed with three digits; time window and grid")));
-  EXPECT_TRUE(near(found[lower_work_roll], 0.87, within(0.02, "printed with three digits; time window and grid")));
+  const Eigen::VectorXd result = largest_response(model_of("P1"), 6639.0 / 2, 60, 80e3) / standard_gravity;
+  EXPECT_TRUE(
+      near(result[upper_work_roll], 1.01, within(0.02, "printed with three digits; time window and grid")));
+  EXPECT_TRUE(
+      near(result[lower_work_roll], 0.87, within(0.02, "printed with three digits; time window and grid")));
   const double published = reference("published.peaks").at("model")[0][0].get<double>() / standard_gravity;
-  EXPECT_LT(found[upper_work_roll], published);
+  EXPECT_LT(result[upper_work_roll], published);
 }
 
 TEST(LargestResponse, IsReachedByTheForceThatSwitchesWithTheStepResponse)

@@ -1,4 +1,4 @@
-// What a record tells: motions, their growth, a limit cycle.
+// What a record determines: motions, their growth, a limit cycle.
 #include "core/base/errors.h"
 #include "dynamics/chatter/run.h"
 #include "tests/support/near.h"
@@ -27,7 +27,7 @@ TEST(RecordModes, FindsThreeMotionsOfWhichTwoAreClose)
   EXPECT_TRUE(near(modes[0].frequency, 128.1, within(1e-9, "the strongest at the end comes first")));
 }
 
-TEST(RecordModes, BearsNoise)
+TEST(RecordModes, WorksWithNoise)
 {
   std::mt19937 random(7);
   std::normal_distribution<double> noise(0, 1e-3);
@@ -38,7 +38,7 @@ TEST(RecordModes, BearsNoise)
   EXPECT_TRUE(near(m.growth, 0.7, within(0.01, "noise of 1e-3 over 6000 samples: some 1e-3 1/s")));
 }
 
-TEST(RecordModes, SaysWhatItHas)
+TEST(RecordModes, ReportsRecordsWithoutTheMotion)
 {
   EXPECT_TRUE(record_modes(VectorXd::Zero(500), 1e-4).empty());
   EXPECT_TRUE(record_modes(VectorXd::Ones(10), 1e-4).empty());
@@ -55,7 +55,7 @@ TEST(RecordModes, SaysWhatItHas)
   }
 }
 
-TEST(LimitCycle, OfASineAndOfAGrowingOne)
+TEST(LimitCycle, DistinguishesASineFromAGrowingOne)
 {
   ChatterRun run;
   run.history.time = VectorXd::LinSpaced(5001, 0, 0.5);

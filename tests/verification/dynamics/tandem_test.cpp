@@ -1,6 +1,7 @@
 #include "core/base/errors.h"
 #include "dynamics/tandem/delay.h"
 #include "dynamics/tandem/tandem.h"
+#include "tests/support/near.h"
 #include "tests/support/refusal.h"
 #include <Eigen/LU>
 #include <cmath>
@@ -73,16 +74,17 @@ TEST(Tandem, MassFlowTiesTheSpeeds)
   EXPECT_EQ(point.stands[2].bite.roll_speed, 17);
   for (int i = 0; i < 2; ++i) {
     const auto &leaves = point.stands[i], &enters = point.stands[i + 1];
-    // 1e-13: the speeds are solved to 1e-14
-    EXPECT_NEAR(leaves.state.exit_speed / enters.state.entry_speed, 1, 1e-13);
-    EXPECT_NEAR(point.delay[i], line.distance[i] / leaves.state.exit_speed, 1e-15);
+    EXPECT_TRUE(near(leaves.state.exit_speed / enters.state.entry_speed, 1,
+                     within(1e-13, "the speeds are solved to 1e-14")));
+    EXPECT_TRUE(
+        near(point.delay[i], line.distance[i] / leaves.state.exit_speed, within(1e-15, "one division", 1)));
     EXPECT_LT(leaves.bite.roll_speed, enters.bite.roll_speed);
   }
   const double in = point.stands[0].state.entry_speed * 0.80e-3, out = point.stands[2].state.exit_speed * 0.37e-3;
-  EXPECT_NEAR(in / out, 1, 1e-12);
+  EXPECT_TRUE(near(in / out, 1, within(1e-12, "mass flow through three stands, each to 1e-13")));
 }
 
-TEST(Tandem, SystemHasItsBlocks)
+TEST(Tandem, BlocksOfTheSystemAreAtTheirPlaces)
 {
   const TandemLine line    = three_stands();
   const TandemPoint point  = tandem_point(line, 17);
@@ -100,7 +102,9 @@ TEST(Tandem, SystemHasItsBlocks)
   EXPECT_EQ(system.U(37, 0), rate * P[4]);
   EXPECT_EQ(system.U(37, 1), 0);
   // The waviness drives the stand it enters, and the tension behind that.
-  EXPECT_NEAR(system.U(12 + 8, 0), point.stands[1].by.force[4] / 9.2e3, 1e-6);
+  EXPECT_TRUE(near(system.U(12 + 8, 0), point.stands[1].by.force[4] / 9.2e3,
+                   within(1e-6 / std::abs(point.stands[1].by.force[4] / 9.2e3),
+                          "rounding of a product of 1e9 N/m and a mass")));
   EXPECT_NE(system.U(38, 0), 0);
   EXPECT_EQ(system.W.col(1).sum(), 2);
   // With every tension of its own a stand is chatter_matrix.
@@ -156,7 +160,9 @@ TEST(Tandem, EveryRootIsFoundForThreeStands)
     for (const Complex &s : roots)
       EXPECT_LT(spectrum.polished(s).residual, 1e-14);  // rounding of 40 states
     const Complex first = spectrum.rightmost();
-    EXPECT_NEAR(first.real(), roots[0].real(), 1e-9 * std::abs(first));
+    EXPECT_TRUE(near(first.real(), roots[0].real(),
+                     within(1e-9 * std::abs(first) / std::abs(roots[0].real()),
+                            "both polished: rounding of a root of this size")));
     EXPECT_EQ(spectrum.roots_right_of(first.real() + 1e-6), 0) << speed;
     EXPECT_EQ(spectrum.roots_right_of(first.real() - 1e-6), 2) << speed;
     EXPECT_EQ(tandem_root(line, speed), first);
@@ -164,7 +170,7 @@ TEST(Tandem, EveryRootIsFoundForThreeStands)
 }
 
 // Random systems with two delays, small enough for the determinant itself.
-TEST(DelaySpectrum, CountsAsTheDeterminantTurns)
+TEST(DelaySpectrum, NumberOfRootsIsThatOfTheTurnsOfTheDeterminant)
 {
   std::mt19937 random(7);
   std::normal_distribution<double> normal;
@@ -247,14 +253,15 @@ TEST(DelaySpectrum, LoopGainBelowOneIsStableForAnyDelay)
     for (double delay = 2; delay < 2.63; delay += 0.01) {  // a whole wave
       system.delay = Eigen::VectorXd::Constant(1, delay);
       const DelaySpectrum spectrum(system);
-      EXPECT_NEAR(spectrum.loop_gain(), gain, 1e-12);
+      EXPECT_TRUE(near(spectrum.loop_gain(), gain,
+                       within(1e-12 / gain, "the gain does not depend on the delay: rounding")));
       worst = std::max(worst, spectrum.rightmost().real());
     }
     EXPECT_EQ(worst > 0, gain > 1);
   }
 }
 
-TEST(DelaySpectrum, RefusesWhatIsNoSystem)
+TEST(DelaySpectrum, RefusesWrongShapesDelaysAndNumbers)
 {
   DelaySystem system{Eigen::MatrixXd::Identity(3, 3), Eigen::MatrixXd::Ones(3, 1), Eigen::MatrixXd::Ones(2, 1),
                      Eigen::VectorXd::Ones(1)};
@@ -276,7 +283,7 @@ TEST(DelayMotion, IsExactForASignalThatIsACubic)
   const DelaySystem system{one(0), one(-0.5), one(1), Eigen::VectorXd::Ones(1)};
   const DelayMotion motion = delay_motion(system, Eigen::VectorXd::Ones(1), 3, 0.3,
                                           [](double) { return (Eigen::MatrixXd(1, 2) << 1, 0).finished(); });
-  EXPECT_NEAR(motion.time[1], 0.25, 1e-15);  // four steps per delay
+  EXPECT_TRUE(near(motion.time[1], 0.25, within(4e-15, "four steps per delay of 1 s")));
   for (Eigen::Index i = 0; i < motion.time.size(); ++i) {
     const double t = motion.time[i];
     double y       = 1 - 0.5 * t;
@@ -284,13 +291,14 @@ TEST(DelayMotion, IsExactForASignalThatIsACubic)
       y += std::pow(0.5 * (t - 1), 2) / 2;
     if (t > 2)
       y -= std::pow(0.5 * (t - 2), 3) / 6;
-    EXPECT_NEAR(motion.signal(0, i), y, 1e-14) << t;
+    EXPECT_LT(std::abs(motion.signal(0, i) - y), 1e-14)
+        << "polynomials in each delay are exact but for rounding, t = " << t;
   }
   EXPECT_EQ(refusal([&] { delay_motion(system, Eigen::VectorXd::Ones(1), 3, 0); }),
             "motion with delay: step 0.000000 s and duration 3.000000 s have to be above 0");
 }
 
-TEST(Tandem, StudySaysWhatComesFromWhere)
+TEST(Tandem, StudyStatesTheEffectOfTensionAndDelay)
 {
   TandemLine line = three_stands();
   line.stands.pop_back();
@@ -302,16 +310,20 @@ TEST(Tandem, StudySaysWhatComesFromWhere)
   ASSERT_EQ(s.full.verdict, Verdict::crossing);
   ASSERT_EQ(s.names, (std::vector<std::string>{"stand 1", "four"}));
   EXPECT_LE(s.any_delay, s.full.speed);
-  EXPECT_NEAR(s.critical_root.real(), 0, 1e-6);  // growth 1 1/s per m/s times a crossing to 1e-10 m/s, with room
-  EXPECT_NEAR(s.critical_root.imag() / (2 * M_PI), s.full.frequency, 1e-6);
+  EXPECT_TRUE(
+      near(s.critical_root.real(), 0,
+           within(1e-6, "growth 1 1/s per m/s times a crossing to 1e-10 m/s, and iterations of the root", 1)));
+  EXPECT_TRUE(near(s.critical_root.imag() / (2 * M_PI), s.full.frequency,
+                   within(1e-6 / s.full.frequency, "one root, solved by two functions")));
   EXPECT_EQ(std::max(s.share[0].gap, s.share[1].gap), 1);
   for (Eigen::Index j = 0; j < s.curves.speed.size(); ++j) {
     if (s.curves.speed[j] < s.full.speed)
       EXPECT_LT(s.curves.full[j], 0);
     EXPECT_EQ(s.curves.unstable[j] > 0, s.curves.full[j] > 0);
-    EXPECT_NEAR(s.curves.tension[j],
-                growth_rate(tandem_matrix(line, tandem_point(line, s.curves.speed[j]), TandemCoupling::tension)),
-                1e-8);
+    const double tension =
+        growth_rate(tandem_matrix(line, tandem_point(line, s.curves.speed[j]), TandemCoupling::tension));
+    EXPECT_TRUE(near(s.curves.tension[j], tension,
+                     within(1e-8 / std::abs(tension), "1/s: eigenvalues of one matrix, states settled to 1e-10")));
   }
   ASSERT_GE(s.sentences.size(), 4u);
   EXPECT_EQ(s.sentences[0].rfind("stand 1 alone: ", 0), 0u) << s.sentences[0];

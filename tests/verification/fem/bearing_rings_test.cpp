@@ -5,6 +5,7 @@
 #include "meshes/bearing/chock.h"
 #include "reduce/bearing/ring_sections.h"
 #include "tests/support/demo_bearing.h"
+#include "tests/support/near.h"
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -73,7 +74,10 @@ TEST(BearingRings, BlockLessBoreAndCupFillTheSpaceTheyShould)
   const double whole = round + (h.width * h.height - M_PI * h.radius * h.radius) * length;
   EXPECT_TRUE(made.meshes.chock_halved);
   // A quarter.  13 degrees per quadratic element: the area of an arc to 1e-5, the bore is a third of the block.
-  EXPECT_NEAR(4 * fem::ElasticBody(made.meshes.chock, sections.material, 2).volume() / whole, 1, 1e-5);
+  EXPECT_TRUE(near(
+      4 * fem::ElasticBody(made.meshes.chock, sections.material, 2).volume() / whole, 1,
+      within(1e-5,
+             "13 degrees per quadratic element: the area of an arc to 1e-5, the bore is a third of the block")));
 }
 
 TEST(BearingRings, MirroredRowsGiveMirroredFlexibilities)
@@ -92,11 +96,16 @@ TEST(BearingRings, MirroredRowsGiveMirroredFlexibilities)
                std::pair{0, 3},
                std::pair{1, 2}
       }) {
-        const auto at = [&](const Eigen::MatrixXd &C, const int k) { return C(3 * k + a, 3 * k + b); };
-        EXPECT_NEAR(at(r.inner[2], row), mirror(a, b) * at(r.inner[2], other), 1e-9 * r.inner[2].norm());
-        EXPECT_NEAR(at(r.outer[8], row), mirror(a, b) * at(r.outer[8], other), 1e-9 * r.outer[8].norm());
-        EXPECT_NEAR(at(r.chock_cosine, row), mirror(a, b) * at(r.chock_cosine, other),
-                    1e-9 * r.chock_cosine.norm());
+        const auto value_at = [&](const Eigen::MatrixXd &C, const int k) { return C(3 * k + a, 3 * k + b); };
+        EXPECT_TRUE(
+            near(value_at(r.inner[2], row), mirror(a, b) * value_at(r.inner[2], other),
+                 within_absolute(1e-9 * r.inner[2].norm(), "mirrored meshes: the same numbers in another order")));
+        EXPECT_TRUE(
+            near(value_at(r.outer[8], row), mirror(a, b) * value_at(r.outer[8], other),
+                 within_absolute(1e-9 * r.outer[8].norm(), "mirrored meshes: the same numbers in another order")));
+        EXPECT_TRUE(near(
+            value_at(r.chock_cosine, row), mirror(a, b) * value_at(r.chock_cosine, other),
+            within_absolute(1e-9 * r.chock_cosine.norm(), "mirrored meshes: the same numbers in another order")));
       }
     }
   EXPECT_LT((r.chock_cosine - r.chock_cosine.transpose()).norm(), 1e-9 * r.chock_cosine.norm());
@@ -167,7 +176,9 @@ TEST(StribeckFlexibility, OfOneHarmonicIsThatHarmonic)
   rings.modes = 1;
   rings.inner.assign(2, Eigen::MatrixXd::Zero(1, 1));
   rings.inner[1](0, 0) = 3e-12;  // the load's first harmonic is the resultant
-  EXPECT_NEAR(fem::stribeck_flexibility(rings, 39), 3e-12, 1e-24);
+  EXPECT_TRUE(near(
+      fem::stribeck_flexibility(rings, 39), 3e-12,
+      within_absolute(1e-24, "the first harmonic of the load is the resultant: the number itself, rounding")));
 }
 
 TEST(ChockPicture, IsWritten)

@@ -33,7 +33,7 @@ constexpr double load = 1e6;  // N/m
 }  // namespace
 
 // Equal discs move alike along the contact: the plane of contact is one of symmetry and nothing slides.
-TEST(FrictionEffect, IsNoneForEqualDiscs)
+TEST(FrictionEffect, IsZeroForEqualDiscs)
 {
   const Discs d     = discs(0.5, 0.5);
   const auto effect = fem::friction_effect(d.pair, d.upper, d.lower, 0.3, load, 4);

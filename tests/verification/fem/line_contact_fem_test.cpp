@@ -92,24 +92,24 @@ TEST(LineContactFem, TangentIsTheSlopeOfItsOwnCurve)
 {
   const auto s = slabs(rolls, 200e3, 5000e3, 4);
   for (const double q : {250e3, 1000e3, 4000e3}) {
-    const auto at      = fem::solve_load(s.contact, q);
+    const auto result  = fem::solve_load(s.contact, q);
     const double step  = 1e-6 * q;
-    const double above = fem::solve_load(s.contact, q + step, at.state.active).approach;
-    const double below = fem::solve_load(s.contact, q - step, at.state.active).approach;
-    EXPECT_TRUE(near(at.tangent, 2 * step / (above - below), within(1e-6, "linear inside one active set")));
+    const double above = fem::solve_load(s.contact, q + step, result.state.active).approach;
+    const double below = fem::solve_load(s.contact, q - step, result.state.active).approach;
+    EXPECT_TRUE(near(result.tangent, 2 * step / (above - below), within(1e-6, "linear inside one active set")));
   }
 }
 
 TEST(LineContactFem, CondensedEqualsFullModelOnTheSameMesh)
 {
-  const auto s  = slabs(rolls, 1000e3, 1000e3, 3);
-  const auto at = fem::solve_load(s.contact, 1000e3);
+  const auto s      = slabs(rolls, 1000e3, 1000e3, 3);
+  const auto result = fem::solve_load(s.contact, 1000e3);
   const auto all =
-      fem::solve_full_contact(*s.upper.body, *s.lower.body, s.contact.problem.initial_gap, at.approach, true);
-  EXPECT_TRUE(near(all.force, at.state.nodal.sum(),
+      fem::solve_full_contact(*s.upper.body, *s.lower.body, s.contact.problem.initial_gap, result.approach, true);
+  EXPECT_TRUE(near(all.force, result.state.nodal.sum(),
                    within(1e-8, "same equations by two ways, conditioning 1e7 x rounding")));
   for (Eigen::Index i = 0; i < all.nodal.size(); ++i)
-    EXPECT_TRUE(near(all.nodal[i], at.state.nodal[i], within(1e-8, "same equations", all.nodal.maxCoeff())));
+    EXPECT_TRUE(near(all.nodal[i], result.state.nodal[i], within(1e-8, "same equations", all.nodal.maxCoeff())));
 }
 
 TEST(LineContactFem, DoesNotDependOnTheSizeOfThings)

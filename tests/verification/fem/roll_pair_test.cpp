@@ -51,13 +51,14 @@ TEST(RollPair, MirroredApproachLiesInTheBandOfTheClosedForms)
   const auto pair = mirrored(shared_rolls());
   for (const double F : {F1, F2}) {
     const auto exact = closed_form::line_contact(F / 1.4, 0.420, 1.450, 210e9, 0.28);
-    const auto at    = fem::solve_load(pair, F);
+    const auto state = fem::solve_load(pair, F);
     // Free ends make the real pair softer than the infinitely long one, never stiffer; end zones are a few
     // percent.
-    EXPECT_GT(at.approach, exact.approach);
-    EXPECT_TRUE(near(at.approach, exact.approach,
+    EXPECT_GT(state.approach, exact.approach);
+    EXPECT_TRUE(near(state.approach, exact.approach,
                      within(0.03, "two free ends of about one work-roll radius, 1400 mm long")));
-    EXPECT_TRUE(near(at.tangent, 1.4 * exact.tangent, within(0.05, "datum and ends are not in the closed form")));
+    EXPECT_TRUE(
+        near(state.tangent, 1.4 * exact.tangent, within(0.05, "datum and ends are not in the closed form")));
   }
 }
 
@@ -93,14 +94,14 @@ TEST(RollPair, ForceBalancesAndLineLoadSumsUp)
 {
   const auto &r = shared_rolls();
   for (const auto &pair : {mirrored(r), in_stand(r, 1.0), in_stand(r, 1.4)}) {
-    const auto at      = fem::solve_load(pair, F1);
-    const auto profile = fem::barrel_profile(pair, at);
+    const auto result  = fem::solve_load(pair, F1);
+    const auto profile = fem::barrel_profile(pair, result);
     const auto w       = fem::axial_weights(profile.z, 0.7, 2);
     EXPECT_TRUE(near(2 * w.dot(profile.line_load), F1, within(1e-10, "equilibrium")));
-    EXPECT_LE(at.state.residual, 1e-12);
-    const auto above = fem::solve_load(pair, F1 * (1 + 1e-7), at.state.active);
-    const auto below = fem::solve_load(pair, F1 * (1 - 1e-7), at.state.active);
-    EXPECT_TRUE(near(at.tangent, 2e-7 * F1 / (above.approach - below.approach),
+    EXPECT_LE(result.state.residual, 1e-12);
+    const auto above = fem::solve_load(pair, F1 * (1 + 1e-7), result.state.active);
+    const auto below = fem::solve_load(pair, F1 * (1 - 1e-7), result.state.active);
+    EXPECT_TRUE(near(result.tangent, 2e-7 * F1 / (above.approach - below.approach),
                      within(1e-6, "linear inside one active set")));
   }
 }

@@ -330,7 +330,7 @@ TEST_F(LivePage, NothingIsCutAtAnySizeOrTheme)
 
 // A narrow band swings above twice its calm level by itself: one event of it is no louder mill; at the limit of an
 // alarm one is enough.
-TEST_F(LivePage, OneSwingOfABandIsNotLouder)
+TEST_F(LivePage, OneFluctuationOfABandIsNotLouder)
 {
   live::PageChatter swing;
   swing.bands = {
@@ -364,7 +364,7 @@ TEST_F(LivePage, NoAnswerIsGivenFromOldOrAbsentData)
 }
 
 // Last but one, since a server that is away shows in the console.
-TEST_F(LivePage, NoErrorsAndNothingFromOutside)
+TEST_F(LivePage, LoadsWithoutErrorsAndWithoutTheNetwork)
 {
   for (const auto &entry : browser->console())
     EXPECT_NE(entry.at("level"), "SEVERE") << entry.dump();
@@ -375,7 +375,7 @@ TEST_F(LivePage, NoErrorsAndNothingFromOutside)
     EXPECT_EQ(url.compare(0, own.size(), own), 0) << url;
 }
 
-TEST_F(LivePage, ARestartOfTheServerIsSurvived)
+TEST_F(LivePage, SurvivesARestartOfTheServer)
 {
   plant->stop();
   ASSERT_TRUE(browser->wait_for("return document.body.dataset.link === 'lost'"));

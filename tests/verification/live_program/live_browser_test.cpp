@@ -165,7 +165,7 @@ TEST_F(LiveBrowser, AReaderThatTakesNothingDelaysNobody)
   browser->run("window.other.close()");
 }
 
-TEST_F(LiveBrowser, NoErrorsAndNothingFromOutside)
+TEST_F(LiveBrowser, LoadsWithoutErrorsAndWithoutTheNetwork)
 {
   for (const auto &entry : browser->console())
     EXPECT_NE(entry.at("level"), "SEVERE") << entry.dump();

@@ -98,7 +98,7 @@ TEST(ChatterAdvice, EverySingleActionIsTheReference)
   }
 }
 
-TEST(ChatterAdvice, PairsAreComputedAnewAndRankedByWhatTheyDo)
+TEST(ChatterAdvice, PairsAreRecomputedAndRankedByTheirEffect)
 {
   CriticalQuestion q    = condition_2();
   q.process.force_rise  = 0.05;
@@ -135,7 +135,7 @@ TEST(ChatterAdvice, PairsAreComputedAnewAndRankedByWhatTheyDo)
   EXPECT_EQ(here, there);
 }
 
-TEST(ChatterAdvice, SlowerThanWantedStaysBelowTheLineAndOutOfPairs)
+TEST(ChatterAdvice, RejectsActionsThatAreSlowerThanWanted)
 {
   CriticalQuestion q = condition_2();
   q.stiffness = q.damping = {1, 1};
@@ -156,7 +156,7 @@ TEST(ChatterAdvice, SlowerThanWantedStaysBelowTheLineAndOutOfPairs)
 
 // First order is the exact slope: a hundredth of the step leaves a hundredth of the change, and the rest is second
 // order.
-TEST(ChatterAdvice, FirstOrderIsTheTangentOfWhatReallyHappens)
+TEST(ChatterAdvice, LinearEstimateIsTheTangentOfTheRecomputedChange)
 {
   CriticalQuestion q   = condition_2();
   q.process.force_rise = 1;
@@ -175,7 +175,7 @@ TEST(ChatterAdvice, FirstOrderIsTheTangentOfWhatReallyHappens)
   }
 }
 
-TEST(ChatterAdvice, WithoutABiteNoAdvice)
+TEST(ChatterAdvice, GivesNoAdviceWithoutABite)
 {
   CriticalQuestion q = condition_2();
   q.working_speed    = 1;  // the flattening diverges
@@ -183,13 +183,13 @@ TEST(ChatterAdvice, WithoutABiteNoAdvice)
     critical_advice(q);
     FAIL();
   } catch (const InputError &error) {
-    EXPECT_NE(std::string(error.what()).find("there is no steady bite at the working speed of 1 m/s"),
+    EXPECT_NE(std::string(error.what()).find("no steady bite exists at the working speed of 1 m/s"),
               std::string::npos)
         << error.what();
   }
 }
 
-TEST(ChatterAdvice, ActionsThatTakeTheBiteAwaySayWhy)
+TEST(ChatterAdvice, ExplainsActionsThatLeaveNoBite)
 {
   CriticalQuestion q = condition_2();
   q.stiffness = q.damping = q.process.viscosity = q.process.exit_tension = {1, 1};
@@ -204,7 +204,7 @@ TEST(ChatterAdvice, ActionsThatTakeTheBiteAwaySayWhy)
 
 // What a violator brings is kept by a partner that takes its force away, also where that is not among the best
 // three.
-TEST(ChatterAdvice, ViolatorsFindThePartnerThatTakesTheForceAway)
+TEST(ChatterAdvice, PairsAViolatorWithAPartnerThatLowersTheForce)
 {
   CriticalQuestion q      = condition_2();
   q.damping               = {1, 8};  // dampers push the thinner entry out of the best three
@@ -308,7 +308,7 @@ TEST(ChatterAdvice, SpreadOfAChangeIsWhatItsNumbersDo)
   EXPECT_EQ(said, apart < std::sqrt(of_both)) << apart << " " << std::sqrt(of_both);
 }
 
-TEST(ChatterAdvice, WhatCannotBeToldApartSaysSo)
+TEST(ChatterAdvice, MarksActionsThatAreNotDistinguishable)
 {
   CriticalQuestion q   = condition_2();
   q.process.speed      = {1, 1};
@@ -337,7 +337,7 @@ TEST(ChatterAdvice, WhatCannotBeToldApartSaysSo)
 }
 
 // Nothing of mill and bite moves the change by another speed: it is that of the speed.
-TEST(ChatterAdvice, RollingSlowerIsSure)
+TEST(ChatterAdvice, ASlowerPassIsFreeOfModelError)
 {
   CriticalQuestion q     = condition_2();
   q.process.wanted_speed = 10;

@@ -200,7 +200,7 @@ TEST(LevelAdvice, JoinedDampersAreTheEquationsOfMotion)
                    within(1e-10, "one set of equations solved in two ways")));
 }
 
-TEST(LevelAdvice, SlopesBesideADamperOfTheBite)
+TEST(LevelAdvice, SlopesWithADamperOfTheBite)
 {
   const ForceBand force = white_force(20, 980, 0.5);
   const auto at         = [&](const double factor) {
@@ -244,7 +244,7 @@ TEST(LevelAdvice, TunedDamperIsTheReference)
 }
 
 // Nested golden sections over the equations of motion: another level and another search.
-TEST(LevelAdvice, TuningIsTheMinimumByAnotherRoad)
+TEST(LevelAdvice, TuningIsTheMinimumOfAnIndependentSearch)
 {
   const ForceBand force       = white_force(20, 990, 6);
   const VibratingStand &stand = set_r().advised.stand;
@@ -271,7 +271,7 @@ TEST(LevelAdvice, TuningIsTheMinimumByAnotherRoad)
   EXPECT_TRUE(found.inside);
 }
 
-TEST(LevelAdvice, PairsAreComputedAnew)
+TEST(LevelAdvice, PairsAreRecomputed)
 {
   LevelQuestion q          = usual_question(set_r().advised);
   const LevelAdvice advice = level_advice(set_r().advised, q);
@@ -315,7 +315,7 @@ TEST(LevelAdvice, PairsAreComputedAnew)
               1e-9);
 }
 
-TEST(LevelAdvice, WhatViolatesALimitStandsBelowTheLine)
+TEST(LevelAdvice, RejectsActionsThatViolateALimit)
 {
   LevelQuestion q = usual_question(set_r().advised);
   q.springs       = {
@@ -359,7 +359,7 @@ TEST(LevelAdvice, AnotherRollThatVibratesMoreIsALimit)
   EXPECT_TRUE(refused);
 }
 
-TEST(LevelAdvice, WhatItRestsOnIsSaid)
+TEST(LevelAdvice, StatesTheParametersItRestsOn)
 {
   LevelQuestion q = usual_question(set_r().advised);
   q.untold        = {

@@ -182,7 +182,7 @@ TEST(RolledLevel, ProcessActionsAreTheCoupledEquations)
 
 // A factor of one changes nothing.  Where the force is that of the whole bite, the loop leaves the stand without
 // it.
-TEST(RolledLevel, NothingDoneIsTheLevelAsItIs)
+TEST(RolledLevel, WithoutActionsTheLevelIsUnchanged)
 {
   const ForceBand force = band();
   const RolledLevel level(pass_at(8), open_chain, force);
@@ -330,7 +330,7 @@ TEST(RolledLevel, AboveItsCriticalSpeedAStandHasNoLevelOfTheProcess)
   EXPECT_EQ(worse.against.front(), "vibration grows at the working speed");
 }
 
-TEST(RolledLevel, WithoutABiteOnlyTheStandIsAdvised)
+TEST(RolledLevel, AdvisesTheStandAloneWithoutABite)
 {
   const LevelAdvice advice = level_advice(advised(), question(1));  // the flattening diverges
   ASSERT_TRUE(advice.pass && advice.pass->no_bite);

@@ -48,7 +48,7 @@ void expect_differences(const RollBite &bite, const Theory theory, const Arc arc
 }
 }  // namespace
 
-TEST(SlabDerivatives, BlandFordCoulomb)
+TEST(SlabDerivatives, BlandFordWithCoulombFriction)
 {
   expect_differences(demo_pass(), Theory::bland_ford, Arc::rigid);
   RollBite bite            = demo_pass();
@@ -78,7 +78,7 @@ TEST(SlabDerivatives, BlandFordWithFrictionThatFallsWithSpeed)
   expect_differences(bite, Theory::bland_ford, Arc::hitchcock);
 }
 
-TEST(SlabDerivatives, HuEhmann)
+TEST(SlabDerivatives, HuEhmannWithFrictionFactors)
 {
   expect_differences(factor_pass(), Theory::hu_ehmann, Arc::rigid);
   RollBite bite   = factor_pass();
@@ -90,7 +90,7 @@ TEST(SlabDerivatives, HuEhmann)
 }
 
 // Exact against exact: the same equations run on complex numbers.
-TEST(SlabDerivatives, AgainstComplexStep)
+TEST(SlabDerivatives, AgreeWithAComplexStep)
 {
   RollBite film = film_pass(), factor = factor_pass();
   film.gap_rate     = 0.02;
@@ -115,7 +115,7 @@ TEST(SlabDerivatives, AgainstComplexStep)
 }
 
 // The slope with the arc following, against differences of complete solutions with the flattening inside.
-TEST(SlabDerivatives, FollowingArc)
+TEST(SlabDerivatives, WithAFollowingArc)
 {
   for (const RollBite &bite : {film_pass(), factor_pass()}) {
     const Theory theory   = slides(bite.strip.friction) ? Theory::bland_ford : Theory::hu_ehmann;
@@ -133,7 +133,7 @@ TEST(SlabDerivatives, FollowingArc)
 }
 
 // A power law that starts unhardened at the entry: the graded rule against brute force.
-TEST(SlabDerivatives, SteepStartOfAPowerLaw)
+TEST(SlabDerivatives, AtTheSteepStartOfAPowerLaw)
 {
   for (const auto law : {FlowStressLaw::swift, FlowStressLaw::ludwik, FlowStressLaw::power}) {
     RollBite bite          = demo_pass();

@@ -28,7 +28,7 @@ public:
     std::map<std::string, PageAlarm> now;  ///< open ones, by cause
   };
   const State &state() const;
-  /// The alarms of before count as told; those of now keep their causes and get no number twice.
+  /// Earlier alarms are not reported again; present alarms keep their causes, and no number is used twice.
   void resume(State stored);
 
 private:

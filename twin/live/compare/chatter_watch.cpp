@@ -228,7 +228,7 @@ void ChatterWatch::judge(const double utc, const double growth, AlarmBook &book)
       fmt::format("95 % {:.2f} to {:.2f} by {:.1f} % of what is measured and {:.1f} % of the model{}",
                   now.interval.low, now.interval.high, 100 * now.interval.streamed, 100 * now.interval.model,
                   std::isfinite(now.spread)
-                      ? fmt::format("; linearisations of the bite differ by +-{:.1f} % besides", 100 * now.spread)
+                      ? fmt::format("; linearisations of the bite differ by another +-{:.1f} %", 100 * now.spread)
                       : "");
   // a growth rate of the last minute says nothing of a speed that was not there for a minute
   speeds.push_back(now.speed);

@@ -21,19 +21,19 @@ public:
     twin::ChatterModel model;
     std::vector<twin::InputDoubt> doubts = twin::usual_doubts();
     double rescan                        = 60;  ///< s, from search to search of the whole range
-    bool wait = false;                          ///< for every search, as tests want it; otherwise it runs beside
+    bool wait = false;                          ///< for every search, for tests; otherwise it runs in the background
   };
   /// Channels that count: speed (of the roll's surface) or exit_speed, entry_thickness, exit_thickness (lengths),
   /// entry_tension, exit_tension (stresses, or forces over the section of the strip).  Others are left alone; what
   /// is not there is taken from the case.
   ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels, double rate);
 
-  /// @param growth  measured in the watched bands, for the judgement beside it: upper end of the 95 % interval,
+  /// @param growth  measured in the watched bands, for the judgement: upper end of the 95 % interval,
   ///                1/s, NaN: not known
   /// A row where a second is over.  Cost of it: 1 ms.
   std::optional<PageChatter> take(const LiveBlock &block, double growth, AlarmBook &book);
 
-  /// The stand has other springs from now on: it is searched anew.
+  /// The stand has other springs from now on: the range is searched again.
   void set_model(twin::ChatterModel model);
 
   /// Of the last second.
@@ -77,9 +77,9 @@ private:
   double since_search = 0;                   // s
   int beyond          = 0;                   // seconds in a row above the critical speed
   std::deque<double> speeds;                 // m/s, of the last minute
-  std::optional<twin::CriticalTrack> track;  // always there; made anew with another stand
+  std::optional<twin::CriticalTrack> track;  // always set; replaced with another stand
   int model_number = 0;
-  std::string no_speed;  // why there is no critical speed
+  std::string no_speed;  // why no critical speed is known
   LowPriorityTask<Search> task;
   Second now;
   std::vector<std::string> said;

@@ -21,6 +21,16 @@ std::vector<std::string> compared_places(const ComparisonSetup &setup)
   return names;
 }
 
+// Every acceleration, at a place of the model or not.
+std::vector<std::string> watched_channels(const ComparisonSetup &setup)
+{
+  std::vector<std::string> names;
+  for (const LiveChannel &channel : setup.channels)
+    if (channel.unit == "m/s2")
+      names.push_back(channel.name);
+  return names;
+}
+
 std::vector<WatchedBand> all_bands(const ComparisonSetup &setup)
 {
   std::vector<WatchedBand> bands = setup.bands;
@@ -28,7 +38,7 @@ std::vector<WatchedBand> all_bands(const ComparisonSetup &setup)
   for (std::size_t m = 0; m < now.size(); ++m)
     bands.push_back({m < setup.mode_names.size() && !setup.mode_names[m].empty() ? setup.mode_names[m]
                                                                                  : fmt::format("mode {}", m + 1),
-                     now[m].frequency});
+                     now[m].frequency, true});
   return bands;
 }
 
@@ -78,11 +88,13 @@ std::vector<twin::Unknown> unknowns_of(const LumpedModel &chain)
 
 Comparison::Comparison(ComparisonSetup setup)
     : setup_(std::move(setup)), levels(setup_.rate, Eigen::Index(compared_places(setup_).size())),
-      onset(setup_.rate, compared_places(setup_), all_bands(setup_), setup_.limit), modes(tracked(setup_))
+      onset(setup_.rate, watched_channels(setup_), all_bands(setup_), setup_.limit), modes(tracked(setup_))
 {
   for (std::size_t c = 0; c < setup_.channels.size(); ++c) {
     const LiveChannel &channel = setup_.channels[c];
-    const auto place           = std::find(setup_.places.begin(), setup_.places.end(), channel.name);
+    if (channel.unit == "m/s2")
+      watched.push_back(Eigen::Index(c));
+    const auto place = std::find(setup_.places.begin(), setup_.places.end(), channel.name);
     if (place == setup_.places.end())
       continue;
     if (channel.unit == "m/s2")
@@ -92,7 +104,8 @@ Comparison::Comparison(ComparisonSetup setup)
           fmt::format("channel {} is in \"{}\" and not in m/s2: it is not compared", channel.name, channel.unit));
   }
   if (pairs.empty())
-    said.push_back("no channel is an acceleration at a place of the model: nothing is compared");
+    said.push_back(
+        "no channel is an acceleration at a place of the model: the twin is not compared with the mill");
   baseline.assign(pairs.size(), unknown);
   if (setup_.chatter) {
     setup_.chatter->wait = setup_.wait;
@@ -119,18 +132,23 @@ ComparisonNews Comparison::take(const LiveBlock &block)
     simulated.col(Eigen::Index(i)) = block.simulated.col(pairs[i].place);
   }
   fill_short_gaps(measured);
+  Eigen::MatrixXd accelerations(n, Eigen::Index(watched.size()));
+  for (std::size_t i = 0; i < watched.size(); ++i)
+    accelerations.col(Eigen::Index(i)) = block.measured.col(watched[i]);
+  fill_short_gaps(accelerations);
   if (block.after_gap) {
     levels.restart();
     onset.restart();
     modes.restart();
   }
-  onset.take(block.first, block.start_time, measured, book);
+  onset.take(block.first, block.start_time, accelerations, book);
   if (block.settling) {
     levels.restart();
     modes.restart();
   } else if (!pairs.empty()) {
     add_levels(news, levels.take(block.first, measured, simulated), block.start_time);
-    news.modes = modes.take(block.first, block.start_time, block.force, measured, book);
+    if (block.driven)
+      news.modes = modes.take(block.first, block.start_time, block.force, measured, book);
     if (news.modes)
       watch_drift(utc);
   }
@@ -170,9 +188,10 @@ void Comparison::add_levels(ComparisonNews &news, const twin::RunningComparison:
       level.measured_rms    = row.measured.rms;
       level.measured_peak   = row.measured.peak;
       level.measured_crest  = row.measured.crest;
-      level.simulated_rms   = row.simulated.rms;
-      level.simulated_peak  = row.simulated.peak;
-      level.simulated_crest = row.simulated.crest;
+      const bool simulated  = row.simulated.rms > 0;  // a twin that is not driven has no level
+      level.simulated_rms   = simulated ? row.simulated.rms : unknown;
+      level.simulated_peak  = simulated ? row.simulated.peak : unknown;
+      level.simulated_crest = simulated ? row.simulated.crest : unknown;
       level.baseline_rms    = calm;
       level.ratio_db        = row.ratio;
       level.delay           = row.delay.value;
@@ -308,7 +327,7 @@ void Comparison::set_twin(const LumpedModel &chain, const DynamicsSettings &dyna
                     now.frequency == setup_.modes.frequency && now.damping == setup_.modes.damping;
   setup_.chain    = chain;
   setup_.dynamics = dynamics;
-  if (same)  // told again, for instance since another place is shown
+  if (same)  // set again, for instance since another place is shown
     return;
   setup_.modes = now;
   modes.set_twin(now);

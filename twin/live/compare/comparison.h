@@ -22,16 +22,16 @@ struct ComparisonSetup {
   std::vector<std::string> places;    ///< columns of LiveBlock::simulated
   twin::ModesAtLoad modes;            ///< of the twin
   std::vector<std::string> mode_names;
-  std::vector<WatchedBand> bands;  ///< besides one at each mode
+  std::vector<WatchedBand> bands;  ///< in addition to one at each mode
   std::optional<double> limit;     ///< m/s2, 0-peak in a band: the mill's own
   std::optional<ChatterWatch::Setup> chatter;
   LumpedModel chain;                                 ///< the twin's
   std::function<LumpedModel(double load)> chain_at;  ///< the same at another force, N; empty: it does not change
   DynamicsSettings dynamics;
   std::vector<twin::Unknown> unknowns;  ///< that a re-calibration may move, with the last posterior's standard
-                                        ///< deviations; empty: drift is told and nothing is proposed
+                                        ///< deviations; empty: drift is reported and nothing is proposed
   double recalibrate_on = 60;           ///< s, at least, since the change
-  bool wait             = false;        ///< for work beside, as tests want it
+  bool wait             = false;        ///< wait for background work, for tests
 };
 /// Springs that are not zero and "zeta": by the error estimates of the chain, at least 5 % where computed, 10 %
 /// where given without one, factor 2 for the damping.
@@ -49,15 +49,15 @@ struct ComparisonNews {
 /// To the page, as its events.
 void publish(const ComparisonNews &news, const Publish &publish);
 
-/// The twin beside the measured: levels, spectra, onset of chatter, modes and their drift, critical speed,
-/// proposals.  In the thread of the engine; searches and re-calibrations run beside it at lowest priority.
+/// Comparison of the twin with the measured: levels, spectra, onset of chatter, modes and their drift, critical speed,
+/// proposals.  In the thread of the engine; searches and re-calibrations run in the background at lowest priority.
 /// theory.md 50
 class Comparison {
 public:
   explicit Comparison(ComparisonSetup setup);
   ComparisonNews take(const LiveBlock &block);
 
-  /// The twin was changed by hand or by a proposal: sums and references begin anew, open proposals are out of date
+  /// The twin was changed by hand or by a proposal: sums and references start again, open proposals are out of date
   /// when the chain is another one.
   void set_twin(const LumpedModel &chain, const DynamicsSettings &dynamics, const twin::ModesAtLoad &modes);
   /// The stand of the critical speed has other springs; nothing where none is watched.
@@ -73,7 +73,7 @@ public:
 
   /// Sums, references and baselines, open alarms, proposals: what a restarted program goes on from.
   nlohmann::json state() const;
-  /// Before the first block.  Channels and bands are told by their names; what is not there any more is left out.
+  /// Before the first block.  Channels and bands are recognised by their names; those that do not exist any more are left out.
   /// Of a state that is not whole nothing is taken.
   /// @return why nothing was taken, a sentence; empty: it was
   std::string resume(const nlohmann::json &state);
@@ -96,6 +96,7 @@ private:
 
   ComparisonSetup setup_;
   std::vector<Pair> pairs;
+  std::vector<Eigen::Index> watched;  // columns of LiveBlock::measured that are accelerations
   std::vector<std::string> said;
   twin::RunningComparison levels;
   OnsetMonitor onset;

@@ -180,11 +180,11 @@ Json proposal_json(const Proposal &p)
   Json values = Json::array(), springs = Json::array();
   for (const twin::RecalibratedValue &value : p.found.values)
     values.push_back({
-        {"name",     value.name    },
-        {"prior_sd", value.prior_sd},
-        {"change",   value.change  },
-        {"sd",       value.sd      },
-        {"told",     value.told    }
+        {"name",     value.name      },
+        {"prior_sd", value.prior_sd  },
+        {"change",   value.change    },
+        {"sd",       value.sd        },
+        {"told",     value.identified}
     });
   for (const Parameter &K : p.before.K)
     springs.push_back({
@@ -306,7 +306,7 @@ std::string Comparison::resume(const nlohmann::json &state)
     stored = read_state(state);
   } catch (const DamagedState &damage) {
     return fmt::format("what was learned of the mill cannot be used: {}; drift, baselines, alarms and proposals "
-                       "begin anew",
+                       "start without it",
                        damage.what());
   }
   for (std::size_t i = 0; i < pairs.size(); ++i)

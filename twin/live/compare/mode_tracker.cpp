@@ -203,7 +203,7 @@ struct ModeTracker::State {
     page.down           = row.down;
     page.limit          = setup.rule.threshold;
     if (!row.measured.why_not.empty()) {
-      page.state   = block->sensors.empty() ? "no data" : "not told";
+      page.state   = block->sensors.empty() ? "no data" : "not identified";
       page.because = row.measured.why_not;
       return page;
     }

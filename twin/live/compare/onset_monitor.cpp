@@ -13,20 +13,11 @@ constexpr double calm_again  = 0.2;  // 1/s, below the limit of the warning
 constexpr double carried_for = 60;   // s, of a gap over which a baseline still says what calm is
 constexpr int times_beyond   = 2;    // values in a row above the limit, as for the rise above a baseline
 constexpr double below_again = 0.8;  // -, of the limit
-
-std::string onset_cause(const double frequency)
-{
-  return fmt::format("chatter {:.6g}", frequency);
-}
+constexpr double turn_memory = 0.1;  // -, share of the newest value: 0.2 s at 50 values a second
 
 std::string near_cause(const double frequency)
 {
   return fmt::format("near instability {:.6g}", frequency);
-}
-
-std::string limit_cause(const double frequency)
-{
-  return fmt::format("limit {:.6g}", frequency);
 }
 
 Eigen::VectorXd frequencies_of(const std::vector<WatchedBand> &bands)
@@ -35,6 +26,11 @@ Eigen::VectorXd frequencies_of(const std::vector<WatchedBand> &bands)
   for (std::size_t i = 0; i < bands.size(); ++i)
     f[Eigen::Index(i)] = bands[i].frequency;
   return f;
+}
+
+std::vector<double> listed(const Eigen::VectorXd &values)
+{
+  return {values.begin(), values.end()};
 }
 
 std::vector<WatchedBand> below_nyquist(std::vector<WatchedBand> bands, const double rate)
@@ -60,13 +56,13 @@ OnsetMonitor::OnsetMonitor(const double rate, std::vector<std::string> places, s
                            const std::optional<double> limit_)
     : channels(std::move(places)), watched(below_nyquist(std::move(bands), rate)), limit(limit_),
       envelopes(rate, Eigen::Index(channels.size()), frequencies_of(watched)), near(watched.size(), 0),
-      beyond(watched.size(), 0)
+      near_frequency(watched.size(), unknown), beyond(watched.size(), 0), events(listed(frequencies_of(watched)))
 {
   twin::AlarmSettings rule;
   rule.limit = limit;
   for (const WatchedBand &band : watched)
     for (std::size_t c = 0; c < channels.size(); ++c)
-      all.push_back({twin::OnsetWatch(band.frequency, envelopes.rate(), rule), {}, unknown});
+      all.push_back({twin::OnsetWatch(band.frequency, envelopes.rate(), rule), {}, unknown, {}, {}});
 }
 
 OnsetMonitor::Watched &OnsetMonitor::at(const std::size_t band, const std::size_t channel)
@@ -90,7 +86,7 @@ void OnsetMonitor::restart()
   after_gap = true;
 }
 
-// What was calm a minute ago is so still; later another strip may be in the mill.
+// A baseline of a minute ago still holds; later another strip may be in the mill.
 void OnsetMonitor::carry_over(const double utc)
 {
   after_gap = false;
@@ -138,10 +134,9 @@ void OnsetMonitor::resume(const StoredOnset &stored)
 
 bool OnsetMonitor::knows(const std::string &cause) const
 {
-  return std::any_of(watched.begin(), watched.end(), [&](const WatchedBand &band) {
-    return cause == onset_cause(band.frequency) || cause == near_cause(band.frequency) ||
-           (limit && cause == limit_cause(band.frequency));
-  });
+  return events.knows(cause) || std::any_of(watched.begin(), watched.end(), [&](const WatchedBand &band) {
+           return cause == near_cause(band.frequency);
+         });
 }
 
 void OnsetMonitor::take(const std::int64_t first, const double start_time, const Eigen::MatrixXd &measured,
@@ -157,19 +152,24 @@ void OnsetMonitor::take_value(const double time, const double utc, const Eigen::
   if (after_gap)
     carry_over(utc);
   last = utc;
-  for (std::size_t b = 0; b < watched.size(); ++b) {
-    bool above = false;
+  if (!taken_over)
+    events.take_over(book);
+  taken_over = true;
+  std::vector<Onset> onsets;
+  for (std::size_t b = 0; b < watched.size(); ++b)
     for (std::size_t c = 0; c < channels.size(); ++c) {
-      Watched &one = at(b, c);
-      if (const auto alarm = one.watch.take(time, z(Eigen::Index(b), Eigen::Index(c))))
-        raise_onset(b, c, *alarm, utc, book);
-      above = above || one.watch.above_half_threshold();
+      Watched &one                 = at(b, c);
+      const std::complex<double> x = z(Eigen::Index(b), Eigen::Index(c));
+      if (const auto alarm = one.watch.take(time, x))
+        onsets.push_back({b, c, *alarm});
+      const std::complex<double> turn = x * std::conj(one.last);
+      one.turn = std::isfinite(std::norm(turn)) ? (1 - turn_memory) * one.turn + turn : std::complex<double>{};
+      one.last = x;
     }
-    if (!above)
-      book.end(onset_cause(watched[b].frequency));
-    if (limit)
-      watch_limit(b, utc, book);
-  }
+  raise_onsets(std::move(onsets), utc, book);
+  for (std::size_t b = 0; limit && b < watched.size(); ++b)
+    watch_limit(b, utc, book);
+  events.end_calm([&](const std::size_t b) { return calm(b); }, book);
   // growth rates of one band after the other, all of them once in ten seconds
   const auto per_round = std::int64_t(std::lround(growth_every * envelopes.rate()));
   for (std::size_t b = 0; b < watched.size(); ++b)
@@ -178,15 +178,31 @@ void OnsetMonitor::take_value(const double time, const double utc, const Eigen::
   ++values;
 }
 
-void OnsetMonitor::raise_onset(const std::size_t band, const std::size_t channel, const twin::Alarm &alarm,
-                               const double utc, AlarmBook &book)
+// The envelope turns by the difference between the frequency of the vibration and that of the band.
+double OnsetMonitor::frequency_seen(const std::size_t band, const std::size_t channel) const
 {
-  const std::string cause = onset_cause(watched[band].frequency);
-  if (book.open(cause))
-    return;
-  std::string text = fmt::format("{} at {:.1f} Hz, {}: {:.3g} m/s2 is {:.1f} times the level while it was calm",
-                                 watched[band].name, watched[band].frequency, channels[channel], alarm.level,
-                                 alarm.level / alarm.baseline);
+  const std::complex<double> turn = at(band, channel).turn;
+  const double off                = std::norm(turn) > 0 ? std::arg(turn) * envelopes.rate() / (2 * M_PI) : 0;
+  return watched[band].frequency + off;
+}
+
+std::string OnsetMonitor::nearest_mode(const double frequency) const
+{
+  const WatchedBand *nearest = nullptr;
+  for (const WatchedBand &band : watched)
+    if (band.is_mode && (!nearest || std::abs(std::log(band.frequency / frequency)) <
+                                         std::abs(std::log(nearest->frequency / frequency))))
+      nearest = &band;
+  return nearest
+             ? fmt::format("; the nearest mode of the twin is {} at {:.1f} Hz", nearest->name, nearest->frequency)
+             : "";
+}
+
+std::string OnsetMonitor::text_of(const Onset &onset, const double frequency) const
+{
+  const twin::Alarm &alarm = onset.alarm;
+  std::string text         = fmt::format(", {}: {:.3g} m/s2 is {:.1f} times the level while it was calm",
+                                         channels[onset.channel], alarm.level, alarm.level / alarm.baseline);
   text += alarm.sigma > 0 ? fmt::format(", growing at {:.1f} 1/s", alarm.sigma) : ", not growing";
   if (std::isfinite(alarm.to_limit)) {
     const double threshold = twin::AlarmSettings{}.threshold * alarm.baseline;
@@ -195,10 +211,24 @@ void OnsetMonitor::raise_onset(const std::size_t band, const std::size_t channel
       text += fmt::format(" (at this growth no alarm leads it by more than {:.2f} s)",
                           twin::longest_lead(*limit, threshold, alarm.sigma));
   }
-  book.raise(cause, utc, "chatter", "alarm", text);
+  return text + nearest_mode(frequency);
 }
 
-// The level that the mill itself has set: no baseline is needed, and what was loud from the start is told too.
+// The loudest first: what is weaker in other bands joins its alarm.
+void OnsetMonitor::raise_onsets(std::vector<Onset> onsets, const double utc, AlarmBook &book)
+{
+  std::stable_sort(onsets.begin(), onsets.end(),
+                   [](const Onset &a, const Onset &b) { return a.alarm.level > b.alarm.level; });
+  for (const Onset &onset : onsets) {
+    const double frequency = frequency_seen(onset.band, onset.channel);
+    events.rise(
+        {onset.band, frequency, onset.alarm.level, utc, text_of(onset, frequency)},
+        [&](const std::size_t band) { return at(band, onset.channel).watch.level(); }, book);
+  }
+}
+
+// The level that the mill itself has set: it needs no baseline, so that a mill that was loud from the start has an
+// alarm too.
 void OnsetMonitor::watch_limit(const std::size_t band, const double utc, AlarmBook &book)
 {
   double highest      = -1;
@@ -208,19 +238,30 @@ void OnsetMonitor::watch_limit(const std::size_t band, const double utc, AlarmBo
       highest = level;
       loudest = c;
     }
-  const std::string cause = limit_cause(watched[band].frequency);
-  beyond[band]            = highest > *limit ? beyond[band] + 1 : 0;
-  if (beyond[band] >= times_beyond && !book.open(cause))
-    book.raise(
-        cause, utc, "chatter", "alarm",
-        fmt::format("{} at {:.1f} Hz, {}: {:.3g} m/s2 is above the limit of {:.3g} m/s2 that is set for this "
-                    "mill",
-                    watched[band].name, watched[band].frequency, channels[loudest], highest, *limit));
-  else if (highest >= 0 && highest < below_again * *limit)
-    book.end(cause);
+  beyond[band] = highest > *limit ? beyond[band] + 1 : 0;
+  if (beyond[band] < times_beyond)
+    return;
+  const double frequency = frequency_seen(band, loudest);
+  const std::string sentence =
+      fmt::format("{:.3g} m/s2 is above the limit of {:.3g} m/s2 that is set for this mill", highest, *limit);
+  events.beyond_limit(
+      {band, frequency, highest, utc,
+       fmt::format(", {}: {}{}", channels[loudest], sentence, nearest_mode(frequency))},
+      sentence, [&](const std::size_t b) { return at(b, loudest).watch.level(); }, book);
 }
 
-// False: behind a gap or a restart there is not enough record yet, and the rates of before stand.
+// Below half of the threshold, and clearly below the limit, in all channels.
+bool OnsetMonitor::calm(const std::size_t band) const
+{
+  for (std::size_t c = 0; c < channels.size(); ++c) {
+    const twin::OnsetWatch &watch = at(band, c).watch;
+    if (watch.above_half_threshold() || (limit && !(watch.level() < below_again * *limit)))
+      return false;
+  }
+  return true;
+}
+
+// False: after a gap or a restart there is not enough record yet, and the earlier rates stay.
 bool OnsetMonitor::renew_rates(const std::size_t band)
 {
   bool fresh = false;
@@ -251,6 +292,9 @@ void OnsetMonitor::renew_growth(const std::size_t band, const double utc, AlarmB
   near[band]              = highest > twin::near_instability_from ? near[band] + 1 : 0;
   if (near[band] >= times_near) {
     const twin::GrowthRate &growth = at(band, at_place).growth;
+    if (warned_by_neighbour(band, growth.frequency, book))
+      return;
+    near_frequency[band] = growth.frequency;
     book.raise(cause, utc, "chatter", "warning",
                fmt::format("{} at {:.1f} Hz, {}: growth rate {:.2f} 1/s, 95 % below {:.2f} 1/s, over {:.0f} s; "
                            "above {:.1f} 1/s the stand is near instability",
@@ -258,6 +302,17 @@ void OnsetMonitor::renew_growth(const std::size_t band, const double utc, AlarmB
                            growth.duration, twin::near_instability_from));
   } else if (highest < twin::near_instability_from - calm_again)
     book.end(cause);
+}
+
+// A mode between two bands is seen by both: one warning is enough.
+bool OnsetMonitor::warned_by_neighbour(const std::size_t band, const double frequency, const AlarmBook &book) const
+{
+  constexpr double one_mode = 5;  // Hz
+  for (std::size_t other = 0; other < watched.size(); ++other)
+    if (other != band && std::abs(near_frequency[other] - frequency) < one_mode &&
+        book.open(near_cause(watched[other].frequency)))
+      return true;
+  return false;
 }
 
 std::vector<ChatterBand> OnsetMonitor::bands() const

@@ -35,7 +35,7 @@ bool is_spring(const std::string &name)
 }
 
 // The case with another damping ratio, since the chain is written with the dynamics of the case.  A chatter case
-// has dampers between single masses, of which a record tells the modes alone: its chain stands by itself.
+// has dampers between single masses, of which a record identifies the modes alone: its chain is a case of its own.
 Case with_damping(Case origin, const double damping)
 {
   if (std::holds_alternative<ChatterCase>(origin.spec))
@@ -61,13 +61,13 @@ std::string free_name(const std::string &folder, const double utc)
 LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, const double load)
 {
   for (const twin::RecalibratedValue &value : found.values) {
-    if (!value.told || !is_spring(value.name))
+    if (!value.identified || !is_spring(value.name))
       continue;
     Parameter &K = chain.K[spring_index(value.name)];
     K.value *= std::exp(value.change);
     K.error_estimate = value.sd;
     K.source         = Source::measured;
-    K.method         = fmt::format("re-calibration on {:.0f} s beside the mill", found.seconds);
+    K.method         = fmt::format("re-calibration on {:.0f} s of the running mill", found.seconds);
     K.at             = at_force(load);
   }
   return chain;
@@ -76,26 +76,26 @@ LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, co
 double recalibrated(double damping, const twin::Recalibration &found)
 {
   for (const twin::RecalibratedValue &value : found.values)
-    if (value.told && value.name == "zeta")
+    if (value.identified && value.name == "zeta")
       damping *= std::exp(value.change);
   return damping;
 }
 
 std::string calibrated_case(const Proposal &p, const Case &origin, const std::string &directory)
 {
-  std::string text = "# Re-calibrated beside the mill.  " + p.reason + "\n";
+  std::string text = "# Re-calibrated on the running mill.  " + p.reason + "\n";
   text += fmt::format("# Data: {} to {}, {:.0f} s at {:.1f} kN; misfit {:.3f} before, {:.3f} after.\n",
                       utc_text(p.from), utc_text(p.to), p.found.seconds, p.found.load / 1e3, p.found.misfit_before,
                       p.found.misfit_after);
   std::string kept;
   for (const twin::RecalibratedValue &value : p.found.values)
-    if (value.told)
+    if (value.identified)
       text += fmt::format("# {}: {:+.2f} %, standard deviation {:.2f} %\n", value.name,
                           100 * std::expm1(value.change), 100 * value.sd);
     else
       kept += (kept.empty() ? "" : ", ") + value.name;
   if (!kept.empty())
-    text += "# not told by these data, as before: " + kept + "\n";
+    text += "# not identified by these data, as before: " + kept + "\n";
   if (std::holds_alternative<ChatterCase>(origin.spec))
     text += "# For a chatter case: [stand] from = \"this file\" in place of masses, stiffnesses and dampings.\n";
   return text + lumped_model_toml(p.chain, with_damping(origin, p.damping), directory);
@@ -191,11 +191,11 @@ PageProposal page_proposal(const Proposal &p)
     ProposedValue row;
     row.key          = value.name == "zeta" ? "damping" : value.name;
     row.unit         = value.name == "zeta" ? "-" : "N/m";
-    row.told         = value.told;
+    row.identified   = value.identified;
     const bool known = is_spring(value.name);
     row.from         = known ? p.before.K[spring_index(value.name)].value : p.damping_before;
     row.to           = known ? p.chain.K[spring_index(value.name)].value : p.damping;
-    if (value.told) {
+    if (value.identified) {
       row.low  = row.to * std::exp(-1.96 * value.sd);
       row.high = row.to * std::exp(1.96 * value.sd);
     }

@@ -13,22 +13,22 @@ struct Case;
 }
 
 namespace mill::live {
-/// A re-calibration that may be adopted, by somebody.  Nothing here changes the twin by itself.
+/// A re-calibration that a user may adopt.  The twin changes only then.
 struct Proposal {
   std::int64_t id = 0;
   double utc      = 0;      ///< s since 1970, when it was made
   double from = 0, to = 0;  ///< s since 1970, of the data behind it
   std::string reason;       ///< which mode moved, since when
   twin::Recalibration found;
-  LumpedModel before, chain;               ///< the twin's, and that with what is told replaced
+  LumpedModel before, chain;               ///< the twin's, and the same with the identified values replaced
   double damping_before = 0, damping = 0;  ///< -, modal damping ratio
   std::string state = "open";              ///< open, adopted, refused, out of date
   std::string file;                        ///< where it was written
 };
 
-/// Chain with the told springs of a re-calibration.
+/// Chain with the identified springs of a re-calibration.
 LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, double load);
-/// Damping ratio with the told factor.
+/// Damping ratio with the identified factor.
 double recalibrated(double damping, const twin::Recalibration &found);
 
 /// A case of kind lumped: the chain of a proposal with passes and dynamics of the case it came from, and comments
@@ -43,19 +43,19 @@ public:
   const Proposal &add(Proposal proposal);
   const Proposal *find(std::int64_t id) const;
   const std::vector<Proposal> &all() const;
-  /// Of a program before this one: told again as they are, their numbers are not given twice.
+  /// Of an earlier program: shown again without changes; their numbers are not used twice.
   void resume(std::vector<Proposal> stored);
 
   /// Writes FOLDER/calibrated-<time>.toml, aside and renamed, and a line of FOLDER/adopted.log.
   /// @param text  of the file
-  /// @returns the proposal, adopted; nothing where there is none of this number that is open
+  /// @returns the proposal, adopted; nothing where no proposal of this number is open
   /// @throws InputError, SystemError  it cannot be written; the proposal stays open
   std::optional<Proposal>
   adopt(std::int64_t id, double utc, const std::string &folder,
         const std::function<std::string(const Proposal &, const std::string &folder)> &text);
   bool refuse(std::int64_t id);
 
-  /// What changed since the last call, as the page is told.
+  /// Changes since the last call, for the page.
   std::vector<PageProposal> news();
 
 private:

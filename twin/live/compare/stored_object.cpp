@@ -12,7 +12,7 @@ constexpr std::size_t longest_text = 4096;  // bytes
 StoredObject::StoredObject(const nlohmann::json &json, std::string name) : json_(&json), name_(std::move(name))
 {
   if (!json.is_object())
-    refuse("is no object");
+    refuse("is not an object");
 }
 
 void StoredObject::refuse(const std::string &why) const
@@ -37,7 +37,7 @@ double StoredObject::number(const char *key, const double low, const double high
 {
   const auto &value = member(key);
   if (!value.is_number())
-    refuse(fmt::format("has a \"{}\" that is no number", key));
+    refuse(fmt::format("has a \"{}\" that is not a number", key));
   const double number = value.get<double>();
   if (!(number >= low && number <= high))
     refuse(fmt::format("has a \"{}\" of {:g}, outside {:g} .. {:g}", key, number, low, high));
@@ -46,7 +46,7 @@ double StoredObject::number(const char *key, const double low, const double high
 
 double StoredObject::number_or_unknown(const char *key, const double low, const double high) const
 {
-  // what is no number has become null in a file, and is itself in what was never written
+  // NaN has become null in a file, and is NaN in a state that was never written
   const auto &value  = member(key);
   const bool unknown = value.is_null() || (value.is_number_float() && !std::isfinite(value.get<double>()));
   return unknown ? std::numeric_limits<double>::quiet_NaN() : number(key, low, high);
@@ -56,7 +56,7 @@ std::int64_t StoredObject::count(const char *key, const std::int64_t low, const 
 {
   const auto &value = member(key);
   if (!value.is_number_integer())
-    refuse(fmt::format("has a \"{}\" that is no whole number", key));
+    refuse(fmt::format("has a \"{}\" that is not a whole number", key));
   const bool beyond = value.is_number_unsigned() &&
                       value.get<std::uint64_t>() > std::uint64_t(std::numeric_limits<std::int64_t>::max());
   const std::int64_t number = beyond ? std::numeric_limits<std::int64_t>::max() : value.get<std::int64_t>();
@@ -77,7 +77,7 @@ std::string StoredObject::text(const char *key) const
 {
   const auto &value = member(key);
   if (!value.is_string() || value.get_ref<const std::string &>().size() > longest_text)
-    refuse(fmt::format("has a \"{}\" that is no text of at most {} bytes", key, longest_text));
+    refuse(fmt::format("has a \"{}\" that is not a text of at most {} bytes", key, longest_text));
   return value.get<std::string>();
 }
 
@@ -91,7 +91,7 @@ Eigen::VectorXd StoredObject::numbers(const char *key, const Eigen::Index size, 
 {
   const auto &value = member(key);
   if (!value.is_array() || Eigen::Index(value.size()) != size)
-    refuse(fmt::format("has a \"{}\" that is no list of {} numbers", key, size));
+    refuse(fmt::format("has a \"{}\" that is not a list of {} numbers", key, size));
   Eigen::VectorXd numbers(size);
   for (Eigen::Index i = 0; i < size; ++i) {
     const auto &one = value[std::size_t(i)];
@@ -106,7 +106,7 @@ std::vector<StoredObject> StoredObject::list(const char *key, const std::size_t 
 {
   const auto &value = member(key);
   if (!value.is_array() || value.size() > most)
-    refuse(fmt::format("has a \"{}\" that is no list of at most {} entries", key, most));
+    refuse(fmt::format("has a \"{}\" that is not a list of at most {} entries", key, most));
   std::vector<StoredObject> objects;
   for (const auto &one : value)
     objects.emplace_back(one, key);

@@ -7,10 +7,10 @@
 #include <string>
 #include <vector>
 
-// What a program before this one left on the disk is read as text of a stranger: whatever is there, a value is
+// The state that an earlier program left on the disk is read as foreign text: for any content, a value is
 // right or refused.
 namespace mill::live {
-/// Part of a stored state is no value that a program of this version writes; what() says which one and why.
+/// A part of a stored state is not a value that a program of this version writes; what() names it and the reason.
 class DamagedState : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

@@ -73,7 +73,7 @@ void PlaceSpectrum::begin(const LiveSource &source)
   choose(wanted_);
   filled_     = 0;
   changed_at_ = 0;
-  begin_anew();
+  start_again();
 }
 
 void PlaceSpectrum::choose(const std::string &place)
@@ -82,7 +82,7 @@ void PlaceSpectrum::choose(const std::string &place)
   for (std::size_t p = 0; p < places_.size(); ++p)
     if (places_[p].name == place && p != chosen_) {
       chosen_ = p;
-      begin_anew();
+      start_again();
     }
 }
 
@@ -91,7 +91,7 @@ const std::string &PlaceSpectrum::place() const
   return places_.empty() ? wanted_ : places_[chosen_].name;
 }
 
-void PlaceSpectrum::begin_anew()
+void PlaceSpectrum::start_again()
 {
   pieces_.clear();
   since_ = 0;
@@ -100,14 +100,14 @@ void PlaceSpectrum::begin_anew()
 void PlaceSpectrum::twin_changed()
 {
   changed_at_ = end_;
-  begin_anew();
+  start_again();
 }
 
 void PlaceSpectrum::put(const LiveBlock &block)
 {
   if (block.after_gap) {
     filled_ = 0;
-    begin_anew();
+    start_again();
   }
   const Eigen::Index n = block.force.size();
   for (Eigen::Index i = 0; i < n; ++i) {
@@ -128,13 +128,13 @@ void PlaceSpectrum::add_piece(const Place &place)
 {
   const auto n          = std::int64_t(length_);
   const double level[2] = {mean(place.simulated), place.channel >= 0 ? mean(place.measured) : NAN};
-  const bool measured   = std::isfinite(level[1]);
+  const bool measured = std::isfinite(level[1]), driven = std::isfinite(level[0]);
   std::vector<std::complex<double>> z(length_), Z;
   double power = 0;
   for (std::int64_t i = 0; i < n; ++i) {
     const std::size_t at = std::size_t((end_ + i) % n), k = std::size_t(i);  // the oldest first
-    z[k] = window_[k] *
-           std::complex<double>(place.simulated[at] - level[0], measured ? place.measured[at] - level[1] : 0);
+    z[k] = window_[k] * std::complex<double>(driven ? place.simulated[at] - level[0] : 0,
+                                             measured ? place.measured[at] - level[1] : 0);
     power += window_[k] * window_[k];
   }
   fourier_.forward(z, Z);
@@ -142,7 +142,8 @@ void PlaceSpectrum::add_piece(const Place &place)
   Piece piece;
   for (std::size_t k = 0; k < points_; ++k) {
     const std::complex<double> a = Z[k], b = std::conj(Z[(length_ - k) % length_]);
-    piece.simulated.push_back(factor * std::norm((a + b) / 2.0));
+    if (driven)
+      piece.simulated.push_back(factor * std::norm((a + b) / 2.0));
     if (measured)
       piece.measured.push_back(factor * std::norm((a - b) / 2.0));
   }
@@ -169,7 +170,8 @@ PageSpectrum PlaceSpectrum::text_of(const Place &place) const
   out.wave_step = 1 / rate_;
   for (std::int64_t s = end_ - std::min<std::int64_t>(wave_samples, std::int64_t(length_)); s < end_; ++s) {
     const std::size_t at = std::size_t(s % std::int64_t(length_));
-    out.wave_simulated.push_back(float(place.simulated[at]));
+    if (std::isfinite(place.simulated[at]))
+      out.wave_simulated.push_back(float(place.simulated[at]));
     if (place.channel >= 0)
       out.wave_measured.push_back(float(place.measured[at]));
   }

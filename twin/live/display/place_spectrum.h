@@ -13,7 +13,7 @@ namespace mill::live {
 /// Spectrum and wave of the place that the page shows, measured (where it is) and simulated, four times a second.
 /// Amplitude density of the last six seconds in pieces of some 0.8 s under a Hann window, the mean of each taken
 /// off; a piece begins a quarter of a second after the one before.  After a change of the twin the average begins
-/// anew, and what still holds samples of before is shown but not averaged.
+/// again, and a piece that still holds earlier samples is shown but not averaged.
 /// Cost: one transform of 2^14 points (at 20 kHz) a piece for both signals together.  theory.md (41.4)
 class PlaceSpectrum {
 public:
@@ -31,7 +31,7 @@ private:
     Eigen::Index channel = -1;                // column of the measured, -1: none
     std::vector<double> measured, simulated;  // (L) rings
   };
-  void begin_anew();
+  void start_again();
   void put(const LiveBlock &block);
   void add_piece(const Place &place);
   PageSpectrum text_of(const Place &place) const;

@@ -93,10 +93,11 @@ void Engine::begin_source(const SourceHead &head)
 {
   const bool same_account = source_ && same_channels(head.channels, source_->channels);
   start_known_            = head.start.has_value();
-  source_      = LiveSource{head.source,   head.rate, head.start ? *head.start : hooks_.now ? hooks_.now() : 0,
+  source_       = LiveSource{head.source,   head.rate, head.start ? *head.start : hooks_.now ? hooks_.now() : 0,
                        head.channels, places_,   head.factor};
-  offset_      = 0;
-  may_restart_ = false;
+  offset_       = 0;
+  may_restart_  = false;
+  force_column_ = -1;
   for (std::size_t c = 0; c < head.channels.size(); ++c)
     if (head.channels[c].name == "force")
       force_column_ = Eigen::Index(c);
@@ -111,7 +112,11 @@ void Engine::begin_source(const SourceHead &head)
     begun(*source_);
   say("source",
       fmt::format("source \"{}\": {} channels at {:g} Hz", head.source, head.channels.size(), head.rate));
-  if (!stepper_->note().empty())
+  if (force_column_ < 0)
+    say("note",
+        "no channel \"force\": the twin is not driven, and the accelerations alone are watched. If a column is "
+        "the rolling force, name it with --channel NAME=force");
+  else if (!stepper_->note().empty())
     say("note", stepper_->note());
 }
 
@@ -123,7 +128,7 @@ void Engine::lose()
   n_waiting_ = 0;
 }
 
-// Samples between the last row that the twin has and this one: those that nobody sent, and those that the book has
+// Samples between the last row that the twin has and this one: those that were not sent, and those that the book has
 // already counted as refused or overrun.
 Eigen::Index Engine::samples_before(const std::int64_t first, const AccountBook::Part &part) const
 {
@@ -183,7 +188,8 @@ void Engine::take_block(const SourceBlock &block)
     flush();
 }
 
-// A minute of samples that were taken already is no sender that makes sure: nothing of it moves the twin.
+// A minute of samples that were taken already is more than a repetition after a lost connection; it does not move the
+// twin.
 void Engine::tell_repetition(const SourceBlock &block)
 {
   const auto minute = std::llround(60 * source_->rate);
@@ -213,7 +219,11 @@ void Engine::flush()
   const Eigen::Index n     = n_waiting_;
   const std::int64_t first = first_waiting_;
   waiting_.clear();
-  n_waiting_            = 0;
+  n_waiting_ = 0;
+  if (force_column_ < 0) {
+    emit_without_force(first, rows);
+    return;
+  }
   Eigen::VectorXd force = rows.col(force_column_);
   Eigen::Index from     = 0;  // of the stretch that is not emitted yet
   const auto emit_up_to = [&](const Eigen::Index end) {
@@ -262,6 +272,26 @@ void Engine::emit(const std::int64_t first, const Eigen::MatrixXd &rows, const E
     emit_part(first, rows.topRows(settles), force.head(settles), after_gap);
   if (settles < n)
     emit_part(first + settles, rows.bottomRows(n - settles), force.tail(n - settles), after_gap && settles == 0);
+}
+
+void Engine::emit_without_force(const std::int64_t first, const Eigen::MatrixXd &rows)
+{
+  constexpr double none = std::numeric_limits<double>::quiet_NaN();
+  LiveBlock block;
+  block.first        = first;
+  block.rate         = source_->rate;
+  block.start_time   = source_->start_time;
+  block.after_gap    = !stepping_;
+  block.driven       = false;
+  block.force        = Eigen::VectorXd::Constant(rows.rows(), none);
+  block.measured     = rows;
+  block.simulated    = Eigen::MatrixXd::Constant(rows.rows(), Eigen::Index(places_.size()), none);
+  block.displacement = Eigen::VectorXd::Zero(Eigen::Index(places_.size()));
+  stepping_          = true;
+  stepped_           = first + rows.rows();
+  settled_at_        = first;
+  for (const auto &observer : hooks_.observers)
+    observer(block);
 }
 
 void Engine::emit_part(const std::int64_t first, const Eigen::Ref<const Eigen::MatrixXd> &rows,
@@ -345,7 +375,7 @@ void Engine::apply(const PageCommand &command)
       say("command", fmt::format("proposal {} is adopted", command.id));
       change_model();
     } else
-      say("refused", fmt::format("there is no open proposal {}", command.id));
+      say("refused", fmt::format("no proposal {} is open", command.id));
     break;
   case PageCommandKind::acknowledge:
   case PageCommandKind::place:

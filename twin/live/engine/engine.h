@@ -25,7 +25,7 @@ struct LiveSource {
 
 /// Who listens to the engine.  All are called from its thread.
 struct EngineHooks {
-  std::vector<std::function<void(const LiveSource &)>> sources;  ///< a source began, or began anew
+  std::vector<std::function<void(const LiveSource &)>> sources;  ///< a source started, or started again
   std::vector<std::function<void(const LiveBlock &)>> observers;
   std::vector<std::function<void(const TwinModel &, const Tuning &)>> models;  ///< after a change on the run
   std::function<void(std::int64_t first, const Eigen::MatrixXd &rows)> rows;   ///< as they came: for the recording
@@ -102,6 +102,7 @@ private:
   void tell_repetition(const SourceBlock &block);
   void lose();
   void emit(std::int64_t first, const Eigen::MatrixXd &rows, const Eigen::VectorXd &force);
+  void emit_without_force(std::int64_t first, const Eigen::MatrixXd &rows);
   void emit_part(std::int64_t first, const Eigen::Ref<const Eigen::MatrixXd> &rows,
                  const Eigen::Ref<const Eigen::VectorXd> &force, bool after_gap);
   void watch_motion(std::int64_t number);
@@ -119,8 +120,8 @@ private:
   std::optional<LiveSource> source_;
   bool start_known_ = false;
   std::optional<AccountBook> book_;
-  Eigen::Index force_column_ = 0;
-  std::int64_t offset_       = 0;  // of the source's numbers to ours
+  Eigen::Index force_column_ = -1;  // -1: the source has no force
+  std::int64_t offset_       = 0;   // of the source's numbers to ours
   bool may_restart_          = false;
   std::vector<Eigen::MatrixXd> waiting_;  // rows not yet stepped
   Eigen::Index n_waiting_     = 0;

@@ -5,7 +5,7 @@
 #include <functional>
 
 namespace mill::live {
-/// What happens beside the blocks.
+/// Work between the blocks.
 struct LoopHooks {
   std::function<bool()> stop;            ///< asked between two blocks
   std::function<void(double now)> tick;  ///< at least every 50 ms, s of a steady clock

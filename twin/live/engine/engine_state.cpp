@@ -241,12 +241,13 @@ std::string Engine::resume(const nlohmann::json &state)
   try {
     const StoredObject head(state, "it");
     if (head.count("format", 0, 1 << 20) != state_format)
-      return "the stored state is of another version of this program; the twin starts anew";
+      return "the stored state is of another version of this program; the twin starts without it";
     if (head.text("case_hash") != model_.hash)
-      return "the stored state belongs to another case, or to other values of this one; the twin starts anew";
+      return "the stored state belongs to another case, or to other values of this one; the twin starts without "
+             "it";
     stored = read_state(state);
   } catch (const std::exception &error) {  // also of a chain that its springs do not hold
-    return fmt::format("the stored state cannot be used: {}; the twin starts anew", error.what());
+    return fmt::format("the stored state cannot be used: {}; the twin starts without it", error.what());
   }
   take_stored(std::move(stored));
   std::string said;

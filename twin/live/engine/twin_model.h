@@ -7,7 +7,7 @@
 #include <vector>
 
 namespace mill::live {
-/// The stand that runs beside the mill.
+/// The stand that runs in parallel with the mill.
 struct TwinModel {
   std::string name;    ///< of the case
   std::string source;  ///< "six masses by closed forms at 976.2 kN", "six masses as given"

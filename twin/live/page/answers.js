@@ -40,8 +40,10 @@ export function beginning(text, longest = 160) {
   return clauses.length ? `${kept} …` : kept;
 }
 
-/** Why there are no data that could be judged; empty when there are. */
+/** Why there are no data to judge; null when there are data. */
 function silence(mill) {
+  if (mill.link === "waiting")
+    return ["connecting", "waiting for the answer of the program"];
   if (mill.link !== "open")
     return ["no link", "the program does not answer"];
   const state = mill.numbers ? mill.numbers.state : "waiting";
@@ -51,7 +53,7 @@ function silence(mill) {
     settling: ["settling", "two seconds after a gap nothing is judged"] }[state] || null;
 }
 
-// The amplitude of a narrow band swings by itself: of eight calm bands one stands above twice its calm level every few
+// The amplitude of a narrow band varies by chance: of eight calm bands one is above twice its calm level every few
 // seconds.  Its mean square over five events does so once in hours.
 const swing = 0.2;
 
@@ -170,9 +172,9 @@ export function changes(mill) {
 let shownChanges = "";
 
 function changed(mill, send) {
-  const all = changes(mill), key = JSON.stringify(all), told = mill.modes && mill.modes.modes.some(mode => mode.measured !== null);
-  const state = all.some(entry => entry.state === "bad") ? "bad" : all.length ? "fair" : mill.link !== "open" || !told ? "unknown" : "good";
-  const word = all.length ? (all.length === 1 ? "1 change" : `${all.length} changes`) : mill.link !== "open" ? "no link" : told ? "nothing" : "not known";
+  const all = changes(mill), key = JSON.stringify(all), known = mill.modes && mill.modes.modes.some(mode => mode.measured !== null);
+  const state = all.some(entry => entry.state === "bad") ? "bad" : all.length ? "fair" : mill.link !== "open" || !known ? "unknown" : "good";
+  const word = all.length ? (all.length === 1 ? "1 change" : `${all.length} changes`) : mill.link === "waiting" ? "connecting" : mill.link !== "open" ? "no link" : known ? "nothing" : "not known";
   answer("changed", state, word, "");
   if (key + word === shownChanges)
     return;
@@ -194,7 +196,7 @@ function changed(mill, send) {
   }));
   const rest = document.createElement("li");
   if (!all.length)
-    rest.textContent = mill.link !== "open" ? "" : told ? "frequencies, parameters and source are as they were" : "no mode has been measured yet";
+    rest.textContent = mill.link !== "open" ? "" : known ? "frequencies, parameters and source have not changed" : "no mode has been measured yet";
   if (rest.textContent)
     list.append(rest);
 }

@@ -15,7 +15,7 @@ struct EventFrame {
 };
 using FramePointer = std::shared_ptr<const EventFrame>;
 
-/// Makes frames and keeps what a browser that comes now has to be told.
+/// Makes frames and keeps those that a new browser needs.
 class FrameStore {
 public:
   FramePointer add(const std::string &event, const std::string &json);
@@ -36,7 +36,7 @@ public:
   std::vector<FramePointer> take();
   bool empty() const;
   std::int64_t dropped() const;
-  /// More than 400 frames that may not be dropped wait: the browser has to begin anew.
+  /// More than 400 frames that may not be dropped wait: the browser has to connect again.
   bool overfull() const;
 
 private:

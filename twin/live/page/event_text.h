@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-// What the page is told, as plain structs, and their JSON texts.  docs/live-page.md describes the texts to others
+// Events of the page as plain structs, and their JSON texts, which docs/live-page.md describes.
 // who read them.  SI everywhere; NaN means unknown and becomes null.
 namespace mill::live {
 /// Names of the events, written once.
@@ -159,7 +159,7 @@ struct PageMode {
   double deviation      = unknown;  ///< -, (measured - twin) / sd
   double up = 0, down = 0;          ///< -, CUSUM
   double limit = 12;                ///< -, of CUSUM
-  std::string state;                ///< calm, drifting, drifted, not told, no data
+  std::string state;                ///< calm, drifting, drifted, not identified, no data
   std::string because;              ///< one sentence, may be empty
 };
 struct PageModes {
@@ -207,7 +207,7 @@ struct ProposedValue {
   std::string unit;                      ///< "N/m"
   double from = unknown, to = unknown;   ///< in that unit
   double low = unknown, high = unknown;  ///< 95 % interval of `to`
-  bool told = true;                      ///< by the data
+  bool identified = true;  ///< by the data
 };
 struct PageProposal {
   std::int64_t id = 0;

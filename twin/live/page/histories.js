@@ -14,7 +14,7 @@ export class TraceChart {
     while (this.events.length && this.events[0].utc < event.utc - traceSeconds - 1)
       this.events.shift();
     if (this.events.length > 1 && this.events[this.events.length - 2].utc > event.utc)
-      this.events = [event];  // the source began anew
+      this.events = [event];  // the source started again
   }
   draw(lanes) {  // [{index, label}]
     if (!this.events.length || !lanes.length)

@@ -9,7 +9,7 @@ import { active, beginning, clock, drawAnswers, loudest, takeBands, tell } from 
 const byId = id => document.getElementById(id);
 const token = decodeURIComponent(location.hash.slice(1));
 
-/** Everything that the program has told. */
+/** The last data of each event of the program. */
 const mill = {
   link: "waiting", stale: false, stand: null, numbers: null, levels: null, spectrum: null, account: null, modes: null,
   chatter: null, parameters: null, advice: null, alarms: new Map(), proposals: new Map(), history: [],
@@ -44,7 +44,7 @@ function banner(text, milliseconds = 0) {
     bannerTimer = setTimeout(() => link(mill.link, mill.linkWhy), milliseconds);
 }
 
-// -- what the program tells --------------------------------------------------------------------------------------
+// -- events of the program --------------------------------------------------------------------------------------
 const takes = {
   numbers(data) {
     if (!mill.numbers || mill.numbers.state !== data.state)
@@ -155,11 +155,11 @@ function seenMeasured(index) {
   mark("stand", "traces", "answers");
 }
 
-// First what is drawn, then what moves in it.
+// The stand is read first, then the events that move it.
 async function connect() {
   clearTimeout(retry);
   if (!token) {
-    link("lost", "this address lacks its token: open the one that millstand live has printed, with everything behind the #");
+    link("lost", "this address has no token: open the address that millstand live printed, with everything after the #");
     return;
   }
   try {
@@ -182,7 +182,7 @@ async function connect() {
   };
   source.onerror = () => {
     if (source.readyState === EventSource.CLOSED)
-      refused();  // the browser does not try again by itself
+      refused();  // the browser does not try again
     else
       lost();
   };
@@ -190,7 +190,7 @@ async function connect() {
     source.addEventListener(name, event => safely(takes[name], JSON.parse(event.data)));
 }
 
-// What a program of another version tells may not fit; the page goes on with the rest.
+// An event of another program version may not fit; the page goes on with the other events.
 function safely(take, data) {
   try {
     take(data);
@@ -199,13 +199,17 @@ function safely(take, data) {
   }
 }
 
+// A page that was just opened is connecting; only after some seconds, or with a reason, is that a failure.
+const patience = 5000;  // ms
 function lost(why = "") {
+  if (!why && mill.link === "waiting" && performance.now() < patience)
+    return;
   if (mill.link !== "lost")
     mill.lostAt = Date.now() / 1000;
   link("lost", why || `no connection to millstand live since ${clock(mill.lostAt)} UTC; trying again every second`);
 }
 
-// A stream says only that it was refused; an ordinary request is told why.
+// A stream does not say why it was refused; the answer to an ordinary request does.
 async function refused() {
   const answer = await fetch(`/events?token=${encodeURIComponent(token)}`).catch(() => null);
   const why = answer && !answer.ok ? (await answer.json().catch(() => ({}))).error : "";
@@ -258,7 +262,7 @@ const draws = {
     }
   },
   facts() {
-    const n = mill.numbers, state = mill.link !== "open" ? "lost" : mill.stale ? "no data" : n ? n.state : "waiting";
+    const n = mill.numbers, state = mill.link === "waiting" ? "connecting" : mill.link !== "open" ? "lost" : mill.stale ? "no data" : n ? n.state : "waiting";
     byId("run-state").dataset.state = state === "no data" ? "gap" : state;
     tell(byId("run-state"), state === "lost" ? "no link" : state);
     tell(byId("fact-speed"), n && n.speed !== null ? `${plain(n.speed)} m/s` : "–");
@@ -399,7 +403,7 @@ for (const button of document.querySelectorAll('[role="tab"]'))
   button.addEventListener("click", () => tab(button.dataset.tab));
 byId("place").addEventListener("change", () => send({ command: "place", place: byId("place").value }));
 spectrum.onRange = () => mark("spectrum");
-// A line of alarm above, another window: whatever changes the room of a canvas.
+// A new line of alarm or another window size changes the size of a canvas.
 const room = new ResizeObserver(() => mark(...Object.keys(draws)));
 document.querySelectorAll("canvas").forEach(canvas => room.observe(canvas));
 window.addEventListener("hashchange", () => location.reload());
@@ -407,7 +411,7 @@ matchMedia("(prefers-color-scheme: dark)").addEventListener("change", () => them
 window.addEventListener("pagehide", () => { try { sessionStorage.setItem("millstand.history", JSON.stringify(mill.history)); } catch { /* then not */ } });
 try {
   mill.history = JSON.parse(sessionStorage.getItem("millstand.history")) || [];
-} catch { /* begins anew */ }
+} catch { /* begins empty */ }
 
 byId("slow").disabled = true;
 theme(kept("theme"));

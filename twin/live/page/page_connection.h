@@ -33,7 +33,7 @@ struct PageShared {
 
 /// Answers the requests of an accepted connection until one side closes it.
 /// @param accepted  socket, which is taken over
-/// @param too_many  it is only told so
+/// @param too_many  the connection gets this answer only
 void serve_connection(boost::asio::io_context &io, int accepted, bool v6, PageShared &shared, bool too_many);
 
 /// To every stream of events that is open.

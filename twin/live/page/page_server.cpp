@@ -15,7 +15,7 @@ using Seconds = std::chrono::milliseconds;
 using Failure = boost::system::error_code;
 
 constexpr int most_connections = 32;
-constexpr int most_refusals    = 16;  // beyond those, connections that are only told that there are too many
+constexpr int most_refusals    = 16;  // connections beyond the limit that get the answer "too many"
 constexpr Seconds heartbeat{10000};
 
 // A program that this one starts gets no copy of a socket, which would hold the port after our end.
@@ -29,7 +29,8 @@ asio::ip::address literal_address(const std::string &text)
   Failure failure;
   const auto address = asio::ip::make_address(text, failure);
   if (failure)
-    throw InputError(fmt::format("--listen: '{}' is no literal address; name one such as 127.0.0.1 or ::1", text));
+    throw InputError(
+        fmt::format("--listen: '{}' is not a literal address; write for example 127.0.0.1 or ::1", text));
   return address;
 }
 }  // namespace

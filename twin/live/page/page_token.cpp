@@ -85,7 +85,7 @@ std::string token_of_file(const std::string &path)
   if (stat(path.c_str(), &facts) != 0)
     refuse_file(errno, {path, 0, 0}, "the token cannot be read");
   if (!S_ISREG(facts.st_mode))
-    throw InputError({path, 0, 0}, "is no file; a token is the first line of a file of its own");
+    throw InputError({path, 0, 0}, "is not a file; the token must be the first line of a file");
   if (facts.st_mode & (S_IRWXG | S_IRWXO))
     throw InputError({path, 0, 0}, "others than its owner may read the token; chmod 600 it");
   std::ifstream in(path);

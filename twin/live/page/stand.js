@@ -1,4 +1,4 @@
-// The stand to scale with its moving masses, the chain of springs beside it and the level of each mass.
+// The stand to scale with its moving masses, the chain of springs, and the level of each mass.
 import { cleared, colour, font, plain, round125, roundUp, write } from "./canvas.js";
 
 const comfortable = 11, least = 3, most = 24;  // px: largest motion on the screen that is chosen, and may stay
@@ -38,7 +38,7 @@ function layout(stand) {
 export class StandView {
   constructor(canvas) {
     this.canvas = canvas;
-    this.chosen = 0;         // amplification by the user, 0: by itself
+    this.chosen = 0;         // amplification by the user, 0: automatic
     this.amplification = 1000;
     this.slow = false;
     this.recent = [];        // [utc, largest motion] of the last seconds

@@ -82,8 +82,8 @@ const count = value => String(value).replace(/\B(?=(\d{3})+$)/g, " ");
 export function fillAccount(mill) {
   const data = mill.account;
   if (!data)
-    return tell(byId("account-say"), "not told yet");
-  const parts = [data.source, data.connected ? "connected" : "not connected", `queue ${plain(data.queue, 2)} of ${plain(data.queue_limit, 2)} s`,
+    return tell(byId("account-say"), "no data yet");
+  const parts = [data.source, data.connected ? "connected" : "waiting for the source", `queue ${plain(data.queue, 2)} of ${plain(data.queue_limit, 2)} s`,
     data.recording ? `recording to ${data.recording}, ${lasting(data.recorded)}` : "not recording"];
   if (data.load !== null)
     parts.push(`${plain(data.load * 100, 2)} % of a core`);
@@ -128,7 +128,7 @@ export function fillAlarms(mill, send) {
 }
 
 function values(proposal) {
-  return proposal.values.map(v => ` ${v.key} ${scaled(v.from, v.unit)} → ${scaled(v.to, v.unit)}${v.told ? "" : " (not told)"}`).join(";");
+  return proposal.values.map(v => ` ${v.key} ${scaled(v.from, v.unit)} → ${scaled(v.to, v.unit)}${v.told ? "" : " (not identified)"}`).join(";");
 }
 
 export function fillAdvice(mill) {
@@ -142,7 +142,7 @@ export function fillAdvice(mill) {
   const rows = data.rows.filter(row => !row.against).map(line);
   const below = data.rows.filter(row => row.against).map(line);
   below.forEach(row => { row.name = "against"; });
-  fill(byId("advice"), ["action", "change", "by slope", "cost", "side effects"], rows.concat(below), [4]);
+  fill(byId("advice"), ["action", "change", "linear estimate", "cost", "side effects"], rows.concat(below), [4]);
 }
 
 /** 4.4e10 N/m -> "44.0 GN/m" */

@@ -27,7 +27,7 @@ struct SourceBlock {
 /// A line that was refused.
 struct RefusedLine {
   std::string reason;
-  std::int64_t first = 0;  ///< its samples, where they can be told
+  std::int64_t first = 0;  ///< its samples, where they are known
   std::int64_t n     = 0;  ///< 0: not known; they show as missing when the next block comes
 };
 

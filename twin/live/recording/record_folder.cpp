@@ -48,7 +48,7 @@ std::int64_t last_number(const int file, const NpyHeader &header)
   return std::int64_t(value);
 }
 
-// Counts whole rows, cuts off the rest.  False: the file is none of ours.
+// Counts complete rows and cuts off the rest.  False: the file is not a recording.
 bool mend_part(const int file, NpyHeader &header)
 {
   struct stat info;
@@ -102,7 +102,7 @@ std::vector<FinishedPart> finish_parts(const std::string &folder,
     if (!lock_file(file, LOCK_EX | LOCK_NB)) {
       said(path + " is being written by another program");
     } else if (!mend_part(file, header)) {
-      said(path + " is no recording that can be finished; it stays as it is");
+      said(path + " cannot be finished, since it is not a recording; it stays as it is");
     } else if (header.rows == 0) {
       fs::remove(path, error);
       fs::remove(stem + ".json", error);
@@ -142,7 +142,7 @@ std::vector<std::string> remove_old_records(const std::string &folder, const Kep
   for (std::size_t i = 0; i < records.size(); ++i) {
     bytes += records[i].bytes;
     if (i == 0 || !((kept.age && records[i].age > *kept.age) || (kept.bytes && bytes > *kept.bytes)))
-      continue;  // the latest one stays whatever its size
+      continue;  // the latest one stays, for any size
     fs::remove(records[i].stem + ".npy", error);
     fs::remove(records[i].stem + ".json", error);
     removed.push_back(records[i].stem + ".npy");

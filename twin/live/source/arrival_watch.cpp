@@ -40,7 +40,7 @@ std::optional<ArrivalWatch::News> ArrivalWatch::jumped(const std::int64_t next, 
   return News{
       News::Kind::jump,
       fmt::format("the numbers of the samples jump ahead by {:.1f} s more than has passed: the clock of the "
-                  "source was set forward, or its counter slipped; what lies between counts as missing. Let "
+                  "source was set forward, or its counter slipped; what lies between is missing. Let "
                   "the source count its samples and not its clock",
                   ahead)};
 }

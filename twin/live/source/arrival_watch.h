@@ -15,7 +15,7 @@ struct ClockReading {
 struct ArrivalRule {
   double window    = 20;    ///< s, that a rate is measured over, longer where blocks are long
   double tolerance = 0.02;  ///< -, of the stated rate
-  int in_a_row     = 3;     ///< windows off the same way before it is told, or right before it is over
+  int in_a_row     = 3;     ///< windows with the same deviation before it is reported, or without one before it is over
   double played    = 3;     ///< times the stated rate: a record that is played, no rate that is wrong
   double jump      = 2;     ///< s, of a clock or of the numbers
   double behind    = 0.5;   ///< s of samples that wait: then it is the twin that is slow
@@ -41,7 +41,7 @@ public:
   std::optional<News> look(const ClockReading &now);
 
   double rate() const;  ///< Hz, of the last window; NaN: none yet
-  bool wrong() const;   ///< it was told, and is not over
+  bool wrong() const;   ///< it was reported, and is not over
 
 private:
   std::optional<News> judge(double seconds, double unsure);

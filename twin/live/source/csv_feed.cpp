@@ -241,9 +241,9 @@ void CsvFeed::say_jump(const TimedRow &row)
   }
   ready_.push_back(SourceNote{
       "loss", away > 0 ? fmt::format("{}:{}: the clock jumps ahead by {:.6g} s and goes on from there: what is "
-                                     "between counts as missing",
+                                     "between is missing",
                                      name_, row.number, away)
-                       : fmt::format("{}:{}: the clock goes back by {:.6g} s: what stands there a second time is "
+                       : fmt::format("{}:{}: the clock goes back by {:.6g} s: samples of the same time are "
                                      "not used",
                                      name_, row.number, -away)});
   said_back_ = said_back_ || away < 0;
@@ -267,9 +267,9 @@ void CsvFeed::believe(const TimedRow &row)
     change_rate(*rate, row.number);
   const std::int64_t s = std::llround(seconds * head_->rate);
   if (s < next_ - 1 && !said_back_)
-    ready_.push_back(SourceNote{
-        "loss", fmt::format("{}: the time goes back by {:.4g} s; what stands there a second time is not used",
-                            name_, double(next_ - s) / head_->rate)});
+    ready_.push_back(
+        SourceNote{"loss", fmt::format("{}: the time goes back by {:.4g} s; samples of the same time are not used",
+                                       name_, double(next_ - s) / head_->rate)});
   said_back_ = s < next_ - 1;
   add(s, row.values);
 }

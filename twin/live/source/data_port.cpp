@@ -227,8 +227,8 @@ DataPort::DataPort(const DataPortSettings &settings, SampleQueue &queue) : state
   Error error;
   const auto address = asio::ip::make_address(settings.address, error);
   if (error)
-    throw InputError(fmt::format("--input tcp:{}: this is no literal address; name one such as 127.0.0.1 or ::1",
-                                 settings.address));
+    throw InputError(fmt::format(
+        "--input tcp:{}: this is not a literal address; write for example 127.0.0.1 or ::1", settings.address));
   if (!address.is_loopback() && settings.rules.token.empty())
     throw InputError(
         fmt::format("--input tcp:{}:{}: this address is reached from other machines, so a token is needed "

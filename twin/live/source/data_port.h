@@ -14,11 +14,11 @@ struct DataPortSettings {
 /// Takes JSON lines by TCP and answers each: {"millstand":1,"next":s} to a head, {"ack":s} to a block once it is
 /// in the queue, {"rejected":"..","line":n} to what is refused.  A full queue stops the reading (back-pressure).
 /// One thread.  Limits: 4 clients, of which one sends; 5 s for the head, for a line that was begun and for an
-/// answer that is not taken; five bad lines in a row, or a first line that is no head, end the connection.
+/// answer that is not taken; five bad lines in a row, or a first line that is not a head, end the connection.
 class DataPort {
 public:
   /// Listens when it returns.
-  /// @throws InputError  no literal address, none of this machine, taken, not loopback and without a token
+  /// @throws InputError  not a literal address, not an address of this machine, taken, not loopback and without a token
   DataPort(const DataPortSettings &settings, SampleQueue &queue);
   ~DataPort();  ///< closes every connection
   DataPort(const DataPort &)            = delete;

@@ -63,7 +63,7 @@ private:
     }
     struct stat info;
     if (::fstat(file_, &info) != 0 || !S_ISREG(info.st_mode))
-      throw InputError("tail:" + source_.path + " is no regular file");
+      throw InputError("tail:" + source_.path + " is not a regular file");
     device_ = info.st_dev;
     inode_  = info.st_ino;
     done_   = 0;

@@ -107,7 +107,7 @@ public:
     if (inside != Inside::line)
       return refuse(fmt::format("\"{}\" holds a list inside a list", shown(name)));
     if (std::any_of(content.values.begin(), content.values.end(), [&](const auto &c) { return c.first == name; }))
-      return refuse(fmt::format("\"{}\" stands twice", shown(name)));
+      return refuse(fmt::format("\"{}\" appears twice", shown(name)));
     if (content.values.size() == line_limits.channels)
       return refuse(fmt::format("more than {} channels", line_limits.channels));
     content.values.emplace_back(name, std::vector<double>());

@@ -16,7 +16,7 @@ struct LineLimits {
 };
 constexpr LineLimits line_limits{};
 
-/// What one line of a source says, not yet held against anything.
+/// The content of one line of a source, before it is checked.
 struct LineContent {
   bool is_head = false;                                             ///< has "millstand"
   std::optional<double> version, rate;                              ///< -, Hz

@@ -48,14 +48,15 @@ KnownChannels known_channels(const std::vector<NamedUnit> &sent, const SourceRul
                                               : "an acceleration (g, m/s2) or a velocity (mm/s)"));
     for (const LiveChannel &other : known.channels)
       if (other.name == name)
-        throw InputError(fmt::format("channel \"{}\" stands twice", one_line(name)));
+        throw InputError(fmt::format("channel \"{}\" appears twice", one_line(name)));
     known.channels.push_back({name, found.known ? found.si : unit});
     known.factor.push_back(found.known ? found.factor : 1);
   }
   if (std::none_of(known.channels.begin(), known.channels.end(),
-                   [](const LiveChannel &c) { return c.name == "force"; }))
-    throw InputError("no channel \"force\", which drives the twin; name the column of the rolling force with "
-                     "--channel NAME=force");
+                   [](const LiveChannel &c) { return c.name == "force" || c.unit == "m/s2"; }))
+    throw InputError("no channel \"force\", which drives the twin, and no acceleration; name the column of the "
+                     "rolling force with --channel NAME=force, or give the unit of an acceleration with --unit "
+                     "NAME=g");
   return known;
 }
 
@@ -65,7 +66,7 @@ LineSession::Answer LineSession::refuse(std::string reason, const std::int64_t f
 {
   Answer answer;
   ++bad_in_a_row_;
-  // What was no source from its first line on gets no second try: a browser sends HTTP, then what a page chose.
+  // A sender whose first line is not a head gets no second try: a browser sends HTTP, then data that a page chose.
   answer.close = rules_.closes && (!head_ || bad_in_a_row_ >= bad_lines);
   nlohmann::ordered_json reply;
   reply["rejected"] = reason;
@@ -120,8 +121,8 @@ LineSession::Answer LineSession::head(const LineContent &content)
   }
   if (rules_.clock && head_ && head_->source != content.source && rules_.clock() - last_block_ < silent)
     return refuse(
-        fmt::format("source \"{}\" begins while \"{}\" sends, which goes on; blocks of two cannot be told "
-                    "apart here: stop one of them, or give it a stand of its own",
+        fmt::format("source \"{}\" begins while \"{}\" sends, which goes on; blocks of two sources cannot be "
+                    "distinguished here: stop one of them, or give it another stand",
                     one_line(content.source), one_line(head_->source)));
   head.rate     = *content.rate;
   head.source   = content.source;

@@ -15,8 +15,8 @@ struct SourceRules {
   twin::ReadOptions reading;                          ///< names, units and zone that the user gave
   std::string token;                                  ///< that a head has to bring; empty: none
   bool closes = true;                                 ///< five bad lines in a row end the connection
-  std::function<std::optional<std::int64_t>()> next;  ///< sample that the twin waits for, told to the sender
-  /// s, steady.  Given where lines of several senders cannot be told apart: then a second one that says a head
+  std::function<std::optional<std::int64_t>()> next;  ///< sample that the twin waits for, sent to the sender
+  /// s, steady.  Given where lines of several senders cannot be distinguished: then a second one that sends a head
   /// while the first sends is refused.  None: heads follow each other.
   std::function<double()> clock;
   std::optional<SourceHead> assumed;  ///< of before a restart, for a sender that will not say it again
@@ -72,7 +72,7 @@ public:
     while (!bytes.empty()) {
       const auto end  = bytes.find('\n');
       const auto part = bytes.substr(0, end);
-      const auto room = line_limits.bytes + 1 - rest_.size();  // what is beyond is counted by nobody
+      const auto room = line_limits.bytes + 1 - rest_.size();  // bytes beyond the limit are dropped
       rest_.append(part.substr(0, room));
       if (end == std::string_view::npos)
         return;

@@ -124,7 +124,7 @@ private:
   }
 
   // The grammar of JSON.  A mantissa below 2^53 over a power of ten up to 10^22 is rounded once, by the division,
-  // so it is the nearest double; whatever else is left to from_chars.
+  // so it is the nearest double; other numbers are left to from_chars.
   bool read_number(double &value)
   {
     skip_blanks();

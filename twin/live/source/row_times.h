@@ -10,7 +10,7 @@ namespace mill::live {
 /// @throws InputError  fewer; one in a hundred of the times stands still
 double rate_of_times(const std::vector<double> &seconds);
 
-/// Times of the rows of a file that grows, held against each other: a clock that jumps, a recorder that was set to
+/// Times of the rows of a file that grows, compared with each other: a clock that jumps, a recorder that was set to
 /// another rate.
 class RowTimes {
 public:

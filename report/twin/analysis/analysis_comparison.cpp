@@ -1,0 +1,256 @@
+#include "report/twin/analysis/analysis_comparison.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
+#include "report/front/html.h"
+#include "report/page/page.h"
+#include "report/plot/number.h"
+#include "report/plot/svg.h"
+#include "report/plot/svg_plot.h"
+#include "report/twin/analysis/written_document.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace mill::report {
+namespace {
+using nlohmann::json;
+
+constexpr std::array<Pen, 4> pens{Pen::dark, Pen::warm, Pen::dashed, Pen::dotted};
+
+struct ComparedBand {
+  const char *name;
+  double low, high;  // Hz
+};
+constexpr std::array<ComparedBand, 3> compared_bands{
+    {{"third-octave band", 125, 240}, {"fifth-octave band", 550, 650}, {"10 to 1000 Hz", 10, 1000}}
+};
+
+struct ComparedAnalysis {
+  std::string folder;
+  json document;
+  std::optional<Table> spectrum;
+};
+
+ComparedAnalysis read_analysis(const std::string &directory)
+{
+  ComparedAnalysis one{directory,
+                       written_document(directory, "analysis.json", read_text(directory + "/analysis.json"),
+                                        {"findings", "record"}, "analyse the record again"),
+                       {}};
+  auto tables = written_tables(directory, {"spectrum"});
+  if (const auto found = tables.find("spectrum"); found != tables.end())
+    one.spectrum = std::move(found->second);
+  return one;
+}
+
+const Eigen::VectorXd *density_of(const ComparedAnalysis &one, const std::string &channel)
+{
+  return one.spectrum ? one.spectrum->column(channel) : nullptr;
+}
+
+std::string unit_of_channel(const ComparedAnalysis &one, const std::string &channel)
+{
+  for (const json &convention : one.document["conventions"])
+    if (convention["channel"] == channel)
+      return convention["unit"].get<std::string>();
+  return "";
+}
+
+// Root mean square of the velocity between two frequencies; NaN where the channel is not a vibration or ends
+// below.
+double band_velocity(const ComparedAnalysis &one, const std::string &channel, const ComparedBand &band)
+{
+  const Eigen::VectorXd *density = density_of(one, channel);
+  const std::string unit         = unit_of_channel(one, channel);
+  if (!density || (unit != "m/s2" && unit != "m/s"))
+    return std::nan("");
+  const Eigen::VectorXd &f = one.spectrum->columns[0];
+  if (f.size() < 3 || f[f.size() - 1] < band.high)
+    return std::nan("");
+  double square = 0;
+  for (Eigen::Index k = 1; k < f.size(); ++k)
+    if (f[k] >= band.low && f[k] <= band.high) {
+      const double w = unit == "m/s2" ? 2 * M_PI * f[k] : 1;
+      square += (*density)[k] * (f[1] - f[0]) / (w * w);
+    }
+  return std::sqrt(square);
+}
+
+std::vector<std::string> shared_channels(const std::vector<ComparedAnalysis> &all)
+{
+  std::vector<std::string> names;
+  for (const json &convention : all.front().document["conventions"]) {
+    const auto name = convention["channel"].get<std::string>();
+    if (std::all_of(all.begin(), all.end(), [&](const auto &one) { return density_of(one, name) != nullptr; }))
+      names.push_back(name);
+  }
+  return names;
+}
+
+std::string change_text(const double before, const double after)
+{
+  const double percent = 100 * (after / before - 1);
+  return !(before > 0) || !std::isfinite(percent)
+             ? "\u2013"
+             : (percent >= 0 ? "+" : "\u2212") + fixed(std::abs(percent), 0) + " %";
+}
+
+// "velocity in the third-octave band -63 % (upper_work_roll)": of the band and channel that changed most.
+std::string first_sentence(const std::vector<ComparedAnalysis> &all, const std::vector<std::string> &channels)
+{
+  std::string text = "no channel is a vibration: levels are not compared";
+  double largest   = -1;
+  for (const ComparedBand &band : compared_bands)
+    for (const std::string &channel : channels) {
+      const double before = band_velocity(all.front(), channel, band),
+                   after  = band_velocity(all.back(), channel, band);
+      const double change = std::abs(std::log(after / before));
+      if (std::isfinite(change) && change > largest) {
+        largest = change;
+        text    = std::string("velocity in the ") + band.name + " " + change_text(before, after) + " (" +
+               escaped(channel) + ")";
+      }
+    }
+  return text;
+}
+
+std::string band_table(const std::vector<ComparedAnalysis> &all, const std::vector<std::string> &channels)
+{
+  std::string head = "<th>channel</th><th>band</th>", rows;
+  for (const ComparedAnalysis &one : all)
+    head += "<th>" + escaped(one.folder) + " [mm/s]</th>";
+  for (const std::string &channel : channels)
+    for (const ComparedBand &band : compared_bands) {
+      const double before = band_velocity(all.front(), channel, band);
+      if (!std::isfinite(before))
+        continue;
+      rows += "<tr><th scope=\"row\">" + escaped(channel) + "</th><td>" + band.name + "</td>";
+      for (const ComparedAnalysis &one : all)
+        rows += "<td class=\"num\">" + significant(1e3 * band_velocity(one, channel, band), 3) + "</td>";
+      rows += "<td class=\"num\"><b>" + change_text(before, band_velocity(all.back(), channel, band)) +
+              "</b></td></tr>\n";
+    }
+  return rows.empty() ? ""
+                      : "<table class=\"results\"><thead><tr>" + head + "<th>change</th></tr></thead>\n<tbody>\n" +
+                            rows + "</tbody></table>\n";
+}
+
+bool is_compared(const json &finding)
+{
+  const std::string kind = finding["kind"];
+  return (kind == "mode" || kind == "line" || kind == "resonance" || kind == "family") &&
+         std::isfinite(number_in(finding["frequency"]));
+}
+
+double half_interval(const json &finding)
+{
+  const double half = 0.5 * (number_in(finding["interval"][1]) - number_in(finding["interval"][0]));
+  return std::isfinite(half) ? half : 0;
+}
+
+// The finding of the same kind of peak that is nearest, within both intervals or 2 %.
+const json *partner_of(const json &finding, const json &others)
+{
+  const double f      = number_in(finding["frequency"]);
+  const json *nearest = nullptr;
+  for (const json &other : others) {
+    const bool line = finding["kind"] == "line" || finding["kind"] == "family";
+    if (!is_compared(other) || line != (other["kind"] == "line" || other["kind"] == "family"))
+      continue;
+    const double away = std::abs(number_in(other["frequency"]) - f);
+    if (away <= std::max(half_interval(finding) + half_interval(other), 0.02 * f) &&
+        (!nearest || away < std::abs(number_in((*nearest)["frequency"]) - f)))
+      nearest = &other;
+  }
+  return nearest;
+}
+
+std::string peak_table(const ComparedAnalysis &before, const ComparedAnalysis &after)
+{
+  std::string rows;
+  const auto row = [&](const json *a, const json *b) {
+    const json &shown = a ? *a : *b;
+    const auto value  = [](const json *one) {
+      return one ? fixed(number_in((*one)["frequency"]), 2) + " Hz, " +
+                       significant(number_in((*one)["amplitude"]), 3) + " " +
+                       escaped(unit_sign((*one)["unit"].get<std::string>()))
+                  : std::string("\u2013");
+    };
+    std::string change = a ? "gone" : "new";
+    if (a && b) {
+      const double moved  = number_in((*b)["frequency"]) - number_in((*a)["frequency"]);
+      const double within = std::hypot(half_interval(*a), half_interval(*b));
+      change              = (moved >= 0 ? "+" : "\u2212") + significant(std::abs(moved), 2) + " Hz \u00b1 " +
+               significant(within, 1) + (std::abs(moved) > within ? "" : " (not significant)") + "; amplitude " +
+               ((*a)["channel"] == (*b)["channel"]
+                    ? change_text(number_in((*a)["amplitude"]), number_in((*b)["amplitude"]))
+                    : std::string("of another channel"));
+    }
+    rows += "<tr><th scope=\"row\">" + escaped(shown["kind"].get<std::string>()) + "</th><td>" +
+            escaped(shown["channel"].get<std::string>()) + "</td><td class=\"num\">" + value(a) +
+            "</td><td class=\"num\">" + value(b) + "</td><td>" + change + "</td></tr>\n";
+  };
+  for (const json &finding : before.document["findings"])
+    if (is_compared(finding))
+      row(&finding, partner_of(finding, after.document["findings"]));
+  for (const json &finding : after.document["findings"])
+    if (is_compared(finding) && !partner_of(finding, before.document["findings"]))
+      row(nullptr, &finding);
+  return rows.empty() ? ""
+                      : "<table class=\"results\"><thead><tr><th>kind</th><th>channel</th><th>" +
+                            escaped(before.folder) + "</th><th>" + escaped(after.folder) +
+                            "</th><th>change, 95 %</th></tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
+}
+
+std::string spectra_drawing(const std::vector<ComparedAnalysis> &all, const std::string &channel)
+{
+  Plot plot;
+  plot.title  = channel;
+  plot.width  = 1000;
+  plot.height = 330;
+  plot.x      = {"frequency", "Hz", Scale::logarithmic};
+  plot.y      = {"density", "(" + unit_sign(unit_of_channel(all.front(), channel)) + ")²/Hz", Scale::logarithmic};
+  double most = 0;
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    const Eigen::VectorXd &x = all[i].spectrum->columns[0], &y = *density_of(all[i], channel);
+    plot.lines.push_back({all[i].folder, x.tail(x.size() - 1), y.tail(y.size() - 1), pens[i % pens.size()]});
+    most = std::max(most, y.maxCoeff());
+  }
+  plot.x.low  = 1;
+  plot.y.low  = 1e-12 * most;
+  plot.y.high = 2 * most;
+  return most > 0 ? svg_plot(plot) : "";
+}
+}  // namespace
+
+std::string analysis_comparison(const std::vector<std::string> &directories)
+{
+  std::vector<ComparedAnalysis> all;
+  for (const std::string &directory : directories)
+    all.push_back(read_analysis(directory));
+  const std::vector<std::string> channels = shared_channels(all);
+  if (channels.empty())
+    throw InputError("the analyses of " + directories.front() + " and " + directories.back() +
+                     " have no channel of the same name; give --channel NAME=PLACE when they are analysed");
+  const Run run = run_of(directories.back(), all.back().document);
+  Page page(run);
+  page.section("levels", "Levels", Depth::manager);
+  page.table(band_table(all, channels),
+             "Root mean square of the velocity in bands. The change is that from the first to the "
+             "last analysis.");
+  page.section("peaks", "Modes and lines", Depth::manager);
+  for (std::size_t i = 1; i < all.size(); ++i)
+    page.table(peak_table(all.front(), all[i]), "Frequency and amplitude (0-peak) of each mode, resonance, line "
+                                                "and family. A change of the frequency within "
+                                                "both 95 % intervals is not significant.");
+  page.section("spectra", "Spectra");
+  for (const std::string &channel : channels)
+    page.figure({spectra_drawing(all, channel)},
+                "One-sided density of " + escaped(channel) + " in every analysis.");
+  const std::string head = "<header><h1>Analyses compared</h1></header>\n<div class=\"verdict ok\"><p>" +
+                           first_sentence(all, channels) + ".</p></div>\n";
+  return html_document(run.case_name + ", compared", run, page, head);
+}
+}  // namespace mill::report
