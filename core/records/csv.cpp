@@ -184,4 +184,12 @@ MeasuredRecord read_measured(const std::string &path)
   record.notes = notes_of(sheet);
   return record;
 }
+
+std::string quoted_cell(const std::string &text)
+{
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + "\"";
+}
 }  // namespace mill

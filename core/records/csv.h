@@ -14,8 +14,8 @@ struct Table {
   const Eigen::VectorXd *column(const std::string &name) const;  ///< nullptr when absent
 };
 
-/// Text of a table: commas, 17 digits at most, '\n', header "name [unit]" in quotes where RFC 4180 wants them.  A number
-/// that is not finite is an empty cell.
+/// Text of a table: commas, 17 digits at most, '\n', header "name [unit]" in quotes where RFC 4180 wants them.  A
+/// number that is not finite is an empty cell.
 std::string csv_text(const Table &table);
 /// Does read_table() give back every bit of what csv_text() makes of this table?  Not where a number is infinite
 /// or beyond what a cell may hold, or a name has to be written in another way.
@@ -32,4 +32,7 @@ ForceRecord read_force(const std::string &path);
 
 /// A measured record: time, upper_work_roll, lower_work_roll (g or m/s2).  Errors as read_force.
 MeasuredRecord read_measured(const std::string &path);
+
+/// A text between quotation marks as a cell of CSV; its own quotation marks are doubled.
+std::string quoted_cell(const std::string &text);
 }  // namespace mill

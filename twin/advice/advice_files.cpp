@@ -98,14 +98,6 @@ ordered_json tuned_json(const TunedRecord &record)
   return json;
 }
 
-std::string csv_cell(const std::string &text)
-{
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
-}
-
 std::string csv_number(const double value)
 {
   return std::isfinite(value) ? fmt::format("{:.6g}", value) : "";
@@ -153,12 +145,12 @@ std::string advice_csv(const AdviceRecord &record)
   if (!record.actions.empty())
     columns = record.actions.front().effects;
   for (const SideEffect &column : columns)
-    text += "," + csv_cell(column.name + " [" + unit(column.unit) + "]");
+    text += "," + quoted_cell(column.name + " [" + unit(column.unit) + "]");
   text += ",modes,against,remarks,in other models,what could bring it about\n";
   for (std::size_t i = 0; i < record.actions.size(); ++i) {
     const RatedAction &a = record.actions[i];
     text += a.against.empty() ? fmt::format("{}", i + 1) : "";
-    text += "," + csv_cell(a.name);
+    text += "," + quoted_cell(a.name);
     for (const double part : {a.verified, a.change, a.spread, a.first_order, a.apart})
       text += "," + csv_number(100 * part);
     for (const SideEffect &effect : a.effects)
@@ -168,7 +160,7 @@ std::string advice_csv(const AdviceRecord &record)
       repeated.push_back(fmt::format("{}: {:+.4g} %", effect.name, 100 * effect.value));
     for (const std::string &cell :
          {a.modes, one_text(a.against), one_text(a.remarks), one_text(repeated), a.means})
-      text += "," + csv_cell(cell);
+      text += "," + quoted_cell(cell);
     text += "\n";
   }
   return text;

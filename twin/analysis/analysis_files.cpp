@@ -422,14 +422,11 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
 
 namespace {
 // A cell of CSV: quoted where it holds a comma or a quotation mark.
-std::string csv_cell(const std::string &text)
+std::string text_cell(const std::string &text)
 {
   if (text.find_first_of(",\"\n") == std::string::npos)
     return text;
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + "\"";
+  return quoted_cell(text);
 }
 }  // namespace
 
@@ -440,9 +437,9 @@ std::string candidates_csv(const Analysis &analysis)
   };
   std::string text = "channel,frequency [Hz],amplitude,unit,over the floor [dB],fate,reason\n";
   for (const CandidateFate &one : analysis.candidates)
-    text += csv_cell(one.channel) + "," + cell(one.frequency, "{:.9g}") + "," + cell(one.amplitude, "{:.5g}") +
-            "," + csv_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + csv_cell(one.fate) + "," +
-            csv_cell(one.reason) + "\n";
+    text += text_cell(one.channel) + "," + cell(one.frequency, "{:.9g}") + "," + cell(one.amplitude, "{:.5g}") +
+            "," + text_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + text_cell(one.fate) + "," +
+            text_cell(one.reason) + "\n";
   return text;
 }
 
