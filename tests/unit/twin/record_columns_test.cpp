@@ -150,18 +150,18 @@ TEST_F(RecordColumns, AmericanUnitsBecomeSI)
 
 TEST_F(RecordColumns, TextsAreLabelsOfSpans)
 {
-  for (const auto &[first, second] : {std::pair("K20417", "K20418"), std::pair("OK", "OVERLOAD"),
-                                      std::pair("TRUE", "FALSE"), std::pair("4711", "K4712")}) {
+  for (const auto &pair : {std::pair("K20417", "K20418"), std::pair("OK", "OVERLOAD"), std::pair("TRUE", "FALSE"),
+                           std::pair("4711", "K4712")}) {
     const auto record =
         read("r.csv", table("time [s];top [g];coil", {time_cell, swing_cell, [&](const int i) {
-                                                        return std::string(i < 2000 ? first : second);
+                                                        return std::string(i < 2000 ? pair.first : pair.second);
                                                       }}));
-    ASSERT_EQ(record.channels.size(), 1u) << first;
-    ASSERT_EQ(record.labels.size(), 2u) << first;
-    EXPECT_EQ(record.labels[0].text, first);
+    ASSERT_EQ(record.channels.size(), 1u) << pair.first;
+    ASSERT_EQ(record.labels.size(), 2u) << pair.first;
+    EXPECT_EQ(record.labels[0].text, pair.first);
     EXPECT_EQ(record.labels[1].begin, 2000);
     EXPECT_EQ(record.labels[1].end, n);
-    EXPECT_TRUE(has_note(record, "column 'coil' holds texts and was kept as labels")) << first;
+    EXPECT_TRUE(has_note(record, "column 'coil' holds texts and was kept as labels")) << pair.first;
     const CleanRecord clean = clean_record(RawRecord(record));
     EXPECT_TRUE(near(clean.labels[1].from, 2.0, within(1e-9, digits)));
   }
