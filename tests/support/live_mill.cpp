@@ -334,7 +334,7 @@ void LiveMill::tell_modes(const Tell &to)
     mode.name           = page.modes[i].name;
     mode.twin_frequency = twin[Eigen::Index(i)];
     if (i == 1) {
-      mode.state   = "not told";
+      mode.state   = "not identified";
       mode.because = "";
     } else {
       mode.sd        = 0.0008 * mode.twin_frequency;

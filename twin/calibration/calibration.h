@@ -25,8 +25,7 @@ struct CalibrationInput {
   int threads = 1;
   /// false: pieces have no force; it is eliminated (44.5), and no delay is among the unknowns
   bool force_recorded = true;
-  /// -, of the level of each third octave, that the calibrated stand may be wrong by
-  double model_error = usual_model_error;
+  double model_error  = usual_model_error;  ///< -, of the level of a third octave, that the stand may be wrong by
 };
 
 /// One unknown after the record.

@@ -17,9 +17,9 @@ struct ShownChange {
 /// @param written  the case is written: its value, with an interval that covers both this value with the other
 ///                 priors kept and the joint fit.  Otherwise the joint fit: value and interval.
 ShownChange shown_change(const Calibrated &unknown, bool written);
-/// ln of the factor, s of a delay: what shown_change() formats.
+/// What shown_change() formats.
 struct ChangeInterval {
-  double value, low, high;
+  double value, low, high;  ///< ln of the factor; s of a delay
 };
 ChangeInterval change_interval(const Calibrated &unknown, bool written);
 

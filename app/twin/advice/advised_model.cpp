@@ -15,7 +15,7 @@
 
 namespace mill {
 namespace {
-// "calibrated: records .., not told: K1, K2": those it names, or the value itself where it names none.
+// "calibrated: records .., not identified: K1, K2": those it names, or the value itself where it names none.
 bool says_untold(const std::string &name, const std::string &text)
 {
   const std::string words = "not identified";
@@ -43,7 +43,7 @@ void add_errors(AdvisedModel &model, const LumpedModel &chain)
     if (std::isfinite(spring.error_estimate))
       model.spring_error[name] = spring.error_estimate;
     if (says_untold(name, source))
-      model.untold.push_back({name, "which the records do not tell (" + source + ")"});
+      model.untold.push_back({name, "which the records do not identify (" + source + ")"});
   }
 }
 

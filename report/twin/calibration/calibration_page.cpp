@@ -131,7 +131,7 @@ std::string head_of(const json &document)
   if (status == "ok")
     return text + "<div class=\"verdict ok\"><p>" + count +
            "; the calibrated stand explains the check records within the noise and a model error of " +
-           significant(100 * document.value("model_error", 0.05), 2) + " % per third octave.</p></div>\n";
+           fmt::format("{:.3g}", 100 * document.value("model_error", 0.05)) + " % per third octave.</p></div>\n";
   if (status == "agrees")
     return text + "<div class=\"verdict ok\"><p>The case agrees with these records already. No "
                   "calibrated case was written.</p></div>\n";

@@ -32,7 +32,7 @@ std::string chain_case(const std::string &folder, const std::string &advice)
     out << "M" << i + 1 << " = \"" << std::to_string(masses[i]) << " kg\"\n";
   for (int i = 0; i < 7; ++i)
     if (i == 1)
-      out << "K2 = { value = \"10233 kN/mm\", source = \"assumed: records of one day, not told: K2\" }\n";
+      out << "K2 = { value = \"10233 kN/mm\", source = \"assumed: records of one day, not identified: K2\" }\n";
     else
       out << "K" << i + 1 << " = \"" << std::to_string(springs[i] / 1e6) << " kN/mm\"\n";
   out << advice;
@@ -81,7 +81,7 @@ TEST(Advise, LeavesRankedActionsTablesAndAPage)
       "chain only: a damper sits on chocks, which the six masses do not have; repeat it with the drawing of the "
       "stand (kind four-high) or with [model]");
   EXPECT_EQ(action(advice, "K2 x 1.2")["remarks"][0],
-            "rests on K2, which the records do not tell (assumed: records of one day, not told: K2)");
+            "rests on K2, which the records do not identify (assumed: records of one day, not identified: K2)");
   for (const auto &[name, value] : advice["values"].items())
     EXPECT_EQ(name.find("advice.level"), std::string::npos) << "no level without a measured force";
   const std::string page = mill::read_text(folder + "/out/report.html");

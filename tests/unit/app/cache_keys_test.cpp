@@ -174,7 +174,7 @@ std::vector<std::string> of(const std::string &section, const std::string &rows)
 }
 
 const std::vector<std::string> head{"schema",       "kind",    "title", "confirmed", "bearing.another.*",
-                                    "monitoring.*", "advice.*"};
+                                    "monitoring.*", "advice.*", "plant.*"};
 // Of a pass what is neither its load nor a number of the bite.  What was measured moves the strip, where a fit is
 // asked, and the strip is seen.
 const std::vector<std::string> records =

@@ -160,7 +160,7 @@ TEST(LiveCommand, RefusesWhatCannotBeRun)
       refused(input("opc:mill")),
       "--input \"opc:mill\": a record (FILE.csv), a growing one (tail:FILE.csv), - for lines on standard input, "
       "tcp:127.0.0.1:8461 or mqtt:127.0.0.1:1883/STAND is needed");
-  EXPECT_EQ(refused(input("nowhere.csv")), "there is no file nowhere.csv");
+  EXPECT_EQ(refused(input("nowhere.csv")), "the file nowhere.csv does not exist");
   EXPECT_EQ(refused(input("tcp:8461")),
             "--input \"8461\": an address and a port are needed, for example --input tcp:127.0.0.1:8461");
   EXPECT_EQ(refused(input("tcp:0.0.0.0:0")),
@@ -175,7 +175,7 @@ TEST(LiveCommand, RefusesWhatCannotBeRun)
             "--speed belongs to a record that is played (--input FILE.csv); other sources set their own pace");
   options      = input(file);
   options.keep = "24h";
-  EXPECT_EQ(refused(options), "--keep says how much of a recording is kept; name its folder with --record");
+  EXPECT_EQ(refused(options), "--keep sets how much of a recording is kept; name the folder of the recording with --record");
   EXPECT_EQ(refused(input(file), stand, {}, "2 mm/s"),
             "--limit \"2 mm/s\": an acceleration above zero is needed, for example --limit \"2 g\"");
   options          = input(file);

@@ -76,9 +76,9 @@ TEST(CsvFaults, LettersInANumberCostOneSample)
   lines.line("0.5000,9O1");
   lines.rows(500, 0.501, 1e-3);
   const CameMessages came = lines.end();
-  EXPECT_EQ(came.refused,
-            std::vector<std::string>{"mill.csv:502:8: '9O1' in column 'force' is not a number; leave the cell empty "
-                                     "where there is no value"});
+  EXPECT_EQ(came.refused, std::vector<std::string>{
+                              "mill.csv:502:8: '9O1' in column 'force' is not a number; leave the cell empty "
+                              "where there is no value"});
   EXPECT_EQ(came.numbers.size(), 1000u);
   EXPECT_EQ(came.numbers.back(), 1000);
   const auto account = account_of(lines.messages);
@@ -96,9 +96,9 @@ TEST(CsvFaults, ABadLineKeepsItsPlaceWithoutATimeColumn)
   for (int k = 0; k < 1000; ++k)
     lines.line(k == 700 ? "9x0" : std::to_string(900 + k % 50));
   const CameMessages came = lines.end();
-  EXPECT_EQ(came.refused,
-            std::vector<std::string>{"mill.csv:702:1: '9x0' in column 'force' is not a number; leave the cell empty "
-                                     "where there is no value"});
+  EXPECT_EQ(came.refused, std::vector<std::string>{
+                              "mill.csv:702:1: '9x0' in column 'force' is not a number; leave the cell empty "
+                              "where there is no value"});
   ASSERT_EQ(came.numbers.size(), 999u);
   EXPECT_EQ(came.numbers[699], 699);
   EXPECT_EQ(came.numbers[700], 701);

@@ -145,8 +145,9 @@ TEST(CsvFeed, FiveBadLinesInARowCloseIt)
   for (const auto &message : feed.take())
     came.add(message);
   ASSERT_EQ(came.refused.size(), 7u);
-  EXPECT_EQ(came.refused[0],
-            "force.csv:102:7: '9x0' in column 'force' is not a number; leave the cell empty where there is no value");
+  EXPECT_EQ(
+      came.refused[0],
+      "force.csv:102:7: '9x0' in column 'force' is not a number; leave the cell empty where there is no value");
   EXPECT_EQ(came.refused[1],
             "force.csv:103:1: this line has 1 cells, the columns are 2; a decimal comma needs ';' or "
             "tab between the columns");

@@ -174,8 +174,8 @@ TEST(LineSession, ASecondSourceIsRefusedWhileTheFirstSends)
   EXPECT_EQ(reason_of(session, R"({"s":0,"force":[1]})"), "taken");
   now += 4;
   EXPECT_EQ(reason_of(session, other), "line 5: source \"daq-2\" begins while \"daq-1\" sends, which goes on; "
-                                       "blocks of two sources cannot be apart "
-                                       "here: stop one of them, or give it a stand of its own");
+                                       "blocks of two sources cannot be "
+                                       "distinguished here: stop one of them, or give it another stand");
   EXPECT_EQ(reason_of(session, good_head), "taken") << "the first may say its head again";
   EXPECT_EQ(reason_of(session, R"({"s":1,"force":[1]})"), "taken") << "and goes on";
   now += 6;

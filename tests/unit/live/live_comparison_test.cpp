@@ -147,7 +147,7 @@ TEST(LiveComparison, ProposesASofterContact)
   const PageMode &highest = calm.modes.back().modes.at(5);
   EXPECT_EQ(highest.state, "calm");
   EXPECT_LT(std::abs(highest.deviation), 4);
-  EXPECT_EQ(calm.modes.back().modes.at(2).state, "not told") << "218 Hz does not move the work rolls";
+  EXPECT_EQ(calm.modes.back().modes.at(2).state, "not identified") << "218 Hz does not move the work rolls";
 
   const Told softer = run(comparison, stand, 0.95, 43, 55, 34);
   ASSERT_FALSE(softer.alarms.empty());
@@ -221,7 +221,7 @@ TEST(LiveComparison, KeepsItsDriftOverARestart)
       << parted.alarms[0].text;
   EXPECT_EQ(again.drift().modes[5].watch.sums.down, through.drift().modes[5].watch.sums.down);
 
-  // the alarm and its number survive too, and what is open is not told a second time
+  // the alarm and its number survive too, and what is open is not identified a second time
   Comparison third(setup_of(stand));
   ASSERT_EQ(third.resume(again.state()), "");
   const auto open = third.open_alarms(), were = again.open_alarms();
@@ -265,7 +265,7 @@ TEST(LiveComparison, AdoptedProposalIsACase)
   const Case read         = read_case(adopted->file);
   const LumpedModel chain = lumped_model_of(read);
   EXPECT_TRUE(near(chain.K[2].value, 0.95 * proposal.before.K[2].value, within(1e-9, "as written")));
-  EXPECT_TRUE(near(chain.K[0].value, proposal.before.K[0].value, within(1e-9, "not told: as before")));
+  EXPECT_TRUE(near(chain.K[0].value, proposal.before.K[0].value, within(1e-9, "not identified: as before")));
   EXPECT_NEAR(std::get<Lumped>(read.spec).dynamics.modal_damping, 0.012, 1e-9);
   const std::string file = read_text(adopted->file);
   EXPECT_NE(file.find("# K3: -5.00 %, standard deviation 0.10 %"), std::string::npos) << file;

@@ -39,8 +39,9 @@ TEST(OnsetMonitor, RaisesAnAlarmAboveTheLimitWithoutABaseline)
   const auto loud = alarms_of(10, 0, 12, 10.0, 8);
   ASSERT_EQ(loud.size(), 2u);
   EXPECT_EQ(loud[0].level, "alarm");
-  EXPECT_EQ(loud[0].text,
-            "chatter at 100 Hz, upper_work_roll: 12 m/s2 is above the limit of 10 m/s2 that is set for this mill");
+  EXPECT_EQ(
+      loud[0].text,
+      "chatter at 100 Hz, upper_work_roll: 12.1 m/s2 is above the limit of 10 m/s2 that is set for this mill");
   EXPECT_LT(loud[0].utc, 1.7e9 + 0.5) << "there is no baseline yet";
   EXPECT_TRUE(loud[1].over);
   EXPECT_TRUE(alarms_of(10, 0, 9, 10.0).empty()) << "below it, and never calmer";

@@ -335,7 +335,7 @@ TEST(PageServer, AnAddressThatCannotBeUsedIsExplained)
   auto settings    = Served::at_any_port();
   settings.address = "localhost";
   EXPECT_EQ(refusal([&] { Served served(settings); }),
-            "--listen: 'localhost' is no literal address; name one such as 127.0.0.1 or ::1");
+            "--listen: 'localhost' is not a literal address; write for example 127.0.0.1 or ::1");
   settings         = Served::at_any_port();
   settings.address = "127.0.0.1";
   Served first;

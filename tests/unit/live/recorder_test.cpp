@@ -152,8 +152,8 @@ TEST(Recorder, APartIsReadableWhileItGrowsAndFinishedAfterwards)
   const auto whole = twin::read_npy_record(to.folder.path + "/20260105T110000Z_77.npy", {});
   EXPECT_EQ(whole.n_samples(), 1203);
   EXPECT_EQ(said.at(2), to.folder.path +
-                            "/20260105T120000Z_0.npy.part is no recording that can be finished; it stays "
-                            "as it is");
+                            "/20260105T120000Z_0.npy.part cannot be finished, since it is not a recording; it stays "
+                                "as it is");
   to.end();
 }
 

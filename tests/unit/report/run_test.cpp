@@ -124,8 +124,9 @@ TEST(Run, FilesOfTwoRunsAreRefused)
   changed("results.json", {
                               {"run_id", "b2"}
   });
-  EXPECT_EQ(message_of(directory), "results.json:0:0: is of run b2, but run.json beside it of run a1: the folder "
-                                   "mixes two runs; run the case again");
+  EXPECT_EQ(message_of(directory),
+            "results.json:0:0: is of run b2, but run.json in the same folder is of run a1: the folder "
+            "mixes two runs; run the case again");
   changed("results.json", {
                               {"run_id", "a1"}
   });
@@ -137,8 +138,8 @@ TEST(Run, FilesOfTwoRunsAreRefused)
   overwrite(directory + "/curves/modes.csv", read_text(directory + "/curves/modes.csv") + "\n");
   EXPECT_EQ(
       message_of(directory),
-      "modes.csv:0:0: is not the file that run a1 wrote: it was changed since, or is of another run; run the "
-      "case again, or put the file back");
+      "modes.csv:0:0: is not the file that run a1 wrote: it was changed since then, or is of another run; run the "
+      "case again, or restore the file");
 }
 
 // 200 000 levels overflowed the stack wherever a value was copied; 1e400 was called our own mistake.

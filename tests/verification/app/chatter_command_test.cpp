@@ -205,7 +205,7 @@ TEST(ChatterCommand, StandFromALumpedModel)
   const auto from = text.find("masses "), to = text.find("# published digits");
   text.erase(from, to - from);
   text.insert(from, "from = \"" + fs::path(model).filename().string() + "\"\n");
-  const auto variants = text.find("# Other readings"), conditions = text.find("[[condition]]");
+  const auto variants = text.find("# Other models"), conditions = text.find("[[condition]]");
   text.erase(variants, conditions - variants);
   const std::string path = fs::path(model).parent_path().string() + "/from-model.toml";
   std::ofstream(path) << text;

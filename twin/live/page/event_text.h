@@ -237,7 +237,7 @@ struct AdviceRow {
   double first_order = unknown;  ///< -, the same by slopes
   std::string cost;              ///< "speed -5 %"; empty: none
   std::string side_effects;      ///< "force +10.8 %"
-  std::string mark;              ///< "chain only", "rests on K2, not told"
+  std::string mark;              ///< "chain only", "rests on K2, not identified"
   std::string against;           ///< reason why it is below the line; empty: allowed
 };
 struct PageAdvice {
