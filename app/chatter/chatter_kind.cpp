@@ -31,12 +31,8 @@ const RunKind &chatter_kind()
     RunKind k;
     k.verbs  = {"run", "chatter"};
     k.check  = check_conditions;
-    k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
-      return {
-          {"chatter", 1}
-      };
-    };
-    k.run = [](RunContext &run, Goal, const std::string &) {
+    k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> { return {{"chatter", 1}}; };
+    k.run    = [](RunContext &run, Goal, const std::string &) {
       solve_chatter_case(run, std::get<ChatterCase>(run.the_case.spec));
     };
     k.mark_sources = [](const Case &the_case) { return mark_sources(std::get<ChatterCase>(the_case.spec)); };

@@ -127,11 +127,9 @@ ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t cond
   q.film_range = spec.film_range;
   for (const ChatterVariant &variant : spec.variants)
     q.variants.push_back({variant.name, stand_of(spec, variant.stand)});
-  q.structures = {
-      {spec.files ? spec.files->name : "six masses", stand}
-  };
-  q.numbers = numbers_of(spec);
-  q.inputs  = keys_of(spec, condition);
+  q.structures = {{spec.files ? spec.files->name : "six masses", stand}};
+  q.numbers    = numbers_of(spec);
+  q.inputs     = keys_of(spec, condition);
   return q;
 }
 
@@ -173,10 +171,9 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   };
   const auto beam = modal(models.beam), craig_bampton = modal(models.craig_bampton);
   q.structures = {
-      {"six-mass",                     around(chain_structure(chain.model, settings)),                         dynamics::chain_numbers(chain.model, settings)},
-      {"beam",                     around(dynamics::structure_of(beam)),                                                       dynamics::modal_numbers(beam)                                                                                   },
-      {"craig-bampton", around(dynamics::structure_of(craig_bampton)),dynamics::modal_numbers(craig_bampton)}
-  };
+      {"six-mass", around(chain_structure(chain.model, settings)), dynamics::chain_numbers(chain.model, settings)},
+      {"beam", around(dynamics::structure_of(beam)), dynamics::modal_numbers(beam)},
+      {"craig-bampton", around(dynamics::structure_of(craig_bampton)), dynamics::modal_numbers(craig_bampton)}};
   q.structure  = fmt::format("modal damping {:g} %", 100 * stand.dynamics.modal_damping);
   const auto p = std::size_t(std::find_if(stand.passes.begin(), stand.passes.end(),
                                           [&](const Pass &one) { return one.name == pass.name; }) -

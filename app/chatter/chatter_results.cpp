@@ -160,10 +160,8 @@ void add_growth(RunContext &run, const ChatterStudy &s, const std::string &metho
     const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(s.question.stand, s.working->by));
     const auto n     = std::count_if(roots.begin(), roots.end(), grows);
     working("unstable_roots", "1", double(n), not_given,
-            {
-                {"Routh's array in extended precision", double(s.routh_unstable),   ""},
-                {"Nyquist's criterion",                 double(s.nyquist_unstable), ""}
-    });
+            {{"Routh's array in extended precision", double(s.routh_unstable), ""},
+             {"Nyquist's criterion", double(s.nyquist_unstable), ""}});
   }
 }
 

@@ -66,11 +66,9 @@ OtherSearch search(const std::string &name, const ChatterStandModel &stand, cons
 void search_beside(ChatterStudy &s, const dynamics::SpeedRange &range)
 {
   const ChatterQuestion &q                        = s.question;
-  const std::pair<const char *, Scheme> schemes[] = {
-      {"sequential",      Scheme::sequential     },
-      {"consistent",      Scheme::implicit       },
-      {"frozen-friction", Scheme::frozen_friction}
-  };
+  const std::pair<const char *, Scheme> schemes[] = {{"sequential", Scheme::sequential},
+                                                     {"consistent", Scheme::implicit},
+                                                     {"frozen-friction", Scheme::frozen_friction}};
   for (const auto &[name, scheme] : schemes)
     s.schemes.push_back(search(name, q.stand, q, scheme, range));
   std::stable_partition(s.schemes.begin(), s.schemes.end(),
@@ -156,15 +154,9 @@ void simulate_linear(ChatterStudy &s)
   const ChatterQuestion &q = s.question;
   std::vector<std::pair<std::string, double>> speeds;
   if (s.found.verdict == Verdict::crossing)
-    speeds = {
-        {"below", 0.98 * s.found.speed},
-        {"at",    s.found.speed       },
-        {"above", 1.02 * s.found.speed}
-    };
+    speeds = {{"below", 0.98 * s.found.speed}, {"at", s.found.speed}, {"above", 1.02 * s.found.speed}};
   else if (s.working)
-    speeds = {
-        {"at", q.condition.speed}
-    };
+    speeds = {{"at", q.condition.speed}};
   for (const auto &[name, speed] : speeds) {
     ChatterRecord record;
     record.name  = name;

@@ -33,12 +33,11 @@ std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec)
     const auto &state          = search.working ? search.working->state : bite::BiteState{};
     const auto there           = [&](const double value) { return search.working ? value : not_given; };
     const KeyList at_speed     = joined(bite, speed);
-    for (const auto &[quantity, unit, value] : {
-             std::tuple<const char *, const char *, double>{"force",            "N", state.force           },
-             {"friction",         "1", state.friction        },
-             {"flattened_radius", "m", state.flattened_radius},
-             {"forward_slip",     "1", state.forward_slip    }
-    })
+    for (const auto &[quantity, unit, value] :
+         {std::tuple<const char *, const char *, double>{"force", "N", state.force},
+          {"friction", "1", state.friction},
+          {"flattened_radius", "m", state.flattened_radius},
+          {"forward_slip", "1", state.forward_slip}})
       add("bite." + name + "." + quantity, unit, there(value), at_speed, "steady bite",
           "reduce/bite/slab/bland_ford", "(8.8)");
     add("chatter." + name + ".growth_rate", "1/s", search.growth, joined(at_speed, stand), "stand, bite and strip",

@@ -68,13 +68,11 @@ void add_velocities(RunContext &run, const ClusterStand &stand, const ClusterPas
         record.nonlinear.push_back({name + " " + directions[k], nonlinear[2 * i + k]});
       const auto add = [&](const char *quantity, const char *unit, const double factor, const char *method) {
         Parameter p;
-        p.value  = factor * steady;
-        p.unit   = unit;
-        p.method = method;
-        p.at     = {
-                "{}, {} at {}",
-                {{pass.force.value, "kN", ".5g"}, {record.force, "N", ".4g"}, {record.frequency, "Hz", ".5g"}}
-        };
+        p.value       = factor * steady;
+        p.unit        = unit;
+        p.method      = method;
+        p.at          = {"{}, {} at {}",
+                         {{pass.force.value, "kN", ".5g"}, {record.force, "N", ".4g"}, {record.frequency, "Hz", ".5g"}}};
         p.inputs      = pass.driven_keys;
         p.error_lacks = {"response.loss_factor"};
         if (nonlinear.size() > 0)

@@ -243,13 +243,12 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
   const std::pair<const char *, const char *> chain[] = {
-      {"run",       "the whole chain and the report"                },
-      {"stiffness", "K3, K4, K5, Kzc with their curves"             },
-      {"masses",    "equivalent masses with their shapes"           },
-      {"modes",     "natural frequencies, shapes, energy shares"    },
-      {"chatter",   "critical speed, sensitivities, stability map"  },
-      {"simulate",  "drive the lumped model with the recorded force"}
-  };
+      {"run", "the whole chain and the report"},
+      {"stiffness", "K3, K4, K5, Kzc with their curves"},
+      {"masses", "equivalent masses with their shapes"},
+      {"modes", "natural frequencies, shapes, energy shares"},
+      {"chatter", "critical speed, sensitivities, stability map"},
+      {"simulate", "drive the lumped model with the recorded force"}};
   for (const auto &[verb, what] : chain) {
     auto *command = app.add_subcommand(verb, what);
     command->add_option("CASE", c.target, "case file")->required();

@@ -32,8 +32,7 @@ bool is_of_subjects(const CommandLine &command)
 {
   const auto &verb = command.verb;
   return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live" || verb == "export" ||
-         is_streamed(command) ||
-         (verb == "report" && is_folder_of_records(command.target));
+         is_streamed(command) || (verb == "report" && is_folder_of_records(command.target));
 }
 
 int carry_out_subject(const CommandLine &command)

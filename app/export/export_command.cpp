@@ -100,11 +100,7 @@ void export_unit(const CommandLine &command, const Case &the_case)
                                            : unit_of(driven_with_warnings(command, the_case), the_case);
   const std::string archive      = fmu::unit_archive(model, command.fmi);
   fmu::check_unit(archive, model, command.fmi);
-  write_together(
-      {
-          {path, archive}
-  },
-      command.output.empty() ? "out" : "");
+  write_together({{path, archive}}, command.output.empty() ? "out" : "");
   say_name(the_case, model.identifier);
   if (!command.quiet)
     console::print(

@@ -32,12 +32,10 @@ const RunKind &run_kind(const BearingCase &)
     RunKind k;
     k.verbs  = {"run", "stiffness"};
     k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
-      return {
-          {"roller",                                                       3 },
-          {"roller",                                                       10},
-          {"rings",                                                        20},
-          {"bearing " + std::get<BearingCase>(the_case.spec).load.bearing, 4 }
-      };
+      return {{"roller", 3},
+              {"roller", 10},
+              {"rings", 20},
+              {"bearing " + std::get<BearingCase>(the_case.spec).load.bearing, 4}};
     };
     k.run = [](RunContext &run, Goal, const std::string &) {
       solve_bearing_case(run, std::get<BearingCase>(run.the_case.spec));

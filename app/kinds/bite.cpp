@@ -33,10 +33,7 @@ const RunKind &run_kind(const BiteCase &)
     k.verbs  = {"run", "stiffness"};
     k.check  = check_bites;
     k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
-      return {
-          {"bite, finite elements", 3},
-          {"bite, curves",          4}
-      };
+      return {{"bite, finite elements", 3}, {"bite, curves", 4}};
     };
     k.run = [](RunContext &run, Goal, const std::string &) {
       solve_bite_case(run, std::get<BiteCase>(run.the_case.spec));

@@ -19,21 +19,19 @@ using json = nlohmann::ordered_json;
 
 json geometry_of(const FourHigh &stand)
 {
-  json geometry = {
-      {"work_roll_diameter",   stand.work_roll.barrel_diameter                                },
-      {"work_roll_length",     stand.work_roll.barrel_length                                  },
-      {"work_neck_diameter",   stand.work_roll.neck_diameter                                  },
-      {"work_total_length",    stand.work_roll.barrel_length + 2 * stand.work_roll.neck_length},
-      {"work_bearing_span",    stand.work_roll.bearing_span                                   },
-      {"backup_diameter",      stand.backup_roll.barrel_diameter                              },
-      {"backup_length",        stand.backup_roll.barrel_length                                },
-      {"backup_neck_diameter", stand.backup_roll.neck_diameter                                },
-      {"backup_neck_length",   stand.backup_roll.neck_length                                  },
-      {"backup_bearing_span",  stand.backup_roll.bearing_span                                 },
-      {"strip_width",          stand.strip.width                                              },
-      {"entry_thickness",      stand.strip.entry_thickness                                    },
-      {"exit_thickness",       stand.strip.exit_thickness                                     }
-  };
+  json geometry  = {{"work_roll_diameter", stand.work_roll.barrel_diameter},
+                    {"work_roll_length", stand.work_roll.barrel_length},
+                    {"work_neck_diameter", stand.work_roll.neck_diameter},
+                    {"work_total_length", stand.work_roll.barrel_length + 2 * stand.work_roll.neck_length},
+                    {"work_bearing_span", stand.work_roll.bearing_span},
+                    {"backup_diameter", stand.backup_roll.barrel_diameter},
+                    {"backup_length", stand.backup_roll.barrel_length},
+                    {"backup_neck_diameter", stand.backup_roll.neck_diameter},
+                    {"backup_neck_length", stand.backup_roll.neck_length},
+                    {"backup_bearing_span", stand.backup_roll.bearing_span},
+                    {"strip_width", stand.strip.width},
+                    {"entry_thickness", stand.strip.entry_thickness},
+                    {"exit_thickness", stand.strip.exit_thickness}};
   const auto add = [&](const char *name, const double length) {
     if (length > 0)  // false for what is not given
       geometry[name] = length;
@@ -197,17 +195,9 @@ const RunKind &run_kind(const FourHigh &)
     k.check  = check_bites;
     k.review = review_stand;
     k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
-      return {
-          {"condensation",  1 },
-          {"condensation",  10},
-          {"condensation",  1 },
-          {"condensation",  8 },
-          {"contact upper", 2 },
-          {"contact lower", 2 },
-          {"components",    3 },
-          {"bite, curves",  8 },
-          {"passes",        4 }
-      };
+      return {{"condensation", 1}, {"condensation", 10}, {"condensation", 1},
+              {"condensation", 8}, {"contact upper", 2}, {"contact lower", 2},
+              {"components", 3},   {"bite, curves", 8},  {"passes", 4}};
     };
     k.run = [](RunContext &run, const Goal goal, const std::string &force_file) {
       run_four_high(run, std::get<FourHigh>(run.the_case.spec), goal, force_file);

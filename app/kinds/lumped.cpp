@@ -56,12 +56,8 @@ const RunKind &run_kind(const Lumped &)
     k.verbs   = {"run", "modes", "simulate"};
     k.refusal = lumped_refusal;
     k.review  = review_lumped;
-    k.stages  = [](const Case &) -> std::vector<std::pair<std::string, double>> {
-      return {
-          {"passes", 1}
-      };
-    };
-    k.files = [](const Case &the_case) {
+    k.stages  = [](const Case &) -> std::vector<std::pair<std::string, double>> { return {{"passes", 1}}; };
+    k.files   = [](const Case &the_case) {
       const ModelFiles &m = std::get<Lumped>(the_case.spec).model;
       std::vector<std::string> files{m.mass, m.stiffness, m.force, m.readings, m.names};
       if (!m.connections.empty())

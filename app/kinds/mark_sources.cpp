@@ -36,18 +36,14 @@ dynamics::MarkSources mark_sources(const Lumped &lumped)
 dynamics::MarkSources mark_sources(const BiteCase &spec)
 {
   dynamics::MarkSources sources;
-  sources.rolls = {
-      {"work roll", spec.roll_diameter, "work_roll.diameter"}
-  };
+  sources.rolls = {{"work roll", spec.roll_diameter, "work_roll.diameter"}};
   return sources;
 }
 
 dynamics::MarkSources mark_sources(const ChatterCase &spec)
 {
   dynamics::MarkSources sources;
-  sources.rolls = {
-      {"work roll", spec.roll_diameter, "work_roll.diameter"}
-  };
+  sources.rolls   = {{"work roll", spec.roll_diameter, "work_roll.diameter"}};
   sources.damping = spec.modal_damping;
   return sources;
 }

@@ -16,9 +16,7 @@ const RunKind &run_kind(const TwoCylinders &)
     k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
       const auto &pair = std::get<TwoCylinders>(the_case.spec);
       if (pair.in_space)
-        return {
-            {"contact space", 1}
-        };
+        return {{"contact space", 1}};
       std::vector<std::pair<std::string, double>> stages;
       const PlaneEngine engine = plane_engine(pair);
       for (int cylinder = 0; cylinder < (engine == PlaneEngine::two_cylinders ? 2

@@ -117,11 +117,8 @@ void show(const SolverError &error)
   say(visible(r.what, true) + "\n");
   if (!r.where.empty())
     say("  " + visible(r.where, true) + "\n");
-  for (const auto &[name, text] : {
-           std::pair{"usual cause", r.cause },
-           std::pair{"change",      r.remedy},
-           std::pair{"kept",        r.kept  }
-  })
+  for (const auto &[name, text] :
+       {std::pair{"usual cause", r.cause}, std::pair{"change", r.remedy}, std::pair{"kept", r.kept}})
     if (!text.empty())
       say(fmt::format("  {:<12}  {}\n", name, visible(text, true)));
 }

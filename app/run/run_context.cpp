@@ -187,19 +187,13 @@ namespace {
 void add_timings(json &manifest, const std::vector<StageTime> &times)
 {
   for (const StageTime &time : times) {
-    json stage{
-        {"stage",             time.stage            },
-        {"seconds",           time.seconds          },
-        {"processor_seconds", time.processor_seconds},
-        {"cached",            time.cached           }
-    };
+    json stage{{"stage", time.stage},
+               {"seconds", time.seconds},
+               {"processor_seconds", time.processor_seconds},
+               {"cached", time.cached}};
     for (const Factorisation &f : time.factorisations)
-      stage["factorisations"].push_back({
-          {"order",    f.order   },
-          {"nonzeros", f.nonzeros},
-          {"flops",    f.flops   },
-          {"times",    f.times   }
-      });
+      stage["factorisations"].push_back(
+          {{"order", f.order}, {"nonzeros", f.nonzeros}, {"flops", f.flops}, {"times", f.times}});
     manifest["timings"].push_back(stage);
   }
 }
@@ -229,24 +223,22 @@ std::string run_id_of(const Case &the_case, const std::string &verb, const std::
 std::string manifest_json(const RunContext &run)
 {
   const Case &c = run.the_case;
-  json manifest{
-      {"program",   "millstand"       },
-      {"version",   version()         },
-      {"case",      c.name            },
-      {"case_path", valid_text(c.path)},
-      {"kind",      c.kind            },
-      {"title",     c.title           },
-      {"run_id",    run.out.run_id()  },
-      {"date",      run.started       },
-      {"threads",   run.threads       },
-      {"blas",      blas_in_use()     },
-      {"versions",
-       {{"deal.II", fem::library_version()},
-        {"Gmsh", meshes::library_version()},
-        {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
-                      std::to_string(EIGEN_MINOR_VERSION)},
-        {"compiler", __VERSION__}}    }
-  };
+  json manifest{{"program", "millstand"},
+                {"version", version()},
+                {"case", c.name},
+                {"case_path", valid_text(c.path)},
+                {"kind", c.kind},
+                {"title", c.title},
+                {"run_id", run.out.run_id()},
+                {"date", run.started},
+                {"threads", run.threads},
+                {"blas", blas_in_use()},
+                {"versions",
+                 {{"deal.II", fem::library_version()},
+                  {"Gmsh", meshes::library_version()},
+                  {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
+                                std::to_string(EIGEN_MINOR_VERSION)},
+                  {"compiler", __VERSION__}}}};
   add_timings(manifest, run.times);
   for (const auto &[file, sum] : run.out.checksums())
     manifest["files"][file] = sum;

@@ -83,11 +83,8 @@ std::string engineering(const Parameter &p)
     int digits;
   };
   static const Unit units[]{
-      {"N/m",  "kN/mm",       1e6,  5},
-      {"N/m2", "N/mm per mm", 1e6,  6},
-      {"m",    "mm",          1e-3, 5},
-      {"Pa",   "MPa",         1e6,  5},
-      {"N",    "kN",          1e3,  6},
+      {"N/m", "kN/mm", 1e6, 5}, {"N/m2", "N/mm per mm", 1e6, 6}, {"m", "mm", 1e-3, 5}, {"Pa", "MPa", 1e6, 5},
+      {"N", "kN", 1e3, 6},
   };
   for (const Unit &unit : units)
     if (p.unit == unit.si)

@@ -102,9 +102,7 @@ ClosedFormResult closed_form_film(const char *name, const OilFilmBearing &film, 
 
 bearing::OilFilmLoad film_load(const BearingCase &spec)
 {
-  return {
-      spec.load.radial, 2 * M_PI * spec.load.speed, {spec.load.tilt, spec.load.tilt_across}
-  };
+  return {spec.load.radial, 2 * M_PI * spec.load.speed, {spec.load.tilt, spec.load.tilt_across}};
 }
 }  // namespace
 
@@ -147,9 +145,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
       continue;
     }
     if (const OilFilmBearing *film = oil_film_of(stand.oil_films, roll.bearing)) {
-      const bearing::OilFilmLoad on{
-          load, stand.passes[pass].speed / (roll.barrel_diameter / 2), {0, 0}
-      };
+      const bearing::OilFilmLoad on{load, stand.passes[pass].speed / (roll.barrel_diameter / 2), {0, 0}};
       const std::string name = fmt::format("Kzc{}", i + 1);
       const KeyList keys     = seat_keys(stand, std::size_t(i), pass);
       ClosedFormResult r     = closed_form_film(name.c_str(), *film, on, keys, false);

@@ -78,10 +78,8 @@ namespace {
 KeyList closed_keys(const TwoCylinders &pair)
 {
   KeyList keys;
-  for (const auto &[name, body] : {
-           std::pair<const char *, const RoundBody &>{"upper", pair.upper},
-           std::pair<const char *, const RoundBody &>{"lower", pair.lower}
-  })
+  for (const auto &[name, body] : {std::pair<const char *, const RoundBody &>{"upper", pair.upper},
+                                   std::pair<const char *, const RoundBody &>{"lower", pair.lower}})
     keys = joined(std::move(keys), keys_in(name, std::string(body.plane() ? "" : "diameter ") + "rigid" +
                                                      (body.rigid ? "" : " youngs_modulus poisson_ratio")));
   return joined(keys, keys_in("steel", "youngs_modulus poisson_ratio"));
@@ -119,9 +117,7 @@ std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
   const SpaceShape shape = space_shape(pair);
   const double load      = pair.space.at;
   ClosedFormContact c{
-      pair, closed_keys(pair), "contact.space.", {"{}", {{load, "N"}}},
-         "", "app/stages/contact/space_contact"
-  };
+      pair, closed_keys(pair), "contact.space.", {"{}", {{load, "N"}}}, "", "app/stages/contact/space_contact"};
   c.closed = joined(std::move(c.closed), keys_in("contact.space", "at"));
   if (shape.is_point(load, pair.space.tilt)) {
     const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
@@ -159,14 +155,12 @@ std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair)
     return closed_form_space(pair);
   const double q  = pair.contact.at;
   const auto line = contact::line_bodies(line_bodies_of(pair), q);
-  ClosedFormContact c{
-      pair,
-      joined(closed_keys(pair), keys_in("contact.line", "at")),
-      "contact.line.",
-      {"{}", {{q, "N/mm"}}},
-      "Hertz and Johnson, fem/contact/line_bodies (3.2) to (3.5b)",
-      "fem/roll/contact_study"
-  };
+  ClosedFormContact c{pair,
+                      joined(closed_keys(pair), keys_in("contact.line", "at")),
+                      "contact.line.",
+                      {"{}", {{q, "N/mm"}}},
+                      "Hertz and Johnson, fem/contact/line_bodies (3.2) to (3.5b)",
+                      "fem/roll/contact_study"};
   c.add("half_width", "m", line.half_width, "(3.2)");
   c.add("peak_pressure", "Pa", line.peak_pressure, "(3.3)");
   if (holds(cylinder_keys(pair, "contact.line.approach"), "contact.line.plane_depth"))

@@ -229,9 +229,7 @@ SpringFactors bending_factor(const StoredRun &run)
     const auto *stand = std::get_if<FourHigh>(&of_run.spec);
     if (!stand || stand->backup_roll.bending_model != "solid" || stand->given.count("K_ZW"))
       return {};
-    return {
-        {"K_ZW", stored->second / beam_stiffness(*stand)}
-    };
+    return {{"K_ZW", stored->second / beam_stiffness(*stand)}};
   } catch (const InputError &) {  // another version's, or its records are gone
     return {};
   }

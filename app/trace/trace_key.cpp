@@ -78,12 +78,10 @@ std::optional<StandIn> computed_instead(const std::vector<ClosedFormResult> &clo
 
 std::optional<StandIn> strip_instead(const Strip &strip, const TraceKey &key)
 {
-  const std::pair<const char *, double Strip::*> members[] = {
-      {"entry_thickness", &Strip::entry_thickness},
-      {"exit_thickness",  &Strip::exit_thickness },
-      {"entry_tension",   &Strip::entry_tension  },
-      {"exit_tension",    &Strip::exit_tension   }
-  };
+  const std::pair<const char *, double Strip::*> members[] = {{"entry_thickness", &Strip::entry_thickness},
+                                                              {"exit_thickness", &Strip::exit_thickness},
+                                                              {"entry_tension", &Strip::entry_tension},
+                                                              {"exit_tension", &Strip::exit_tension}};
   for (const auto &[name, member] : members)
     if (key.row.key == name)
       return StandIn{strip.*member, "not given: that of [strip]"};

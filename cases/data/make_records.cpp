@@ -13,10 +13,7 @@ struct SyntheticPass {
   std::array<double, 2> range;  // N
   std::uint64_t seed;
 };
-const SyntheticPass passes[] = {
-    {"pass-1.csv", {972898, 979537}, 1},
-    {"pass-2.csv", {733705, 742280}, 2}
-};
+const SyntheticPass passes[] = {{"pass-1.csv", {972898, 979537}, 1}, {"pass-2.csv", {733705, 742280}, 2}};
 
 bool write(const std::string &path, const mill::ForceRecord &record)
 {

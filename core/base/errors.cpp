@@ -200,9 +200,7 @@ InputError::InputError(std::vector<Problem> all)
 }
 
 InputError::InputError(Place place, std::string message)
-    : InputError(std::vector<Problem>{
-          {std::move(place), std::move(message), {}}
-})
+    : InputError(std::vector<Problem>{{std::move(place), std::move(message), {}}})
 {
 }
 

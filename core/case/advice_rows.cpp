@@ -101,10 +101,10 @@ const std::vector<Field<DamperProposal>> &damper_proposal_rows()
 {
   using T = DamperProposal;
   static const std::vector<Field<T>> rows{
-      {"name",   &T::name,   "text",  any,          absent,   "both work rolls",   "dampers of one name are one action"},
-      {"from",   &T::from,   "text",  any,          required, "upper_work_roll",   "place, as for advice.place"        },
-      {"to",     &T::to,     "text",  any,          required, "upper_backup_roll", "place; ground is one"              },
-      {"damper", &T::damper, "N s/m", {1e-3, 1e12}, required, "1e5 N s/m",         "of both sides together"            },
+      {"name", &T::name, "text", any, absent, "both work rolls", "dampers of one name are one action"},
+      {"from", &T::from, "text", any, required, "upper_work_roll", "place, as for advice.place"},
+      {"to", &T::to, "text", any, required, "upper_backup_roll", "place; ground is one"},
+      {"damper", &T::damper, "N s/m", {1e-3, 1e12}, required, "1e5 N s/m", "of both sides together"},
   };
   return rows;
 }
@@ -113,13 +113,15 @@ const std::vector<Field<TunedDamperProposal>> &tuned_proposal_rows()
 {
   using T = TunedDamperProposal;
   static const std::vector<Field<T>> rows{
-      {"at",         &T::at,   "text", any,         absent, "upper_work_roll", "place of the mass; advice.place when absent"      },
-      {"mass",       &T::mass, "kg",   {1e-3, 1e7}, absent, "100 kg",          "of both sides together; by mass_ratio when absent"},
+      {"at", &T::at, "text", any, absent, "upper_work_roll", "place of the mass; advice.place when absent"},
+      {"mass", &T::mass, "kg", {1e-3, 1e7}, absent, "100 kg", "of both sides together; by mass_ratio when absent"},
       {"mass_ratio",
        &T::mass_ratio,
-       "%",                            {0.01, 200},
-       5,                                                   "5 %",
-       "over the effective mass of the leading mode at that place"                                                                },
+       "%",
+       {0.01, 200},
+       5,
+       "5 %",
+       "over the effective mass of the leading mode at that place"},
   };
   return rows;
 }
@@ -154,13 +156,11 @@ SectionRows advice_section(const std::vector<Row> &rows)
 std::vector<SectionRows> with_dampers(const std::vector<Row> &rows)
 {
   using Repeat = SectionRows::Repeat;
-  return {
-      advice_section(rows),
-      {"advice.damper",       Repeat::list, false, "a damper between two places, tried by millstand advise",
-              rows_of(damper_proposal_rows())},
-      {"advice.tuned_damper", Repeat::list, false, "a tuned damper at a place, tried by millstand advise",
-              rows_of(tuned_proposal_rows()) }
-  };
+  return {advice_section(rows),
+          {"advice.damper", Repeat::list, false, "a damper between two places, tried by millstand advise",
+           rows_of(damper_proposal_rows())},
+          {"advice.tuned_damper", Repeat::list, false, "a tuned damper at a place, tried by millstand advise",
+           rows_of(tuned_proposal_rows())}};
 }
 }  // namespace
 
@@ -181,11 +181,9 @@ SectionRows chatter_advice_section()
 
 std::vector<TemplateNote> stand_advice_notes()
 {
-  return {
-      {"advice",              "", {}, {}, true},
-      {"advice.damper",       "", {}, {}, true},
-      {"advice.tuned_damper", "", {}, {}, true}
-  };
+  return {{"advice", "", {}, {}, true},
+          {"advice.damper", "", {}, {}, true},
+          {"advice.tuned_damper", "", {}, {}, true}};
 }
 
 TemplateNote chatter_advice_note()

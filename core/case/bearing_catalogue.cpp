@@ -65,17 +65,8 @@ private:
   bool read_header()
   {
     const std::vector<std::pair<const char *, const char *>> columns{
-        {"designation", ""  },
-        {"type",        ""  },
-        {"d",           "mm"},
-        {"D",           "mm"},
-        {"B",           "mm"},
-        {"rows",        ""  },
-        {"C",           "kN"},
-        {"C0",          "kN"},
-        {"source",      ""  },
-        {"e",           ""  }
-    };
+        {"designation", ""}, {"type", ""}, {"d", "mm"},  {"D", "mm"},    {"B", "mm"},
+        {"rows", ""},        {"C", "kN"},  {"C0", "kN"}, {"source", ""}, {"e", ""}};
     for (std::size_t i = 0; i < sheet.header.size(); ++i) {
       const csv::Header &header = sheet.header[i];
       const auto known          = std::find_if(columns.begin(), columns.end(),

@@ -137,10 +137,7 @@ void check_space(const TwoCylinders &pair, Reading &reading)
   range.loads = pair.space.loads;
   range.at    = pair.space.at;
   check_contact("contact.space", range, reading);
-  for (const NamedBody &b : {
-           NamedBody{"upper", pair.upper},
-           NamedBody{"lower", pair.lower}
-  })
+  for (const NamedBody &b : {NamedBody{"upper", pair.upper}, NamedBody{"lower", pair.lower}})
     check_profile(b, reading);
   if (reading.usable({"upper.length", "lower.length", "upper.crown_radius", "lower.crown_radius"}) &&
       std::isnan(pair.upper.length) && std::isnan(pair.lower.length) && std::isnan(pair.upper.crown_radius) &&
@@ -160,10 +157,7 @@ void check_bodies(const TwoCylinders &pair, Reading &reading)
   if (reading.usable({"upper.shape", "lower.shape"}) && pair.upper.plane() && pair.lower.plane())
     contradict(reading, "lower.shape", "is given although the upper body is a plane; one of the two must be round",
                {"upper.shape"});
-  for (const NamedBody &b : {
-           NamedBody{"upper", pair.upper},
-           NamedBody{"lower", pair.lower}
-  })
+  for (const NamedBody &b : {NamedBody{"upper", pair.upper}, NamedBody{"lower", pair.lower}})
     check_shape(b, pair.in_space, reading);
   if (pair.in_space)
     check_space(pair, reading);

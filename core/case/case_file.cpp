@@ -145,10 +145,7 @@ Problem problem_of(const toml::parse_error &error, const std::string &file, cons
   Place place                   = place_of(error.source(), file);
   const std::string description = std::string(error.description());
   if (const Unquoted slip = unquoted_quantity(line_of(text, place.line)); slip.column > 0)
-    return {
-        {file,         place.line, slip.column},
-        slip.message, {           }
-    };
+    return {{file, place.line, slip.column}, slip.message, {}};
   const std::string redefined = "cannot redefine existing ";
   if (const auto position = description.find(redefined); position != std::string::npos) {
     const auto open       = description.find('\'', position);

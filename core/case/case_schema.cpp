@@ -14,10 +14,7 @@ const char *const quantity_pattern = R"(^\s*[-+]?([0-9]+\.?[0-9]*|\.[0-9]+)([eE]
 
 ordered_json quantity()
 {
-  return {
-      {"type",    "string"        },
-      {"pattern", quantity_pattern}
-  };
+  return {{"type", "string"}, {"pattern", quantity_pattern}};
 }
 
 ordered_json element(const std::string &form)
@@ -27,12 +24,7 @@ ordered_json element(const std::string &form)
 
 ordered_json list_of(const std::string &form, const int items)
 {
-  return {
-      {"type",     "array"      },
-      {"items",    element(form)},
-      {"minItems", items        },
-      {"maxItems", items        }
-  };
+  return {{"type", "array"}, {"items", element(form)}, {"minItems", items}, {"maxItems", items}};
 }
 
 ordered_json type_of(const Row &row)
@@ -48,9 +40,7 @@ ordered_json type_of(const Row &row)
     return json;
   }
   case Kind::count: {
-    ordered_json json{
-        {"type", "integer"}
-    };
+    ordered_json json{{"type", "integer"}};
     if (std::isfinite(row.range.min)) {
       json["minimum"] = row.range.min;
       json["maximum"] = row.range.max;
@@ -58,55 +48,30 @@ ordered_json type_of(const Row &row)
     return json;
   }
   case Kind::flag:
-    return {
-        {"type", "boolean"}
-    };
+    return {{"type", "boolean"}};
   case Kind::choice:
-    return {
-        {"enum", split(row.form, " | ")}
-    };
+    return {{"enum", split(row.form, " | ")}};
   case Kind::text:
   case Kind::path:
-    return {
-        {"type", "string"}
-    };
+    return {{"type", "string"}};
   case Kind::pair:
     return list_of(row.form, 2);
   case Kind::six:
     return list_of(row.form, 6);
   case Kind::words:
     if (row.form == "names")
-      return {
-          {"type",                 "object"            },
-          {"additionalProperties", {{"type", "string"}}},
-          {"minProperties",        1                   }
-      };
+      return {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}, {"minProperties", 1}};
     if (row.form == "text")
-      return {
-          {"type",        "array"             },
-          {"items",       {{"type", "string"}}},
-          {"minItems",    1                   },
-          {"uniqueItems", true                }
-      };
+      return {{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 1}, {"uniqueItems", true}};
     return {
-        {"type",        "array"                           },
-        {"items",       {{"enum", split(row.form, " | ")}}},
-        {"minItems",    1                                 },
-        {"uniqueItems", true                              }
-    };
+        {"type", "array"}, {"items", {{"enum", split(row.form, " | ")}}}, {"minItems", 1}, {"uniqueItems", true}};
   case Kind::table: {
     const auto forms = split(row.form, ", ");
-    const ordered_json pair{
-        {"type",     "array"                                                    },
-        {"items",    ordered_json::array({element(forms[0]), element(forms[1])})},
-        {"minItems", 2                                                          },
-        {"maxItems", 2                                                          }
-    };
-    return {
-        {"type",     "array"},
-        {"items",    pair   },
-        {"minItems", 2      }
-    };
+    const ordered_json pair{{"type", "array"},
+                            {"items", ordered_json::array({element(forms[0]), element(forms[1])})},
+                            {"minItems", 2},
+                            {"maxItems", 2}};
+    return {{"type", "array"}, {"items", pair}, {"minItems", 2}};
   }
   }
   return {};
@@ -125,33 +90,24 @@ std::string description(const Row &row)
 // A value of [given] or [published]: a quantity, or a table that keeps where it comes from.
 ordered_json given_type()
 {
-  const ordered_json text{
-      {"type", "string"}
-  };
+  const ordered_json text{{"type", "string"}};
   const ordered_json table{
-      {"type",                 "object"                  },
-      {"additionalProperties", false                     },
-      {"required",             {"value"}                 },
+      {"type", "object"},
+      {"additionalProperties", false},
+      {"required", {"value"}},
       {"properties",
        {{"value", quantity()},
         {"source", {{"type", "string"}, {"pattern", "^(given|published|measured|assumed|computed)(: .*)?$"}}},
         {"method", text},
         {"at", text},
         {"error_estimate", {{"type", "number"}}},
-        {"inputs", {{"type", "array"}, {"items", text}}}}}
-  };
-  return {
-      {"anyOf", ordered_json::array({quantity(), table})}
-  };
+        {"inputs", {{"type", "array"}, {"items", text}}}}}};
+  return {{"anyOf", ordered_json::array({quantity(), table})}};
 }
 
 ordered_json closed_object()
 {
-  return {
-      {"type",                 "object"              },
-      {"additionalProperties", false                 },
-      {"properties",           ordered_json::object()}
-  };
+  return {{"type", "object"}, {"additionalProperties", false}, {"properties", ordered_json::object()}};
 }
 
 // What is missing is not marked here: given values, drawings, a designation and estimates make keys needless,
@@ -178,11 +134,9 @@ ordered_json &object_at(ordered_json &root, const std::string &name)
     object = &properties[part];
     if (!object->contains("properties")) {  // a key that may also be a section: friction = 0.2 or { law = ... }
       const ordered_json plain = *object;
-      *object                  = {
-                           {"anyOf",       ordered_json::array({plain, closed_object()})},
-                           {"description", plain.at("description")                      }
-      };
-      object = &(*object)["anyOf"][1];
+      *object                  = {{"anyOf", ordered_json::array({plain, closed_object()})},
+                                  {"description", plain.at("description")}};
+      object                   = &(*object)["anyOf"][1];
     }
   }
   return *object;
@@ -211,11 +165,10 @@ ordered_json schema_of(const std::string &kind)
                                      : object_at(root, section.name.substr(0, dot))["properties"];
       if (properties.contains(name)) {  // another type of the same section
         ordered_json &items = properties[name]["additionalProperties"];
-        items               = ordered_json{
-            {"if",   {{"properties", {{"type", {{"const", section.type}}}}}, {"required", {"type"}}}},
-            {"then", item                                                                           },
-            {"else", items                                                                          }
-        };
+        items =
+            ordered_json{{"if", {{"properties", {{"type", {{"const", section.type}}}}}, {"required", {"type"}}}},
+                         {"then", item},
+                         {"else", items}};
         continue;
       }
       properties[name] =
@@ -231,19 +184,16 @@ ordered_json schema_of(const std::string &kind)
 std::string case_schema()
 {
   // By if and then, so that a typo is marked at its own place and not for every kind that the case does not have.
-  ordered_json schema{
-      {"$schema",    "http://json-schema.org/draft-07/schema#"       },
-      {"title",      "millstand case file"                           },
-      {"type",       "object"                                        },
-      {"required",   {"schema", "kind"}                              },
-      {"properties", {{"kind", ordered_json{{"enum", case_kinds()}}}}}
-  };
+  ordered_json schema{{"$schema", "http://json-schema.org/draft-07/schema#"},
+                      {"title", "millstand case file"},
+                      {"type", "object"},
+                      {"required", {"schema", "kind"}},
+                      {"properties", {{"kind", ordered_json{{"enum", case_kinds()}}}}}};
   schema["allOf"] = ordered_json::array();
   for (const std::string &kind : case_kinds())
-    schema["allOf"].push_back({
-        {"if",   {{"properties", {{"kind", ordered_json{{"const", kind}}}}}, {"required", {"kind"}}}},
-        {"then", schema_of(kind)                                                                    }
-    });
+    schema["allOf"].push_back(
+        {{"if", {{"properties", {{"kind", ordered_json{{"const", kind}}}}}, {"required", {"kind"}}}},
+         {"then", schema_of(kind)}});
   return schema.dump(2) + "\n";
 }
 }  // namespace mill

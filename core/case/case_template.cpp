@@ -168,10 +168,7 @@ std::vector<FilledSection> filled_sections(const CaseKind &kind)
     if (all.size() == before)
       all.push_back({&section, {}});
     if (section.name.empty())
-      all.back().note.values = {
-          {"kind",  quoted(kind.name) },
-          {"title", quoted(kind.title)}
-      };
+      all.back().note.values = {{"kind", quoted(kind.name)}, {"title", quoted(kind.title)}};
   }
   return all;
 }

@@ -30,15 +30,13 @@ const std::vector<Field<ChainCurves>> &chain_curve_rows()
   static const std::vector<Field<T>> rows = [] {
     std::vector<Field<T>> all;
     const auto add = [&](const char *key, ChainCurves::Curve T::*member, const char *meaning) {
-      all.push_back({
-          key,
-          member,
-          "kN, um",
-          {0.001, 1e6},
-          absent,
-          R"([["100 kN", "3.2 um"], ["1000 kN", "27 um"]])",
-          meaning
-      });
+      all.push_back({key,
+                     member,
+                     "kN, um",
+                     {0.001, 1e6},
+                     absent,
+                     R"([["100 kN", "3.2 um"], ["1000 kN", "27 um"]])",
+                     meaning});
     };
     add("K2", &T::K2, "force and compression of K2, upper backup-roll bearings and what is in series with them");
     add("K3", &T::K3, "force and compression of K3, upper roll contact");

@@ -7,19 +7,15 @@ namespace {
 
 template <class T> void add_span_rows(std::vector<Field<T>> &rows, const Fallback &fallback)
 {
-  rows.push_back({
-      "entry_distance",
-      &T::entry_distance,
-      "m",
-      {0.1, 100},
-      fallback,
-      "4.95 m",
-      "free strip to the stand before"
-  });
-  rows.push_back({
-      "exit_distance", &T::exit_distance, "m", {0.1, 100},
-         fallback, "4.95 m", "free strip to the stand behind"
-  });
+  rows.push_back({"entry_distance",
+                  &T::entry_distance,
+                  "m",
+                  {0.1, 100},
+                  fallback,
+                  "4.95 m",
+                  "free strip to the stand before"});
+  rows.push_back(
+      {"exit_distance", &T::exit_distance, "m", {0.1, 100}, fallback, "4.95 m", "free strip to the stand behind"});
 }
 }  // namespace
 

@@ -273,10 +273,8 @@ void check_strip_laws(const ClusterStand &stand, Reading &reading)
 // The flow stress of every pass of a stack is fitted to its load by the closed theories, whatever [bite] asks for.
 void check_no_fit(const BiteSetup &setup, Reading &reading)
 {
-  for (const auto &[key, wanted] : {
-           std::pair{"bite.fit",     !setup.fit.empty()    },
-           {"bite.fit_for", !setup.fit_for.empty()}
-  })
+  for (const auto &[key, wanted] :
+       {std::pair{"bite.fit", !setup.fit.empty()}, {"bite.fit_for", !setup.fit_for.empty()}})
     if (wanted && reading.usable({key}))
       contradict(reading, key,
                  "is not solved in kind = \"cluster\", where the flow stress of each pass is fitted to its load; "

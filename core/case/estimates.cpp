@@ -32,16 +32,16 @@ struct FrameShare {
   Rule share;
 };
 constexpr FrameShare frame_shares[] = {
-    {"upper_post_stiffness",    &Frame::upper_post_stiffness,    {0.040, 0.020, 0.060}},
-    {"upper_beam_stiffness",    &Frame::upper_beam_stiffness,    {0.120, 0.060, 0.180}},
-    {"piston_stiffness",        &Frame::piston_stiffness,        {0.020, 0.005, 0.040}},
+    {"upper_post_stiffness", &Frame::upper_post_stiffness, {0.040, 0.020, 0.060}},
+    {"upper_beam_stiffness", &Frame::upper_beam_stiffness, {0.120, 0.060, 0.180}},
+    {"piston_stiffness", &Frame::piston_stiffness, {0.020, 0.005, 0.040}},
     {"upper_packing_stiffness", &Frame::upper_packing_stiffness, {0.010, 0.003, 0.020}},
-    {"oil_column_stiffness",    &Frame::oil_column_stiffness,    {0.080, 0.030, 0.130}},
+    {"oil_column_stiffness", &Frame::oil_column_stiffness, {0.080, 0.030, 0.130}},
     {"cylinder_body_stiffness", &Frame::cylinder_body_stiffness, {0.010, 0.003, 0.020}},
-    {"upper_chock_stiffness",   &Frame::upper_chock_stiffness,   {0.020, 0.010, 0.040}},
-    {"lower_chock_stiffness",   &Frame::lower_chock_stiffness,   {0.020, 0.010, 0.040}},
-    {"lower_post_stiffness",    &Frame::lower_post_stiffness,    {0.040, 0.020, 0.060}},
-    {"lower_beam_stiffness",    &Frame::lower_beam_stiffness,    {0.120, 0.060, 0.180}},
+    {"upper_chock_stiffness", &Frame::upper_chock_stiffness, {0.020, 0.010, 0.040}},
+    {"lower_chock_stiffness", &Frame::lower_chock_stiffness, {0.020, 0.010, 0.040}},
+    {"lower_post_stiffness", &Frame::lower_post_stiffness, {0.040, 0.020, 0.060}},
+    {"lower_beam_stiffness", &Frame::lower_beam_stiffness, {0.120, 0.060, 0.180}},
     {"lower_packing_stiffness", &Frame::lower_packing_stiffness, {0.010, 0.003, 0.020}},
 };
 
@@ -53,10 +53,10 @@ struct MassShare {
 };
 constexpr MassShare mass_shares[] = {
     {"upper_packing_mass", &Frame::upper_packing_mass, {0.015, 0.005, 0.030}},
-    {"piston_mass",        &Frame::piston_mass,        {0.040, 0.010, 0.080}},
-    {"cylinder_mass",      &Frame::cylinder_mass,      {0.120, 0.050, 0.250}},
-    {"balance_mass",       &Frame::balance_mass,       {0.150, 0.050, 0.300}},
-    {"load_cell_mass",     &Frame::load_cell_mass,     {0.010, 0.004, 0.020}},
+    {"piston_mass", &Frame::piston_mass, {0.040, 0.010, 0.080}},
+    {"cylinder_mass", &Frame::cylinder_mass, {0.120, 0.050, 0.250}},
+    {"balance_mass", &Frame::balance_mass, {0.150, 0.050, 0.300}},
+    {"load_cell_mass", &Frame::load_cell_mass, {0.010, 0.004, 0.020}},
     {"lower_packing_mass", &Frame::lower_packing_mass, {0.015, 0.005, 0.030}},
 };
 constexpr Rule beam_of_posts{0.50, 0.30, 0.80};  // reduced mass of a beam over that of its posts
@@ -120,16 +120,15 @@ void Estimator::neck(const std::string &section, Roll &roll, const Rule &length)
     const bool work = section == "work_roll";
     const double d = roll.neck_diameter, L = work ? roll.barrel_length : 0, sides = work ? 2 : 1;
     roll.neck_length = length.usual * d;
-    stand.estimates.push_back({
-        long_key,
-        L + sides * length.usual * d,
-        L + sides * length.low * d,
-        L + sides * length.high * d,
-        "mm",
-        fmt::format("necks of {:.2g} ({:.2g} .. {:.2g}) neck diameters, rule of thumb (34.4)", length.usual,
-                    length.low, length.high),
-        {section + ".barrel_length", section + ".neck_diameter"}
-    });
+    stand.estimates.push_back(
+        {long_key,
+         L + sides * length.usual * d,
+         L + sides * length.low * d,
+         L + sides * length.high * d,
+         "mm",
+         fmt::format("necks of {:.2g} ({:.2g} .. {:.2g}) neck diameters, rule of thumb (34.4)", length.usual,
+                     length.low, length.high),
+         {section + ".barrel_length", section + ".neck_diameter"}});
   }
   if (std::isnan(roll.bearing_span) && reading.usable({section + ".bearing_span"})) {
     const double least = bearing ? bearing->width / 2 : 0;
@@ -137,15 +136,14 @@ void Estimator::neck(const std::string &section, Roll &roll, const Rule &length)
       return roll.barrel_length + 2 * std::max(part * roll.neck_length, least);
     };
     roll.bearing_span = span(seat_on_neck.usual);
-    stand.estimates.push_back({
-        section + ".bearing_span",
-        roll.bearing_span,
-        span(seat_on_neck.low),
-        span(seat_on_neck.high),
-        "mm",
-        "bearing centres 0.60 (0.50 .. 0.70) of the neck from the barrel, rule of thumb (34.5)",
-        {section + ".barrel_length", section + (section == "work_roll" ? ".total_length" : ".neck_length")}
-    });
+    stand.estimates.push_back(
+        {section + ".bearing_span",
+         roll.bearing_span,
+         span(seat_on_neck.low),
+         span(seat_on_neck.high),
+         "mm",
+         "bearing centres 0.60 (0.50 .. 0.70) of the neck from the barrel, rule of thumb (34.5)",
+         {section + ".barrel_length", section + (section == "work_roll" ? ".total_length" : ".neck_length")}});
   }
 }
 
@@ -282,15 +280,17 @@ const std::vector<Field<EstimateInput>> &estimate_rows()
 {
   using T = EstimateInput;
   static const std::vector<Field<T>> rows{
-      {"estimate", &T::estimate, "flag", any,       0, "true",
+      {"estimate", &T::estimate, "flag", any, 0, "true",
        "what is left out of this section is estimated by rules, marked in every result that depends on it, and "
        "included in the error estimate"},
       {"modulus",
        &T::modulus,
-       "MN/mm",                          {0.5, 50},
-       absent,                                         "5 MN/mm",
+       "MN/mm",
+       {0.5, 50},
+       absent,
+       "5 MN/mm",
        "mill modulus of the whole stand, known or wished, that estimate = true divides among the parts of the "
-       "frame"                         },
+       "frame"},
   };
   return rows;
 }

@@ -30,13 +30,13 @@ struct MeasuredKind {
 
 // A stand without a load takes the mean of its force record.
 const MeasuredKind measured_kinds[] = {
-    {"force",  "rolling force",    "load = \"976.2 kN\"",
+    {"force", "rolling force", "load = \"976.2 kN\"",
      [](const Pass &p) {
        return !std::isnan(p.load) || !p.force_file.empty() || !std::isnan(p.synthetic_range[0]);
-     }                                                                                                            },
-    {"slip",   "forward slip",     "forward_slip = \"4.2 %\"",
-     [](const Pass &p) { return !std::isnan(p.forward_slip); }                                                    },
-    {"torque", "torque of a roll", "torque = \"17 kN m\"",     [](const Pass &p) { return !std::isnan(p.torque); }},
+     }},
+    {"slip", "forward slip", "forward_slip = \"4.2 %\"",
+     [](const Pass &p) { return !std::isnan(p.forward_slip); }},
+    {"torque", "torque of a roll", "torque = \"17 kN m\"", [](const Pass &p) { return !std::isnan(p.torque); }},
 };
 
 // How many values are measured; what is asked and not there becomes a problem.

@@ -22,10 +22,10 @@ const std::vector<Field<GivenInput>> &table_rows()
 {
   using T = GivenInput;
   static const std::vector<Field<T>> rows{
-      {"source",         &T::source,         "text", {},      "given", "published",   "given, published, measured, assumed or computed"},
-      {"method",         &T::method,         "text", {},      absent,  "contact FEM", "how it was computed or assumed"                 },
-      {"at",             &T::at,             "text", {},      absent,  "976.2 kN",    "load or state it belongs to"                    },
-      {"error_estimate", &T::error_estimate, "1",    {0, 10}, absent,  "0.01",        "relative"                                       },
+      {"source", &T::source, "text", {}, "given", "published", "given, published, measured, assumed or computed"},
+      {"method", &T::method, "text", {}, absent, "contact FEM", "how it was computed or assumed"},
+      {"at", &T::at, "text", {}, absent, "976.2 kN", "load or state it belongs to"},
+      {"error_estimate", &T::error_estimate, "1", {0, 10}, absent, "0.01", "relative"},
   };
   return rows;
 }
@@ -63,10 +63,7 @@ Parameter read_table(const Row &row, const Section &section, Reading &reading)
   Row interval{"interval", Kind::pair, row.form, row.range, absent, "", "95 %, from and to", ""};
   if (const auto ends = read_row(interval, section, reading)) {
     const auto &[from, to] = std::get<std::array<double, 2>>(*ends);
-    parameter.checks       = {
-              {interval_from, from, ""},
-              {interval_to,   to,   ""}
-    };
+    parameter.checks       = {{interval_from, from, ""}, {interval_to, to, ""}};
   }
   if (!parse_source(input.source, parameter))
     reading.add(

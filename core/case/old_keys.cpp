@@ -7,9 +7,7 @@ struct OldKey {
   const char *sections;  // [bearing.NAME] by "bearing"
   const char *old_name, *name;
 };
-constexpr OldKey old_keys[] = {
-    {"bearing", "row_hands", "arrangement"}
-};
+constexpr OldKey old_keys[] = {{"bearing", "row_hands", "arrangement"}};
 
 void rename(Node &table, const std::string &section, const OldKey &key, Reading &reading)
 {

@@ -9,8 +9,7 @@ const std::vector<Field<Plant>> &plant_rows()
   static const std::vector<Field<Plant>> rows{
       Field<Plant>{"mains", &Plant::mains, "Hz", Range{50, 60}, absent, "50 Hz",
                    "frequency of the mains, 50 Hz or 60 Hz: analyse names lines at its multiples; when absent "
-                   "both are tried"}
-  };
+                   "both are tried"}};
   return rows;
 }
 

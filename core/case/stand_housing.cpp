@@ -31,14 +31,10 @@ const std::vector<Field<MillHousing>> &housing_rows()
            "side of the square under the upper beam that the nut presses on");
     length("seat_pad", &T::seat_pad, {20, 5000}, "700 mm",
            "side of the square on the lower beam that the chock presses on");
-    all.push_back({
-        "youngs_modulus", &T::modulus, "GPa", {1, 1000},
-           absent, "205 GPa", "when absent that of [steel]"
-    });
-    all.push_back({
-        "density", &T::density, "kg/m3", {500, 25000},
-           absent, "7800 kg/m3", "when absent that of [steel]"
-    });
+    all.push_back(
+        {"youngs_modulus", &T::modulus, "GPa", {1, 1000}, absent, "205 GPa", "when absent that of [steel]"});
+    all.push_back(
+        {"density", &T::density, "kg/m3", {500, 25000}, absent, "7800 kg/m3", "when absent that of [steel]"});
     return all;
   }();
   return rows;
@@ -57,22 +53,14 @@ const std::vector<Field<Screwdown>> &screwdown_rows()
     length("screw_length", &T::screw_length, {1, 10000}, "600 mm", "free length of the screw below the nut");
     length("nut_outside_diameter", &T::nut_outside_diameter, {10, 5000}, "700 mm", "of the nut around the screw");
     length("nut_height", &T::nut_height, {1, 10000}, "900 mm", "engaged length of the thread");
-    all.push_back({
-        "nut_modulus", &T::nut_modulus, "GPa", {1, 1000},
-           110, "110 GPa", "Young's modulus of the nut"
-    });
+    all.push_back(
+        {"nut_modulus", &T::nut_modulus, "GPa", {1, 1000}, 110, "110 GPa", "Young's modulus of the nut"});
     length("piston_diameter", &T::piston_diameter, {10, 5000}, "800 mm", "of piston and oil column");
     length("piston_length", &T::piston_length, {1, 5000}, "300 mm", "of the piston under load");
     length("stroke", &T::stroke, {0.1, 5000}, "40 mm", "height of the oil column");
-    all.push_back({
-        "oil_modulus", &T::oil_modulus, "GPa", {0.01, 10},
-           1.4, "1.4 GPa", "bulk modulus of the oil"
-    });
+    all.push_back({"oil_modulus", &T::oil_modulus, "GPa", {0.01, 10}, 1.4, "1.4 GPa", "bulk modulus of the oil"});
     length("load_cell_diameter", &T::load_cell_diameter, {10, 5000}, "500 mm", "outside, of one load cell");
-    all.push_back({
-        "load_cell_bore", &T::load_cell_bore, "mm", {0, 5000},
-           0, "0 mm", "its hole"
-    });
+    all.push_back({"load_cell_bore", &T::load_cell_bore, "mm", {0, 5000}, 0, "0 mm", "its hole"});
     length("load_cell_height", &T::load_cell_height, {1, 2000}, "120 mm", "of the load cell");
     return all;
   }();
@@ -89,10 +77,8 @@ struct ChockSpring {
   const char *key;
   double Frame::*stiffness;
 };
-constexpr std::array<ChockSpring, 2> chock_springs{
-    {{"upper_chock_stiffness", &Frame::upper_chock_stiffness},
-     {"lower_chock_stiffness", &Frame::lower_chock_stiffness}}
-};
+constexpr std::array<ChockSpring, 2> chock_springs{{{"upper_chock_stiffness", &Frame::upper_chock_stiffness},
+                                                    {"lower_chock_stiffness", &Frame::lower_chock_stiffness}}};
 
 void check_housing(const MillHousing &h, Reading &reading)
 {

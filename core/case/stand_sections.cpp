@@ -40,69 +40,56 @@ std::vector<Row> chain_rows(const bool lumped)
   std::vector<Row> rows;
   const auto number = [](const int i) { return std::to_string(i + 1); };
   for (int i = 0; i < 6; ++i)
-    rows.push_back({
-        "M" + number(i),
-        Kind::quantity,
-        "kg",
-        {0.001, 1e7},
-        chain,
-        masses[i],
-        std::string("equivalent mass, ") + mass_text[i]
-    });
+    rows.push_back({"M" + number(i),
+                    Kind::quantity,
+                    "kg",
+                    {0.001, 1e7},
+                    chain,
+                    masses[i],
+                    std::string("equivalent mass, ") + mass_text[i]});
   for (int i = 0; i < 7; ++i)
-    rows.push_back({
-        "K" + number(i),
-        Kind::quantity,
-        "kN/mm",
-        {i == 3 ? 0 : 0.001, 1e9},
-        chain,
-        springs[i],
-        spring_text[i]
-    });  // an open bite is a case of its own, any other open spring a torn stand
+    rows.push_back({"K" + number(i),
+                    Kind::quantity,
+                    "kN/mm",
+                    {i == 3 ? 0 : 0.001, 1e9},
+                    chain,
+                    springs[i],
+                    spring_text[i]});  // an open bite is a case of its own, any other open spring a torn stand
   for (int i = 0; i < 4; ++i)
-    rows.push_back({
-        "Kzc" + number(i),
-        Kind::quantity,
-        "kN/mm",
-        {0.001, 1e9},
-        absent,
-        "2.01e4 kN/mm",
-        std::string("radial stiffness of one bearing along its load, ") + bearing_text[i]
-    });
+    rows.push_back({"Kzc" + number(i),
+                    Kind::quantity,
+                    "kN/mm",
+                    {0.001, 1e9},
+                    absent,
+                    "2.01e4 kN/mm",
+                    std::string("radial stiffness of one bearing along its load, ") + bearing_text[i]});
   for (int i = 0; i < 4; ++i)
-    rows.push_back({
-        "Kzc" + number(i) + "_across",
-        Kind::quantity,
-        "kN/mm",
-        {0.001, 1e9},
-        absent,
-        "2.01e4 kN/mm",
-        std::string("the same across its load, for the horizontal motion; when absent that along the load, ") +
-            bearing_text[i]
-    });
-  rows.push_back({
-      "C", Kind::quantity, "N s/m", {0, 1e12},
-         absent, "1.91141e5 N s/m", "damper in parallel with K4"
-  });
+    rows.push_back(
+        {"Kzc" + number(i) + "_across",
+         Kind::quantity,
+         "kN/mm",
+         {0.001, 1e9},
+         absent,
+         "2.01e4 kN/mm",
+         std::string("the same across its load, for the horizontal motion; when absent that along the load, ") +
+             bearing_text[i]});
+  rows.push_back(
+      {"C", Kind::quantity, "N s/m", {0, 1e12}, absent, "1.91141e5 N s/m", "damper in parallel with K4"});
   if (!lumped) {
-    rows.push_back({
-        "K_Zy",
-        Kind::quantity,
-        "kN/mm",
-        {0.001, 1e9},
-        absent,
-        "1.0229e5 kN/mm",
-        "two backup-roll bearings together"
-    });
-    rows.push_back({
-        "K_ZW",
-        Kind::quantity,
-        "kN/mm",
-        {0.001, 1e9},
-        absent,
-        "6.8123e4 kN/mm",
-        "bending and shear of a backup roll"
-    });
+    rows.push_back({"K_Zy",
+                    Kind::quantity,
+                    "kN/mm",
+                    {0.001, 1e9},
+                    absent,
+                    "1.0229e5 kN/mm",
+                    "two backup-roll bearings together"});
+    rows.push_back({"K_ZW",
+                    Kind::quantity,
+                    "kN/mm",
+                    {0.001, 1e9},
+                    absent,
+                    "6.8123e4 kN/mm",
+                    "bending and shear of a backup roll"});
   }
   return rows;
 }
@@ -158,13 +145,11 @@ SectionRows steel_section()
 
 std::vector<SectionRows> strip_sections()
 {
-  return {
-      {"strip",             Repeat::once, true,  "the strip in the bite",                                         rows_of(strip_rows())},
-      {"strip.flow_stress", Repeat::once, true,  "plane-strain flow stress of the strip",
-       rows_of(flow_stress_rows())                                                                                                     },
-      {"strip.friction",    Repeat::once, false, "friction between roll and strip, if it is not a single number",
-       rows_of(friction_rows())                                                                                                        }
-  };
+  return {{"strip", Repeat::once, true, "the strip in the bite", rows_of(strip_rows())},
+          {"strip.flow_stress", Repeat::once, true, "plane-strain flow stress of the strip",
+           rows_of(flow_stress_rows())},
+          {"strip.friction", Repeat::once, false, "friction between roll and strip, if it is not a single number",
+           rows_of(friction_rows())}};
 }
 
 SectionRows oil_film_section()

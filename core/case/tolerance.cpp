@@ -24,15 +24,13 @@ std::vector<Row> tolerance_rows(const std::vector<Row> &rows)
   std::vector<Row> all;
   for (const Row &row : rows)
     if (row.kind == Kind::quantity)
-      all.push_back({
-          tolerance_key(row.key),
-          Kind::quantity,
-          "%",
-          {0, 100},
-          absent,
-          "5 %",
-          fmt::format("how far {} may be off, of its value", row.key)
-      });
+      all.push_back({tolerance_key(row.key),
+                     Kind::quantity,
+                     "%",
+                     {0, 100},
+                     absent,
+                     "5 %",
+                     fmt::format("how far {} may be off, of its value", row.key)});
   return all;
 }
 

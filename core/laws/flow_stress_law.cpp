@@ -10,26 +10,11 @@ namespace {
 using F = FlowStress;
 
 const FlowStressRow constant{"constant", {&F::k}, false, false, false};
-const FlowStressRow swift{
-    "swift", {&F::k, &F::eps0, &F::n},
-     true, false, true
-};
-const FlowStressRow ludwik{
-    "ludwik", {&F::k, &F::k0, &F::n},
-     true, false, true
-};
-const FlowStressRow voce{
-    "voce", {&F::k, &F::k0, &F::n},
-     true, false, false
-};
-const FlowStressRow power{
-    "power", {&F::k, &F::n},
-     true, false, true
-};
-const FlowStressRow reduction_power{
-    "reduction-power", {&F::k, &F::eps0, &F::n},
-     true, false, true
-};
+const FlowStressRow swift{"swift", {&F::k, &F::eps0, &F::n}, true, false, true};
+const FlowStressRow ludwik{"ludwik", {&F::k, &F::k0, &F::n}, true, false, true};
+const FlowStressRow voce{"voce", {&F::k, &F::k0, &F::n}, true, false, false};
+const FlowStressRow power{"power", {&F::k, &F::n}, true, false, true};
+const FlowStressRow reduction_power{"reduction-power", {&F::k, &F::eps0, &F::n}, true, false, true};
 const FlowStressRow table{"table", {}, true, true, false};
 
 // The row; null for a value that is not a law, so that all laws can be counted.
@@ -68,8 +53,7 @@ const std::array<FlowStressConstant, n_flow_constants> &flow_stress_constants()
         "flow stress, eps0",
         "1"},
        {"n", &F::n, "1", {0, 100}, "0", "exponent; rate of voce", "flow stress, n", "1"},
-       {"k0", &F::k0, "MPa", {0, 10000}, "0 MPa", "initial value of ludwik and voce", "flow stress, k0", "Pa"}}
-  };
+       {"k0", &F::k0, "MPa", {0, 10000}, "0 MPa", "initial value of ludwik and voce", "flow stress, k0", "Pa"}}};
   return rows;
 }
 

@@ -35,12 +35,12 @@ std::vector<std::string> usual_arrangements(const int rows)
 std::string arrangement_name(const std::string &row_hands, const int rows)
 {
   static const std::map<std::string, std::string> names{
-      {"+-",   "back to back (TDO)"                        },
-      {"-+",   "face to face (TDI)"                        },
-      {"+-+-", "pairs back to back: two double cups (TQI)" },
+      {"+-", "back to back (TDO)"},
+      {"-+", "face to face (TDI)"},
+      {"+-+-", "pairs back to back: two double cups (TQI)"},
       {"-+-+", "pairs face to face: two double cones (TQO)"},
-      {"++--", "two tandem pairs back to back"             },
-      {"--++", "two tandem pairs face to face"             },
+      {"++--", "two tandem pairs back to back"},
+      {"--++", "two tandem pairs face to face"},
   };
   const std::string hands = cut_to(row_hands, rows);
   const auto name         = names.find(hands);

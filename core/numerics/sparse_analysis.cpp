@@ -227,13 +227,11 @@ public:
     if (K.nonZeros() > most_nonzeros)
       return;
     const std::lock_guard lock(access);
-    known.insert(known.begin(), {
-                                    {K.outerIndexPtr(), K.outerIndexPtr() + K.cols() + 1},
-                                    {K.innerIndexPtr(), K.innerIndexPtr() + K.nonZeros()},
-                                    node_of,
-                                    retained,
-                                    std::move(analysis)
-    });
+    known.insert(known.begin(), {{K.outerIndexPtr(), K.outerIndexPtr() + K.cols() + 1},
+                                 {K.innerIndexPtr(), K.innerIndexPtr() + K.nonZeros()},
+                                 node_of,
+                                 retained,
+                                 std::move(analysis)});
     Eigen::Index all  = 0;
     const auto beyond = std::find_if(known.begin(), known.end(), [&](const Known &one) {
       return (all += Eigen::Index(one.row.size())) > most_nonzeros;

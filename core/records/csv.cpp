@@ -47,9 +47,7 @@ void require_increasing(const Sheet &sheet, const Eigen::VectorXd &time)
               ? fmt::format("time {} {} appears twice; keep one of the two lines", cell.text, unit_txt)
               : fmt::format("time {} {} comes after {} {}; sort the lines by time", cell.text, unit_txt,
                             before.text, unit_txt);
-      throw InputError(std::vector<Problem>{
-          {sheet.place(cell), message, {sheet.place(before)}}
-      });
+      throw InputError(std::vector<Problem>{{sheet.place(cell), message, {sheet.place(before)}}});
     }
 }
 

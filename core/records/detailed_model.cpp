@@ -200,14 +200,13 @@ std::map<std::string, std::string> texts_of(const StandModel &stand, const Model
   const std::string &name = stand.name;
   std::map<std::string, std::string> texts{
       {files.mass,
-       matrix_market_text(symmetric_part(stand.M),                                                  "mass matrix of model " + name + ", whole stand, kg")},
-      {files.stiffness,                                                           matrix_market_text(symmetric_part(stiffness_of(stand)),
-       "stiffness matrix of model " + name + ", whole stand, N/m")},
-      {files.force, matrix_market_text(stand.b,                               "force on each unknown per unit of bite force, model " + name)},
+       matrix_market_text(symmetric_part(stand.M), "mass matrix of model " + name + ", whole stand, kg")},
+      {files.stiffness, matrix_market_text(symmetric_part(stiffness_of(stand)),
+                                           "stiffness matrix of model " + name + ", whole stand, N/m")},
+      {files.force, matrix_market_text(stand.b, "force on each unknown per unit of bite force, model " + name)},
       {files.readings,
-       matrix_market_text(readings_of(stand),"places by unknown (m), last row load cell (N), model " + name)},
-      {files.names,                                              model_names_csv(stand)                                                      }
-  };
+       matrix_market_text(readings_of(stand), "places by unknown (m), last row load cell (N), model " + name)},
+      {files.names, model_names_csv(stand)}};
   if (!files.connections.empty()) {
     texts[files.connections] = connections_csv(stand);
     texts[files.strains] =

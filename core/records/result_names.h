@@ -92,29 +92,21 @@ struct CurveKind {
 };
 
 namespace curve {
-constexpr std::array<CurveColumn, 8> of_contact{
-    {{"load", "N"},
-     {"approach", "m"},
-     {"half_width", "m"},
-     {"peak_pressure", "Pa"},
-     {"tangent", "N/m"},
-     {"secant", "N/m"},
-     {"iterations", ""}}
-};
-constexpr std::array<CurveColumn, 8> of_barrel{
-    {{"z", "m"},
-     {"line_load", "N/m"},
-     {"approach", "m"},
-     {"tangent", "N/m2"},
-     {"half_width", "m"},
-     {"peak_pressure", "Pa"}}
-};
-constexpr std::array<CurveColumn, 8> of_patch{
-    {{"z", "m"}, {"x", "m"}, {"pressure", "Pa"}}
-};
-constexpr std::array<CurveColumn, 8> of_speed{
-    {{"speed", "m/s"}, {"growth_rate", "1/s"}}
-};
+constexpr std::array<CurveColumn, 8> of_contact{{{"load", "N"},
+                                                 {"approach", "m"},
+                                                 {"half_width", "m"},
+                                                 {"peak_pressure", "Pa"},
+                                                 {"tangent", "N/m"},
+                                                 {"secant", "N/m"},
+                                                 {"iterations", ""}}};
+constexpr std::array<CurveColumn, 8> of_barrel{{{"z", "m"},
+                                                {"line_load", "N/m"},
+                                                {"approach", "m"},
+                                                {"tangent", "N/m2"},
+                                                {"half_width", "m"},
+                                                {"peak_pressure", "Pa"}}};
+constexpr std::array<CurveColumn, 8> of_patch{{{"z", "m"}, {"x", "m"}, {"pressure", "Pa"}}};
+constexpr std::array<CurveColumn, 8> of_speed{{{"speed", "m/s"}, {"growth_rate", "1/s"}}};
 
 // Inline: kinds are distinguished by their addresses.
 // To add a curve of a contact or a bearing to the report: a line here and its name in `all`, and the stage that

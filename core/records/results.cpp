@@ -8,17 +8,12 @@ using nlohmann::ordered_json;
 
 ordered_json json_of(const Parameter &parameter)
 {
-  ordered_json json{
-      {"value",  parameter.value       },
-      {"unit",   parameter.unit        },
-      {"source", source_text(parameter)},
-      {"at",     parameter.at.text()   }
-  };
+  ordered_json json{{"value", parameter.value},
+                    {"unit", parameter.unit},
+                    {"source", source_text(parameter)},
+                    {"at", parameter.at.text()}};
   for (const OperatingPoint::Value &number : parameter.at.values())  // the numbers of that text
-    json["at_values"].push_back({
-        {"value", number.value},
-        {"unit",  number.unit }
-    });
+    json["at_values"].push_back({{"value", number.value}, {"unit", number.unit}});
   json["error_estimate"] = parameter.error_estimate;  // NaN, none can be stated, becomes null
   if (!parameter.error_lacks.empty())
     json["error_lacks"] = parameter.error_lacks;  // why there is none
@@ -28,11 +23,7 @@ ordered_json json_of(const Parameter &parameter)
   if (!parameter.checks.empty()) {
     json["checks"] = ordered_json::array();
     for (const Check &check : parameter.checks)
-      json["checks"].push_back({
-          {"name",  check.name },
-          {"value", check.value},
-          {"note",  check.note }
-      });
+      json["checks"].push_back({{"name", check.name}, {"value", check.value}, {"note", check.note}});
   }
   return json;
 }
@@ -40,16 +31,14 @@ ordered_json json_of(const Parameter &parameter)
 ordered_json json_of(const EstimateRecord &record)
 {
   const Estimate &e = record.estimate;
-  ordered_json json{
-      {"key",   e.key                                  },
-      {"value", e.value                                },
-      {"low",   e.low                                  },
-      {"high",  e.high                                 },
-      {"unit",  e.unit == "kN/mm" ? "N/m"
-               : e.unit == "mm"  ? "m"
-                                 : e.unit},
-      {"rule",  e.rule                                 }
-  };
+  ordered_json json{{"key", e.key},
+                    {"value", e.value},
+                    {"low", e.low},
+                    {"high", e.high},
+                    {"unit", e.unit == "kN/mm" ? "N/m"
+                             : e.unit == "mm"  ? "m"
+                                               : e.unit},
+                    {"rule", e.rule}};
   json["moves"] = ordered_json::object();
   for (const auto &[name, move] : record.moves)
     json["moves"][name] = move;
@@ -75,11 +64,7 @@ const Parameter *Results::find(const std::string &name) const
 std::string results_json(const Results &results, const std::string &case_name, const std::string &status,
                          const std::string &run_id)
 {
-  ordered_json json{
-      {"schema", 1        },
-      {"case",   case_name},
-      {"status", status   }
-  };
+  ordered_json json{{"schema", 1}, {"case", case_name}, {"status", status}};
   if (!run_id.empty())
     json["run_id"] = run_id;
   json["values"] = ordered_json::object();

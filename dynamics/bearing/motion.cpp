@@ -122,10 +122,7 @@ struct MotionIntegrator::Solver {
   static BearingState read(const N_Vector y)
   {
     const double *s = N_VGetArrayPointer(y);
-    return {
-        {s[0], s[1]},
-        {s[2], s[3]}
-    };
+    return {{s[0], s[1]}, {s[2], s[3]}};
   }
 
   static int slope(const double t, N_Vector y, N_Vector derivative, void *self)

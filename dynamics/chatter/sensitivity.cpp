@@ -35,9 +35,7 @@ std::vector<VariedInput> varied_inputs_of(const ChatterStandModel &stand,
     all.push_back(varied_input_of(bite, number));
   const auto together = [&](const char *key, const char *name, const PassNumber a, const PassNumber b) {
     if (value_of(bite, a) != 0 && value_of(bite, b) != 0)
-      all.push_back({
-          key, name, "1", 1, {a, b}
-      });
+      all.push_back({key, name, "1", 1, {a, b}});
   };
   together("condition.tensions", "both tensions", PassNumber::entry_tension, PassNumber::exit_tension);
   if (has_film(bite.strip.friction))

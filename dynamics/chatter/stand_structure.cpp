@@ -28,23 +28,9 @@ void require(const bool fine, const std::string &what, const double value, const
 StandStructure six_mass_structure(const std::array<double, 6> &mass, const std::array<double, 6> &stiffness,
                                   const std::array<double, 6> &damping)
 {
-  constexpr int springs[6][2] = {
-      {ground, 0     },
-      {0,      1     },
-      {1,      2     },
-      {3,      4     },
-      {4,      5     },
-      {5,      ground}
-  };
-  constexpr int dampers[6][2] = {
-      {0, 1},
-      {0, 2},
-      {1, 2},
-      {3, 4},
-      {3, 5},
-      {4, 5}
-  };
-  constexpr int names[6] = {0, 1, 2, 4, 5, 6};  // a k3 would be the strip
+  constexpr int springs[6][2] = {{ground, 0}, {0, 1}, {1, 2}, {3, 4}, {4, 5}, {5, ground}};
+  constexpr int dampers[6][2] = {{0, 1}, {0, 2}, {1, 2}, {3, 4}, {3, 5}, {4, 5}};
+  constexpr int names[6]      = {0, 1, 2, 4, 5, 6};  // a k3 would be the strip
   StandStructure s;
   s.name   = "six masses";
   s.labels = {"upper housing",   "upper backup roll", "upper work roll",

@@ -24,19 +24,17 @@ MotionEquations::MotionEquations(const Stack &stack, const Motion &rest, const s
                          s.approach, c.damping, c.depth, c.one_sided});
   }
   for (const Support &s : stack_.supports) {
-    OneSupport support{
-        s.roll,
-        s.type,
-        s.law.kappa,
-        1 / s.law.q,
-        rest[2 * s.roll] - s.anchor.x(),
-        rest[2 * s.roll + 1] - s.anchor.y(),
-        {std::cos(s.direction), 0},
-        {std::sin(s.direction), 0},
-        s.preload > 0 ? s.law.kappa * std::pow(s.preload, s.law.q) : 0,
-        s.across,
-        s.guard
-    };
+    OneSupport support{s.roll,
+                       s.type,
+                       s.law.kappa,
+                       1 / s.law.q,
+                       rest[2 * s.roll] - s.anchor.x(),
+                       rest[2 * s.roll + 1] - s.anchor.y(),
+                       {std::cos(s.direction), 0},
+                       {std::sin(s.direction), 0},
+                       s.preload > 0 ? s.law.kappa * std::pow(s.preload, s.law.q) : 0,
+                       s.across,
+                       s.guard};
     if (s.type == Support::Type::rollers) {
       const auto t = roller_directions(s);
       for (std::size_t k = 0; k < 2; ++k) {

@@ -86,14 +86,13 @@ void check_contact(const ClusterStand &stand, const ClusterContact &c, const std
   const double distance = (places[b] - places[a]).norm(),
                wanted   = 0.5 * (stand.rolls[a].barrel_diameter + stand.rolls[b].barrel_diameter);
   if (std::abs(distance - wanted) > closed)
-    problems.push_back({
-        c.place,
-        fmt::format("contact {} does not close: the axes are {:.4f} mm apart, the radii make {:.4f} mm; "
-                    "the rolls {} by {:.4f} mm; move one of them, or leave its position to the contacts",
-                    c.pair, in_mm(distance), in_mm(wanted), distance > wanted ? "stand apart" : "overlap",
-                    in_mm(std::abs(distance - wanted))),
-        {stand.rolls[a].place, stand.rolls[b].place}
-    });
+    problems.push_back(
+        {c.place,
+         fmt::format("contact {} does not close: the axes are {:.4f} mm apart, the radii make {:.4f} mm; "
+                     "the rolls {} by {:.4f} mm; move one of them, or leave its position to the contacts",
+                     c.pair, in_mm(distance), in_mm(wanted), distance > wanted ? "stand apart" : "overlap",
+                     in_mm(std::abs(distance - wanted))),
+         {stand.rolls[a].place, stand.rolls[b].place}});
 }
 
 void check_overlaps(const ClusterStand &stand, const std::vector<Point> &places, std::vector<Problem> &problems)

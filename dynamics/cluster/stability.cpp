@@ -95,9 +95,7 @@ std::optional<LostContact> leaving_load(const Stack &stack, const int roll, cons
   Stack pushed = stack;
   set_rollers(pushed, closed_form_approaches(pushed));
   const Equilibrium start = equilibrium(pushed);
-  pushed.side_loads.push_back({
-      roll, {0, 0}
-  });
+  pushed.side_loads.push_back({roll, {0, 0}});
   Motion from     = start.u;
   const auto lost = [&](const double load) {
     pushed.side_loads.back().force = load * direction;

@@ -95,19 +95,13 @@ void add_loads(Stack &stack, const ClusterStand &stand, const ClusterPass &pass,
 {
   const auto dash = stand.stack.strip.find('-');
   const int upper = strip_roll(stand);
-  stack.loads.push_back({
-      upper, {0, force}
-  });
+  stack.loads.push_back({upper, {0, force}});
   if (pass.horizontal_force != 0)
-    stack.side_loads.push_back({
-        upper, {pass.horizontal_force, 0}
-    });
+    stack.side_loads.push_back({upper, {pass.horizontal_force, 0}});
   if (dash == std::string::npos)
     return;
   const int lower = roll_named(stand.rolls, stand.stack.strip.substr(dash + 1));
-  stack.loads.push_back({
-      lower, {0, -force}
-  });
+  stack.loads.push_back({lower, {0, -force}});
   if (std::isnan(stand.stack.strip_stiffness))
     return;
   Contact strip;

@@ -224,9 +224,7 @@ std::vector<TimeSteps::Crossing> TimeSteps::advance(const double end)
     }
     accept(r, h);
     closed_[std::size_t(contact)] = !closed_[std::size_t(contact)];
-    return {
-        {contact, !closed_[std::size_t(contact)]}
-    };
+    return {{contact, !closed_[std::size_t(contact)]}};
   }
   time_ = end;
   return {};

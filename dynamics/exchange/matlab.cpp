@@ -94,20 +94,20 @@ std::string matlab_data(const ExchangedStand &stand)
     return texts;
   };
   return mat_file({
-      {"M",               stand.M,                       {}                      },
-      {"C",               stand.C,                       {}                      },
-      {"K",               stand.K,                       {}                      },
-      {"b",               stand.b,                       {}                      },
-      {"point",           stand.point,                   {}                      },
-      {"load_cell",       stand.load_cell,               {}                      },
-      {"load_cell_share", number(stand.load_cell_share), {}                      },
-      {"F_mean",          number(stand.mean_force),      {}                      },
-      {"frequency",       stand.frequency,               {}                      },
-      {"modal_damping",   number(stand.modal_damping),   {}                      },
-      {"gap_damper",      number(stand.gap_damper),      {}                      },
-      {"state_names",     {},                            names(states_of(stand)) },
-      {"output_names",    {},                            names(outputs_of(stand))},
-      {"input_names",     {},                            names({input_of(stand)})},
+      {"M", stand.M, {}},
+      {"C", stand.C, {}},
+      {"K", stand.K, {}},
+      {"b", stand.b, {}},
+      {"point", stand.point, {}},
+      {"load_cell", stand.load_cell, {}},
+      {"load_cell_share", number(stand.load_cell_share), {}},
+      {"F_mean", number(stand.mean_force), {}},
+      {"frequency", stand.frequency, {}},
+      {"modal_damping", number(stand.modal_damping), {}},
+      {"gap_damper", number(stand.gap_damper), {}},
+      {"state_names", {}, names(states_of(stand))},
+      {"output_names", {}, names(outputs_of(stand))},
+      {"input_names", {}, names({input_of(stand)})},
   });
 }
 }  // namespace mill::dynamics

@@ -64,7 +64,7 @@ std::vector<NamedText> state_space_files(const ExchangedStand &stand)
 {
   const StateSpace form = first_order_form(stand);
   std::vector<NamedText> files{
-      {"about.txt", about_text(stand) },
+      {"about.txt", about_text(stand)},
       {"names.csv", signal_rows(stand)},
   };
   const auto add = [&](const char *name, const Eigen::MatrixXd &matrix, const char *what) {

@@ -15,40 +15,38 @@ struct Terminal {
 
 std::vector<Terminal> driven_terminals()
 {
-  return {
-      {"rolling_force",
-       "force of the bite on the work rolls, and what the load cell shows", {{"F_roll", "force"}, {"F_cell", "load_cell"}},
-       true}
-  };
+  return {{"rolling_force",
+           "force of the bite on the work rolls, and what the load cell shows",
+           {{"F_roll", "force"}, {"F_cell", "load_cell"}},
+           true}};
 }
 
 std::vector<Terminal> chatter_terminals()
 {
-  return {
-      {"entry",
-       "strip before the bite",            {{"entry_thickness", "thickness"},
-        {"dh_entry", "thickness_change"},
-        {"entry_tension", "steady_tension"},
-        {"sigma_entry", "tension"}},
-       true                                                                                                                                      },
-      {"drive", "drive of the work rolls", {{"roll_speed", "speed"}},                                                                        true},
-      {"bite",
-       "roll gap and rolling force",       {{"F_disturbance", "disturbance"}, {"F", "force"}, {"dF", "force_change"}, {"dh", "gap_change"}},
-       true                                                                                                                                      },
-      {"exit",
-       "strip behind the bite",            {{"exit_thickness", "thickness"}, {"exit_tension", "steady_tension"}, {"sigma_exit", "tension"}},
-       false                                                                                                                                     }
-  };
+  return {{"entry",
+           "strip before the bite",
+           {{"entry_thickness", "thickness"},
+            {"dh_entry", "thickness_change"},
+            {"entry_tension", "steady_tension"},
+            {"sigma_entry", "tension"}},
+           true},
+          {"drive", "drive of the work rolls", {{"roll_speed", "speed"}}, true},
+          {"bite",
+           "roll gap and rolling force",
+           {{"F_disturbance", "disturbance"}, {"F", "force"}, {"dF", "force_change"}, {"dh", "gap_change"}},
+           true},
+          {"exit",
+           "strip behind the bite",
+           {{"exit_thickness", "thickness"}, {"exit_tension", "steady_tension"}, {"sigma_exit", "tension"}},
+           false}};
 }
 
 std::vector<Terminal> terminals_of(const ExportedModel &model)
 {
   std::vector<Terminal> all = model.data.kind == "chatter" ? chatter_terminals() : driven_terminals();
   for (const std::string &point : model.data.points)
-    all.push_back({
-        point, "motion of one point", {{"a_" + point, "acceleration"}, {"y_" + point, "displacement"}},
-          false
-    });
+    all.push_back(
+        {point, "motion of one point", {{"a_" + point, "acceleration"}, {"y_" + point, "displacement"}}, false});
   return all;
 }
 

@@ -34,10 +34,6 @@ SmoothSamples smooth_contact(const Eigen::VectorXd &load, const Eigen::VectorXd 
     }
     return smooth;
   }
-  return {
-      {load.begin(),        load.end()       },
-      {compression.begin(), compression.end()},
-      0
-  };
+  return {{load.begin(), load.end()}, {compression.begin(), compression.end()}, 0};
 }
 }  // namespace mill::dynamics

@@ -56,15 +56,13 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
   MillModel model;
   model.labels  = {"upper frame",     "upper backup roll", "upper work roll",
                    "lower work roll", "lower backup roll", "lower frame"};
-  model.springs = {
-      {"K1", closed ? int(lower_frame) : ground, upper_frame,       K(1)},
-      {"K2", upper_frame,                        upper_backup_roll, K(2)},
-      {"K3", upper_backup_roll,                  upper_work_roll,   K(3)},
-      {"K4", upper_work_roll,                    lower_work_roll,   K4  },
-      {"K5", lower_work_roll,                    lower_backup_roll, K(5)},
-      {"K6", lower_backup_roll,                  lower_frame,       K(6)},
-      {"K7", lower_frame,                        ground,            K(7)}
-  };
+  model.springs = {{"K1", closed ? int(lower_frame) : ground, upper_frame, K(1)},
+                   {"K2", upper_frame, upper_backup_roll, K(2)},
+                   {"K3", upper_backup_roll, upper_work_roll, K(3)},
+                   {"K4", upper_work_roll, lower_work_roll, K4},
+                   {"K5", lower_work_roll, lower_backup_roll, K(5)},
+                   {"K6", lower_backup_roll, lower_frame, K(6)},
+                   {"K7", lower_frame, ground, K(7)}};
   model.M.resize(6);
   for (int i = 0; i < 6; ++i)
     model.M[i] = lumped.M[std::size_t(i)].value;
@@ -120,11 +118,10 @@ MillModel horizontal_model(const LumpedModel &lumped, const ChockSeats &seats)
   };
   const auto M                            = [&](const int i) { return lumped.M[std::size_t(i - 1)].value; };
   const std::vector<HorizontalRoll> rolls = {
-      {"upper backup roll", "Kzc1", "",    M(2), Kzc(1), not_given,          0                  },
-      {"upper work roll",   "Kzc2", "Kx1", M(3), Kzc(2), seats.stiffness[0], seats.chock_mass[0]},
-      {"lower work roll",   "Kzc3", "Kx2", M(4), Kzc(3), seats.stiffness[1], seats.chock_mass[1]},
-      {"lower backup roll", "Kzc4", "",    M(5), Kzc(4), not_given,          0                  }
-  };
+      {"upper backup roll", "Kzc1", "", M(2), Kzc(1), not_given, 0},
+      {"upper work roll", "Kzc2", "Kx1", M(3), Kzc(2), seats.stiffness[0], seats.chock_mass[0]},
+      {"lower work roll", "Kzc3", "Kx2", M(4), Kzc(3), seats.stiffness[1], seats.chock_mass[1]},
+      {"lower backup roll", "Kzc4", "", M(5), Kzc(4), not_given, 0}};
   MillModel model;
   std::vector<double> masses;
   for (const HorizontalRoll &roll : rolls)

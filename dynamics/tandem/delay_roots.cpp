@@ -69,12 +69,8 @@ int DelaySpectrum::box_count(const Complex low, const Complex high) const
       std::count_if(poles_.begin(), poles_.end(), [&](const Complex &p) { return inside(p, low, high); });
   if (active_.size() == 0)
     return int(poles);
-  const Complex corner[5] = {
-      low, {high.real(), low.imag() },
-       high, {low.real(),  high.imag()},
-       low
-  };
-  double sum = 0;
+  const Complex corner[5] = {low, {high.real(), low.imag()}, high, {low.real(), high.imag()}, low};
+  double sum              = 0;
   if (low.imag() == -high.imag())  // f(conj s) = conj f(s): half the way is enough
     sum = 2 * (turn(high.real(), high, nullptr) + turn(high, corner[3], nullptr) +
                turn(corner[3], low.real(), nullptr));

@@ -117,9 +117,7 @@ struct RollerContact::Implementation {
 
   static contact::Loading loading(const double first, const double turn, const bool by_approach)
   {
-    return {
-        Eigen::Vector4d(first, turn, 0, 0), std::vector<char>{char(by_approach), 1, 0, 0}
-    };
+    return {Eigen::Vector4d(first, turn, 0, 0), std::vector<char>{char(by_approach), 1, 0, 0}};
   }
 
   RollerContactState solve(const contact::Loading &imposed)

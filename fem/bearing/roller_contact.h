@@ -69,7 +69,8 @@ struct RollerContactState {
 /// Keeps its active set from one solve to the next.
 class RollerContact {
 public:
-  /// @param drop  (x from mid-roller, m) -> m, profile of one contact; empty: none.  A value that is not finite is taken as
+  /// @param drop  (x from mid-roller, m) -> m, profile of one contact; empty: none.  A value that is not finite is
+  /// taken as
   /// a
   ///              millimetre: a node that never touches.
   explicit RollerContact(const CondensedRoller &roller, const std::function<double(double)> &drop = {});

@@ -1,6 +1,6 @@
 #pragma once
-#include "core/numerics/sparse.h"
 #include "core/model/surface.h"
+#include "core/numerics/sparse.h"
 #include <Eigen/Core>
 #include <functional>
 #include <memory>

@@ -22,8 +22,8 @@ struct PartInterface {
 
 /// A meshed part, factorised with its pins, and its mass.  theory.md 21.2
 ///
-/// All vectors have 3N rows.  Stiffness, mass and loads are those of the part that is meshed; the caller counts the
-/// whole body multiplies by copies().  The body must outlive the model.
+/// All vectors have 3N rows.  Stiffness, mass and loads are those of the part that is meshed; the caller counts
+/// the whole body multiplies by copies().  The body must outlive the model.
 class PartModel {
 public:
   /// Cost: one factorisation.

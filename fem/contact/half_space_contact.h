@@ -43,15 +43,16 @@ struct HalfSpaceState {
   double moment      = 0;  ///< N m, of the pressures about z = 0
   double approach    = 0;  ///< m, of points far away, where a half space does not move
   double set_tangent = 0;  ///< N/m, d(load) / d(approach), touching set held; steps with each rectangle that joins
-  Eigen::MatrixXd pressure;       ///< (n_x, n_z) Pa, mean over each rectangle
-  Eigen::VectorXd z;              ///< (n_z) m, middle of each row
-  Eigen::VectorXd line_load;      ///< (n_z) N/m, over the whole width
-  Eigen::VectorXd half_width;     ///< (n_z) m, by fit_pressure; NaN where too few rectangles touch
-  Eigen::VectorXd peak_pressure;  ///< (n_z) Pa, by fit_pressure; of the first rectangle where a fit is not possible
-  bool reaches_end = false;       ///< the row at an end of z is loaded
-  int n_unknowns   = 0;           ///< rectangles of the grid
-  int iterations   = 0;           ///< of the active set
-  double residual  = 0;           ///< -, largest violation of the contact conditions, relative
+  Eigen::MatrixXd pressure;    ///< (n_x, n_z) Pa, mean over each rectangle
+  Eigen::VectorXd z;           ///< (n_z) m, middle of each row
+  Eigen::VectorXd line_load;   ///< (n_z) N/m, over the whole width
+  Eigen::VectorXd half_width;  ///< (n_z) m, by fit_pressure; NaN where too few rectangles touch
+  Eigen::VectorXd
+      peak_pressure;         ///< (n_z) Pa, by fit_pressure; of the first rectangle where a fit is not possible
+  bool reaches_end = false;  ///< the row at an end of z is loaded
+  int n_unknowns   = 0;      ///< rectangles of the grid
+  int iterations   = 0;      ///< of the active set
+  double residual  = 0;      ///< -, largest violation of the contact conditions, relative
 };
 
 /// The dense operator of one grid; solves for any number of loads and profiles.

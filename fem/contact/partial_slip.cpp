@@ -76,15 +76,13 @@ StripContact strip_contact(const HalfSpaces &bodies, const std::function<double(
                            const int n, const double datum, const double mu)
 {
   const double half = reach / n;
-  StripContact out{
-      {Eigen::MatrixXd::Zero(2 * n, 2 * n),
-       Eigen::MatrixXd::Zero(2 * n, 2),
-       {},
-       Eigen::VectorXd(n),
-       Eigen::VectorXd::Constant(n, mu)},
-      Eigen::VectorXd(n),
-      2 * half
-  };
+  StripContact out{{Eigen::MatrixXd::Zero(2 * n, 2 * n),
+                    Eigen::MatrixXd::Zero(2 * n, 2),
+                    {},
+                    Eigen::VectorXd(n),
+                    Eigen::VectorXd::Constant(n, mu)},
+                   Eigen::VectorXd(n),
+                   2 * half};
   FrictionProblem &p = out.problem;
   for (int i = 0; i < n; ++i) {
     for (int j = 0; j < n; ++j) {
@@ -121,18 +119,16 @@ RectangleContact rectangle_contact(const HalfSpaces &bodies, const std::function
   require_input(!place.empty(), "half space: no rectangle of the grid has a finite gap");
   const int n = int(place.size());
   const InfluenceTable influence(bodies, h_x, h_z, 2 * grid.n_x, 2 * grid.n_z);
-  RectangleContact out{
-      {Eigen::MatrixXd::Zero(3 * n, 3 * n),
-       Eigen::MatrixXd::Zero(3 * n, 2),
-       {},
-       Eigen::Map<const Eigen::VectorXd>(gaps.data(), n),
-       Eigen::VectorXd::Constant(n, mu)},
-      Eigen::MatrixXd(n, 2),
-      h_x * h_z,
-      h_x,
-      (grid.mirror_x ? 0.5 : 1) * (grid.mirror_z ? 0.5 : 1),
-      grid.along
-  };
+  RectangleContact out{{Eigen::MatrixXd::Zero(3 * n, 3 * n),
+                        Eigen::MatrixXd::Zero(3 * n, 2),
+                        {},
+                        Eigen::Map<const Eigen::VectorXd>(gaps.data(), n),
+                        Eigen::VectorXd::Constant(n, mu)},
+                       Eigen::MatrixXd(n, 2),
+                       h_x * h_z,
+                       h_x,
+                       (grid.mirror_x ? 0.5 : 1) * (grid.mirror_z ? 0.5 : 1),
+                       grid.along};
   FrictionProblem &p                 = out.problem;
   const std::vector<double> images_x = grid.mirror_x ? std::vector<double>{1, -1} : std::vector<double>{1},
                             images_z = grid.mirror_z ? std::vector<double>{1, -1} : std::vector<double>{1};

@@ -197,9 +197,7 @@ template <int n, class Block> SymmetricSparse PlaneSection::assemble(const Block
       const double r = v.quadrature_point(q)[0];
       const double w = v.JxW(q) * (section == Section::axisymmetric ? 2 * M_PI * r : 1);
       for (int a = 0; a < n_local; ++a)
-        shape[a] = {
-            v.shape_value(a, q), {v.shape_grad(a, q)[0], v.shape_grad(a, q)[1]}
-        };
+        shape[a] = {v.shape_value(a, q), {v.shape_grad(a, q)[0], v.shape_grad(a, q)[1]}};
       for (int b = 0; b < n_local; ++b)
         for (int a = 0; a <= b; ++a)
           local.block<n, n>(n * a, n * b) += w * block(shape[a], shape[b], r);

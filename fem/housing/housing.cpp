@@ -47,10 +47,8 @@ void share_flexibility(HousingStatics &out)
 {
   const auto &e = out.energy;
   out.exchanged = e[upper_post] + e[upper_beam] - out.u_screw;  // (23.6)
-  for (const auto &[post, beam, whole] : {
-           std::tuple{upper_post, upper_beam, out.u_screw},
-           std::tuple{lower_post, lower_beam, -out.u_seat}
-  })
+  for (const auto &[post, beam, whole] :
+       {std::tuple{upper_post, upper_beam, out.u_screw}, std::tuple{lower_post, lower_beam, -out.u_seat}})
     for (const HousingPart part : {post, beam})
       out.flexibility[part] = whole * e[part] / (e[post] + e[beam]);  // (23.7)
 }

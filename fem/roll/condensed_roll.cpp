@@ -185,24 +185,13 @@ CondensedRoll condense(const ElasticBody &body, const RollGeometry &geometry, co
   };
   const bool odd_symmetric     = !options.slab && (options.both_sides || options.odd_symmetric);
   const bool odd_antisymmetric = !options.slab && options.both_sides;
-  std::vector<std::pair<SymmetryCase, CaseFlexibility *>> cases{
-      {{true, false}, &roll.symmetric}
-  };
+  std::vector<std::pair<SymmetryCase, CaseFlexibility *>> cases{{{true, false}, &roll.symmetric}};
   if (!options.slab)
-    cases.push_back({
-        {false, false},
-        &roll.antisymmetric
-    });
+    cases.push_back({{false, false}, &roll.antisymmetric});
   if (odd_symmetric)
-    cases.push_back({
-        {true, true},
-        &roll.symmetric_odd
-    });
+    cases.push_back({{true, true}, &roll.symmetric_odd});
   if (odd_antisymmetric)
-    cases.push_back({
-        {false, true},
-        &roll.antisymmetric_odd
-    });
+    cases.push_back({{false, true}, &roll.antisymmetric_odd});
   std::vector<Size> sizes(cases.size());
   std::atomic<int> done{0};
   share_tasks(long(cases.size()), threads, [&](const long i) {

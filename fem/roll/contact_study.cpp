@@ -248,9 +248,7 @@ Axes axes_of(const ContactPair &pair, const contact::State &s)
 contact::State solve_tilted(const ContactPair &pair, contact::ActiveSet &solver, const double force,
                             const std::vector<char> &start)
 {
-  contact::Loading loading{
-      Eigen::Vector2d(force, 0), {0, 0}
-  };
+  contact::Loading loading{Eigen::Vector2d(force, 0), {0, 0}};
   if (pair.axis.isZero(0) && pair.axis_support.isZero(0)) {
     loading.value[1]   = pair.tilt;
     loading.prescribed = {0, 1};

@@ -12,7 +12,8 @@ FrictionPoint load_with_friction(const ContactPair &pair, const CondensedRoll &f
   if (A.size() == 0 || B.size() != A.size() || pair.grid.whole)
     throw std::logic_error("friction needs both rolls condensed with tractions, and a quarter of the contact");
   const Eigen::Index n = A.rows() / 3;
-  // The second roll carries the opposite tangential force, and its displacement is subtracted from the first one's.
+  // The second roll carries the opposite tangential force, and its displacement is subtracted from the first
+  // one's.
   contact::FrictionProblem problem;
   problem.C                            = A + B;
   problem.C.topRightCorner(n, 2 * n)   = A.topRightCorner(n, 2 * n) - B.topRightCorner(n, 2 * n);

@@ -221,10 +221,7 @@ VectorXd moment_of(const SectionBody &body, const MatrixXd &load)
 class RollSection {
 public:
   RollSection(const BiteRoll &r, const MeshFile &mesh)
-      : roll(r), body(mesh, r.material, 2, Section::plane_strain,
-                      {
-                          {"surface", {0, 0}, r.radius}
-  }),
+      : roll(r), body(mesh, r.material, 2, Section::plane_strain, {{"surface", {0, 0}, r.radius}}),
         rim(body, r.radius), spread(spread_forces(body)), even_even(body, r.radius, true, true),
         even_odd(body, r.radius, true, false), odd_even(body, r.radius, false, true),
         odd_odd(body, r.radius, false, false), half(r.position.size() / 2), n_half(r.position.size() - half)
@@ -234,9 +231,7 @@ public:
     if (r.backup_half_width > 0) {
       const double edge = std::asin(r.backup_half_width / r.radius);
       const auto p = [edge](const double phi) { return std::sqrt(std::max(0., 1 - phi * phi / (edge * edge))); };
-      backup       = rim.load({
-                p, nullptr, {0, edge}
-      });
+      backup       = rim.load({p, nullptr, {0, edge}});
       backup /= resultant(backup, 1)[0];
     }
   }

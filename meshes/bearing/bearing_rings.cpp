@@ -1,7 +1,7 @@
 #include "meshes/bearing/bearing_rings.h"
-#include "meshes/common/cells.h"
 #include "meshes/bearing/chock.h"
 #include "meshes/bearing/ring_grid.h"
+#include "meshes/common/cells.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "meshes/bearing/chock.h"
-#include "meshes/common/cells.h"
 #include "meshes/bearing/ring_grid.h"
+#include "meshes/common/cells.h"
 #include <algorithm>
 #include <cmath>
 
@@ -31,8 +31,8 @@ std::vector<double> angles(const Housing &h, const double refinement)
   std::vector<double> out{0};
   for (std::size_t i = 1; i < corners.size(); ++i) {
     const double span = corners[i] - corners[i - 1];
-    // More than 20 degrees bend an element's straight outer side below the thin wall of the cup; next to the end of
-    // the support 10 are wanted, and a coarser mesh must tell what they are worth.
+    // More than 20 degrees bend an element's straight outer side below the thin wall of the cup; next to the end
+    // of the support 10 are wanted, and a coarser mesh must tell what they are worth.
     const double widest = std::min(M_PI / 9, M_PI / 18 / std::pow(refinement, 3));
     const int fewest    = int(std::ceil(span / widest - 1e-9));
     const int n         = std::max(fewest, int(std::lround(span / (M_PI / 14) * refinement)));

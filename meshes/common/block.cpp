@@ -58,11 +58,7 @@ MeshFile mesh_block(const BlockGrid &grid, const std::string &path)
                      (grid.patch_z == 0 || middle[2] < grid.patch_z)
                  ? "patch"
                  : "top";
-    const char *names[3][2] = {
-        {"left",   "right"},
-        {"bottom", "top"  },
-        {"back",   "front"}
-    };
+    const char *names[3][2] = {{"left", "right"}, {"bottom", "top"}, {"back", "front"}};
     return names[direction][side];
   };
   return write_grid(out, path);

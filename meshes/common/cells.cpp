@@ -10,31 +10,12 @@
 namespace mill::meshes {
 namespace {
 // Faces of a cell; orientation does not matter to a boundary group.
-const std::vector<std::vector<int>> sides{
-    {0, 1},
-    {1, 2},
-    {2, 3},
-    {3, 0}
-};
-const std::vector<std::vector<int>> hex_faces{
-    {0, 3, 2, 1},
-    {4, 5, 6, 7},
-    {0, 1, 5, 4},
-    {1, 2, 6, 5},
-    {2, 3, 7, 6},
-    {3, 0, 4, 7}
-};
+const std::vector<std::vector<int>> sides{{0, 1}, {1, 2}, {2, 3}, {3, 0}};
+const std::vector<std::vector<int>> hex_faces{{0, 3, 2, 1}, {4, 5, 6, 7}, {0, 1, 5, 4},
+                                              {1, 2, 6, 5}, {2, 3, 7, 6}, {3, 0, 4, 7}};
 // The neighbours of each corner, right-handed.
-const int hex_neighbours[8][3] = {
-    {1, 3, 4},
-    {2, 0, 5},
-    {3, 1, 6},
-    {0, 2, 7},
-    {7, 5, 0},
-    {4, 6, 1},
-    {5, 7, 2},
-    {6, 4, 3}
-};
+const int hex_neighbours[8][3] = {{1, 3, 4}, {2, 0, 5}, {3, 1, 6}, {0, 2, 7},
+                                  {7, 5, 0}, {4, 6, 1}, {5, 7, 2}, {6, 4, 3}};
 
 Eigen::Vector3d at(const CellMesh &mesh, const int point)
 {

@@ -51,10 +51,7 @@ std::vector<Stretch> beam_and_corner(const MillHousing &h, const double beam_hei
   for (std::size_t i = 0; i + 1 < x.size(); ++i)
     out.push_back({x[i + 1] - x[i], beam_height, [=](const double s) {
                      const double place = i + 2 == x.size() && s == 1 ? flat : x[i] + s * (x[i + 1] - x[i]);
-                     return Section{
-                         {place, -beam_height},
-                         {place, 0           }
-                     };
+                     return Section{{place, -beam_height}, {place, 0}};
                    }});
   const auto arc = [=](const double angle) {  // from below the centre of the fillet towards the post
     return std::array<double, 2>{flat + r * std::sin(angle), r * (1 - std::cos(angle))};
@@ -93,10 +90,7 @@ std::vector<Stretch> around_the_window(const MillHousing &h)
     if (y[i + 1] - y[i] > 1e-6 * foot)
       out.push_back({y[i + 1] - y[i], h.post_width, [=, low = y[i], high = y[i + 1]](const double s) {
                        const double place = s == 1 ? high : low + s * (high - low);
-                       return Section{
-                           {a + h.post_width, place},
-                           {a,                place}
-                       };
+                       return Section{{a + h.post_width, place}, {a, place}};
                      }});
   for (auto &stretch : upper_half(h))
     out.push_back(stretch);
@@ -132,17 +126,15 @@ void require_housing(const MillHousing &h)
 {
   std::vector<Problem> problems;
   const auto refuse = [&](const std::string &message) { problems.push_back({{}, message, {}}); };
-  const std::vector<std::pair<const char *, double>> lengths{
-      {"thickness",         h.thickness        },
-      {"post_width",        h.post_width       },
-      {"window_width",      h.window_width     },
-      {"window_height",     h.window_height    },
-      {"upper_beam_height", h.upper_beam_height},
-      {"lower_beam_height", h.lower_beam_height},
-      {"fillet_radius",     h.fillet_radius    },
-      {"screw_pad",         h.screw_pad        },
-      {"seat_pad",          h.seat_pad         }
-  };
+  const std::vector<std::pair<const char *, double>> lengths{{"thickness", h.thickness},
+                                                             {"post_width", h.post_width},
+                                                             {"window_width", h.window_width},
+                                                             {"window_height", h.window_height},
+                                                             {"upper_beam_height", h.upper_beam_height},
+                                                             {"lower_beam_height", h.lower_beam_height},
+                                                             {"fillet_radius", h.fillet_radius},
+                                                             {"screw_pad", h.screw_pad},
+                                                             {"seat_pad", h.seat_pad}};
   for (const auto &[key, value] : lengths)
     if (!(value > 0))
       refuse(std::string("housing.") + key + " = " + mm(value) +
@@ -159,10 +151,7 @@ void require_housing(const MillHousing &h)
     refuse("housing.fillet_radius = " + mm(r) + " is too sharp for posts " + mm(h.post_width) +
            " wide: stress has no limit in a sharp corner and the elements around it degenerate; give at least " +
            mm(sharpest_fillet * h.post_width));
-  for (const auto &[key, pad] : {
-           std::pair{"screw_pad", h.screw_pad},
-           std::pair{"seat_pad",  h.seat_pad }
-  }) {
+  for (const auto &[key, pad] : {std::pair{"screw_pad", h.screw_pad}, std::pair{"seat_pad", h.seat_pad}}) {
     const double flat = h.window_width - 2 * r;
     if (flat > 0 && pad > flat * (1 + 1e-6))
       refuse(std::string("housing.") + key + " = " + mm(pad) +

@@ -13,8 +13,8 @@ struct ChockSupport {
 /// How the chock of this bearing is held: "chock on two feet", "chock on its whole face", ..., "cup held".
 std::string support_name(const RollerBearing &bearing);
 
-/// The other ways in which chocks are held, where the case does not say which one applies: on two feet a sixth of the
-/// width each (bending cylinders), on the whole face, on its middle third (a screw), and, when not even a chock
-/// was named, the cup held all around.  Empty when the support was given or nothing of the chock is counted.
+/// The other ways in which chocks are held, where the case does not say which one applies: on two feet a sixth of
+/// the width each (bending cylinders), on the whole face, on its middle third (a screw), and, when not even a
+/// chock was named, the cup held all around.  Empty when the support was given or nothing of the chock is counted.
 std::vector<ChockSupport> open_supports(const RollerBearing &bearing);
 }  // namespace mill::bearing

@@ -33,6 +33,7 @@ Keys housing_keys(const MillHousing &housing, bool mass);
 /// What stands behind K1, K7 and K_ZW, as far as the case gives them.
 std::map<std::string, Keys> given_springs(const FourHigh &stand);
 
-/// Keys behind the stiffness of the backup roll on its bearing centres: of a beam (4.8a), or of its meshes (22.13).
+/// Keys behind the stiffness of the backup roll on its bearing centres: of a beam (4.8a), or of its meshes
+/// (22.13).
 Keys backup_roll_keys(bool solid);
 }  // namespace mill::reduce

@@ -94,11 +94,11 @@ ContactStiffness contact_stiffness(const ContactCurve &curve, const double worki
   if (!(fit.error <= worst_fit)) {
     std::ostringstream stood;
     stood << "largest deviation of the fit " << fit.error << ", wanted " << worst_fit;
-    throw SolverError({"contact " + curve.name + ": the curve is not that of a line contact near " + kilonewton(working_load),
-                       stood.str(),
-                       "edge contact, contact nodes lost, or samples too far apart for a crowned roll",
-                       "raise contact." + curve.name + ".samples or narrow contact." + curve.name + ".loads",
-                       "the computed load-approach curve"});
+    throw SolverError(
+        {"contact " + curve.name + ": the curve is not that of a line contact near " + kilonewton(working_load),
+         stood.str(), "edge contact, contact nodes lost, or samples too far apart for a crowned roll",
+         "raise contact." + curve.name + ".samples or narrow contact." + curve.name + ".loads",
+         "the computed load-approach curve"});
   }
   return {1 / (fit.c0 + fit.c1),  // tangent, (3.7): d(approach)/dF = c0 + c1 at u = 0
           1 / fit.c0,             // secant

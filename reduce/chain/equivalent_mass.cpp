@@ -35,10 +35,7 @@ std::vector<MassSpan> half_backup_roll(const FourHigh &stand)
   const Roll &roll = stand.backup_roll;
   const double h = roll.barrel_length / 2, a = roll.bearing_span / 2;
   const double neck = a > h ? neck_mass(roll, stand.steel) / (a - h) : 0;
-  return {
-      {0, h, barrel_mass_per_length(roll, stand.steel)},
-      {h, a,  neck                           }
-  };
+  return {{0, h, barrel_mass_per_length(roll, stand.steel)}, {h, a, neck}};
 }
 }  // namespace
 
@@ -72,15 +69,12 @@ double upper_backup_mass(const FourHigh &stand, const BentBackupRoll &bent, cons
 {
   const auto f2    = [&](double x) { return backup_shape(bent, u.bearing_upper, x); };
   const Roll &roll = stand.backup_roll;
-  return 2 *
-         equivalent_mass(f2, half_backup_roll(stand),
-                         {
-                             {stand.frame.cylinder_mass,    u.cylinder     },
-                             {roll.chock_mass_upper,        u.chock_upper  },
-                             {roll.bearing_mass,            u.bearing_upper},
-                             {stand.frame.balance_mass / 2, u.frame_upper  }
-  },  // hangs on the frame; whole stand
-                         u.roll_upper);
+  return 2 * equivalent_mass(f2, half_backup_roll(stand),
+                             {{stand.frame.cylinder_mass, u.cylinder},
+                              {roll.chock_mass_upper, u.chock_upper},
+                              {roll.bearing_mass, u.bearing_upper},
+                              {stand.frame.balance_mass / 2, u.frame_upper}},  // hangs on the frame; whole stand
+                             u.roll_upper);
 }
 
 double lower_backup_mass(const FourHigh &stand, const BentBackupRoll &bent, const Flexibilities &u)
@@ -88,10 +82,7 @@ double lower_backup_mass(const FourHigh &stand, const BentBackupRoll &bent, cons
   const auto f2    = [&](double x) { return backup_shape(bent, u.bearing_lower, x); };
   const Roll &roll = stand.backup_roll;
   return 2 * equivalent_mass(f2, half_backup_roll(stand),
-                             {
-                                 {roll.chock_mass_lower, u.frame_lower  },
-                                 {roll.bearing_mass,     u.bearing_lower}
-  },
+                             {{roll.chock_mass_lower, u.frame_lower}, {roll.bearing_mass, u.bearing_lower}},
                              u.roll_lower);
 }
 
@@ -111,11 +102,7 @@ double work_roll_mass(const FourHigh &stand, const BentWorkRoll &bent, const Ben
   const double h         = roll.barrel_length / 2;
   const double edge      = std::min(bent.half_strip, h);  // the shape has a kink in its fourth derivative here
   const double per_meter = barrel_mass_per_length(roll, stand.steel);
-  return 2 * equivalent_mass(f1,
-                             {
-                                 {0,    edge, per_meter},
-                                 {edge, h,    per_meter}
-  },
+  return 2 * equivalent_mass(f1, {{0, edge, per_meter}, {edge, h, per_meter}},
                              {{roll.bearing_mass + chock_mass, f1(roll.bearing_span / 2)},
                               {neck_mass(roll, stand.steel), f1(h + roll.neck_length / 2)}},
                              f1(0));

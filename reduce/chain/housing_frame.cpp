@@ -38,15 +38,8 @@ Plane half_frame(const MillHousing &h, const FrameChoice &choice)
   const double lower_corner = 0.5 * choice.rigid_corner * h.lower_beam_height,
                upper_corner = 0.5 * choice.rigid_corner * h.upper_beam_height;
   Plane p;
-  p.node = {
-      {0,                 low          },
-      {0.5 * h.seat_pad,  low          },
-      {axis,              low          },
-      {axis,              h.foot_height},
-      {axis,              high         },
-      {0.5 * h.screw_pad, high         },
-      {0,                 high         }
-  };
+  p.node             = {{0, low},     {0.5 * h.seat_pad, low},   {axis, low}, {axis, h.foot_height},
+                        {axis, high}, {0.5 * h.screw_pad, high}, {0, high}};
   const double force = 1 / n_halves;
   // Second axes: up along the lower beam, inwards along the post, down along the upper beam.
   const auto add = [&](const int from, const FramePart part, const double height, const double rigid_start,
@@ -144,16 +137,14 @@ struct Beam {
 
 void require(const MillHousing &h, const FrameChoice &choice)
 {
-  const std::vector<std::pair<const char *, double>> lengths{
-      {"thickness",         h.thickness        },
-      {"post_width",        h.post_width       },
-      {"window_width",      h.window_width     },
-      {"window_height",     h.window_height    },
-      {"upper_beam_height", h.upper_beam_height},
-      {"lower_beam_height", h.lower_beam_height},
-      {"screw_pad",         h.screw_pad        },
-      {"seat_pad",          h.seat_pad         }
-  };
+  const std::vector<std::pair<const char *, double>> lengths{{"thickness", h.thickness},
+                                                             {"post_width", h.post_width},
+                                                             {"window_width", h.window_width},
+                                                             {"window_height", h.window_height},
+                                                             {"upper_beam_height", h.upper_beam_height},
+                                                             {"lower_beam_height", h.lower_beam_height},
+                                                             {"screw_pad", h.screw_pad},
+                                                             {"seat_pad", h.seat_pad}};
   for (const auto &[key, value] : lengths)
     if (!(value > 0))
       throw InputError(std::string("housing.") + key + " = " + quoted_mm(value) +
@@ -243,10 +234,8 @@ HousingFrame housing_frame(const MillHousing &h, const FrameChoice &choice)
   out.u_seat    = -pad(plane.member.front());
   out.u_screw   = pad(plane.member.back());
   out.exchanged = out.energy[upper_post] + out.energy[upper_beam] - out.u_screw;
-  for (const auto &[post, beam, whole] : {
-           std::tuple{upper_post, upper_beam, out.u_screw},
-           std::tuple{lower_post, lower_beam, -out.u_seat}
-  })
+  for (const auto &[post, beam, whole] :
+       {std::tuple{upper_post, upper_beam, out.u_screw}, std::tuple{lower_post, lower_beam, -out.u_seat}})
     for (const FramePart part : {post, beam}) {
       out.flexibility[part] = whole * out.energy[part] / (out.energy[post] + out.energy[beam]);
       out.reduced_mass[part] /= whole * whole;

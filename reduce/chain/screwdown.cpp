@@ -41,11 +41,9 @@ public:
       if (given(s.*length.value) && !(s.*length.value > 0))
         refuse(std::string("screwdown.") + length.key + " = " + quoted_mm(s.*length.value) +
                " must be positive: give the length of the drawing, or leave the key out");
-    for (const auto &[key, modulus] : {
-             std::pair{"screwdown.nut_modulus", s.nut_modulus       },
-             std::pair{"screwdown.oil_modulus", s.oil_modulus       },
-             std::pair{"youngs_modulus",        steel.youngs_modulus}
-    })
+    for (const auto &[key, modulus] :
+         {std::pair{"screwdown.nut_modulus", s.nut_modulus}, std::pair{"screwdown.oil_modulus", s.oil_modulus},
+          std::pair{"youngs_modulus", steel.youngs_modulus}})
       if (!(modulus > 0))
         refuse(std::string(key) + " = \"" + short_number(modulus / 1e6) + " MPa\" must be positive");
   }

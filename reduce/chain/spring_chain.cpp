@@ -29,11 +29,9 @@ double in_series(const std::vector<Spring> &springs)
 
 void require_path(const PathSprings &path)
 {
-  for (const auto &[name, value] : {
-           std::pair{"K_Zy of the upper backup bearings", path.K_Zy_upper},
-           std::pair{"K_Zy of the lower backup bearings", path.K_Zy_lower},
-           std::pair{"K_ZW of the backup roll",           path.K_ZW      }
-  })
+  for (const auto &[name, value] : {std::pair{"K_Zy of the upper backup bearings", path.K_Zy_upper},
+                                    std::pair{"K_Zy of the lower backup bearings", path.K_Zy_lower},
+                                    std::pair{"K_ZW of the backup roll", path.K_ZW}})
     if (!(value > 0))
       throw InputError(std::string(name) +
                        " must be positive: it is one of the springs in series between bite and ground");
@@ -71,30 +69,22 @@ SeriesSprings series_springs(const Frame &f, const PathSprings &path)
 {
   require_path(path);
   SeriesSprings chain;
-  chain.K1 = in_series({
-      {"frame.upper_post_stiffness",    f.upper_post_stiffness   }, // (4.1a)
-      {"frame.upper_beam_stiffness",    f.upper_beam_stiffness   },
-      {"frame.piston_stiffness",        f.piston_stiffness       },
-      {"frame.upper_packing_stiffness", f.upper_packing_stiffness}
-  });
-  chain.K2 = in_series({
-      {"frame.oil_column_stiffness",    f.oil_column_stiffness   }, // (4.1b)
-      {"frame.cylinder_body_stiffness", f.cylinder_body_stiffness},
-      {"frame.upper_chock_stiffness",   f.upper_chock_stiffness  },
-      {"K_Zy",                          path.K_Zy_upper          },
-      {"K_ZW",                          path.K_ZW                }
-  });
-  chain.K6 = in_series({
-      {"frame.lower_chock_stiffness", f.lower_chock_stiffness}, // (4.1c)
-      {"K_Zy",                        path.K_Zy_lower        },
-      {"K_ZW",                        path.K_ZW              }
-  });
-  chain.K7 = in_series({
-      {"frame.lower_post_stiffness",    f.lower_post_stiffness   }, // (4.1d)
-      {"frame.lower_beam_stiffness",    f.lower_beam_stiffness   },
-      {"frame.lower_packing_stiffness", f.lower_packing_stiffness},
-      {"frame.load_cell_stiffness",     f.load_cell_stiffness    }
-  });
+  chain.K1 = in_series({{"frame.upper_post_stiffness", f.upper_post_stiffness},  // (4.1a)
+                        {"frame.upper_beam_stiffness", f.upper_beam_stiffness},
+                        {"frame.piston_stiffness", f.piston_stiffness},
+                        {"frame.upper_packing_stiffness", f.upper_packing_stiffness}});
+  chain.K2 = in_series({{"frame.oil_column_stiffness", f.oil_column_stiffness},  // (4.1b)
+                        {"frame.cylinder_body_stiffness", f.cylinder_body_stiffness},
+                        {"frame.upper_chock_stiffness", f.upper_chock_stiffness},
+                        {"K_Zy", path.K_Zy_upper},
+                        {"K_ZW", path.K_ZW}});
+  chain.K6 = in_series({{"frame.lower_chock_stiffness", f.lower_chock_stiffness},  // (4.1c)
+                        {"K_Zy", path.K_Zy_lower},
+                        {"K_ZW", path.K_ZW}});
+  chain.K7 = in_series({{"frame.lower_post_stiffness", f.lower_post_stiffness},  // (4.1d)
+                        {"frame.lower_beam_stiffness", f.lower_beam_stiffness},
+                        {"frame.lower_packing_stiffness", f.lower_packing_stiffness},
+                        {"frame.load_cell_stiffness", f.load_cell_stiffness}});
   return chain;
 }
 

@@ -52,8 +52,8 @@ template <class Io, class Inputs> void each_spring(Io &&io, Inputs &inputs)
   }
 }
 
-/// All numbers of the chain by their names, in the order of the results; stiffnesses of bearings that are not known
-/// are left out.  A member that is added to the model and not named here does not compile.
+/// All numbers of the chain by their names, in the order of the results; stiffnesses of bearings that are not
+/// known are left out.  A member that is added to the model and not named here does not compile.
 template <class Io> void each_number(Io &&io, const LumpedModel &model)
 {
   const auto &[M, K, Kzc, Kzc_across, C, at] = model;

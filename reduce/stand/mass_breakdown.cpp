@@ -45,11 +45,7 @@ public:
     double equivalent   = 0;
     for (std::size_t i = 0; i + 1 < stations.size(); ++i)
       if (stations[i + 1] > stations[i])
-        equivalent += equivalent_mass(shape,
-                                      {
-                                          {stations[i], stations[i + 1], mass / length}
-        },
-                                      {}, reference_);
+        equivalent += equivalent_mass(shape, {{stations[i], stations[i + 1], mass / length}}, {}, reference_);
     result_.parts.push_back({name, mass, equivalent});
   }
 

@@ -105,10 +105,8 @@ StandModel load_path(const StandModel &stand)
 
 std::vector<Rider> riders_of(const FourHigh &stand)
 {
-  return {
-      {"balance gear", "upper frame",        0, 1, stand.frame.balance_mass              },
-      {"lower chocks", "lower backup chock", 5, 4, 2 * stand.backup_roll.chock_mass_lower}
-  };
+  return {{"balance gear", "upper frame", 0, 1, stand.frame.balance_mass},
+          {"lower chocks", "lower backup chock", 5, 4, 2 * stand.backup_roll.chock_mass_lower}};
 }
 
 SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, const std::string &reference,

@@ -9,8 +9,8 @@ namespace mill {
 struct FourHigh;
 }
 namespace mill::reduce {
-/// What a stand needs in addition to its drawing: springs at the working load and the reduced frame.  Whole stand unless
-/// it says otherwise.
+/// What a stand needs in addition to its drawing: springs at the working load and the reduced frame.  Whole stand
+/// unless it says otherwise.
 struct StandSprings {
   double K1         = 0;          ///< N/m, ground to upper frame (closed frame: lower to upper frame)
   double K7         = 0;          ///< N/m, lower frame to ground

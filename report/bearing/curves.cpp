@@ -152,12 +152,12 @@ std::string row_table(const Table &rows)
     int decimals;
   };
   const Entry entries[] = {
-      {"share",          "%",     "share [%]",              1},
-      {"axial",          "kN",    "axial force [kN]",       2},
-      {"roller_max",     "kN",    "heaviest roller [kN]",   2},
-      {"rib_max",        "kN",    "largest rib force [kN]", 3},
-      {"roller_secant",  "kN/mm", "its secant [kN/mm]",     1},
-      {"roller_tangent", "kN/mm", "its tangent [kN/mm]",    1},
+      {"share", "%", "share [%]", 1},
+      {"axial", "kN", "axial force [kN]", 2},
+      {"roller_max", "kN", "heaviest roller [kN]", 2},
+      {"rib_max", "kN", "largest rib force [kN]", 3},
+      {"roller_secant", "kN/mm", "its secant [kN/mm]", 1},
+      {"roller_tangent", "kN/mm", "its tangent [kN/mm]", 1},
   };
   std::string head = "<th>row</th>", body;
   std::vector<std::pair<Eigen::VectorXd, int>> columns;

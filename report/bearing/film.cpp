@@ -26,25 +26,19 @@ std::string over(const Table &table, const Column &x, const char *label, const c
 std::vector<std::string> film_drawings(const Table &t, const Column &x, const char *label,
                                        const std::vector<Mark> &marks)
 {
-  return {
-      over(t, x, label, "Stiffness", {"stiffness of one bearing",                    "kN/mm"},
-           {{{"k_xx", "kN/mm"}, "along the load"},
-                                      {{"k_yy", "kN/mm"}, "across it"},
-                                      {{"k_xy", "kN/mm"}, "along by motion across"},
-                                      {{"k_yx", "kN/mm"}, "across by motion along"}},
-           marks),
-      over(t, x, label, "Damping", {"damping of one bearing",              "kN s/m"},
-           {{{"b_xx", "kN s/m"}, "along the load"},
-                                      {{"b_yy", "kN s/m"}, "across it"},
-                                      {{"b_xy", "kN s/m"}, "along by motion across"}},
-           marks),
-      over(t, x, label, "Eccentricity", {"over the clearance",                      "-"},
-          {{{"eccentricity", "-"}, ""}                                            },
-          marks),
-      over(t, x, label, "Thinnest film", {"film",             "\u00b5m"},
-          {{{"minimum_film", "\u00b5m"}, ""}                                            },
-          marks)
-  };
+  return {over(t, x, label, "Stiffness", {"stiffness of one bearing", "kN/mm"},
+               {{{"k_xx", "kN/mm"}, "along the load"},
+                {{"k_yy", "kN/mm"}, "across it"},
+                {{"k_xy", "kN/mm"}, "along by motion across"},
+                {{"k_yx", "kN/mm"}, "across by motion along"}},
+               marks),
+          over(t, x, label, "Damping", {"damping of one bearing", "kN s/m"},
+               {{{"b_xx", "kN s/m"}, "along the load"},
+                {{"b_yy", "kN s/m"}, "across it"},
+                {{"b_xy", "kN s/m"}, "along by motion across"}},
+               marks),
+          over(t, x, label, "Eccentricity", {"over the clearance", "-"}, {{{"eccentricity", "-"}, ""}}, marks),
+          over(t, x, label, "Thinnest film", {"film", "\u00b5m"}, {{{"minimum_film", "\u00b5m"}, ""}}, marks)};
 }
 }  // namespace
 

@@ -15,9 +15,9 @@ struct MotionChannel {
   const char *column, *title, *quantity, *unit;
 };
 const MotionChannel motion_channels[] = {
-    {"force", "Force of the bearing", "force",        "kN"     },
-    {"x",     "Along the load",       "displacement", "\u00b5m"},
-    {"y",     "Across the load",      "displacement", "\u00b5m"},
+    {"force", "Force of the bearing", "force", "kN"},
+    {"x", "Along the load", "displacement", "\u00b5m"},
+    {"y", "Across the load", "displacement", "\u00b5m"},
 };
 
 std::string history(const Table &table, const MotionChannel &channel, const std::string &group)
@@ -35,9 +35,7 @@ std::string history(const Table &table, const MotionChannel &channel, const std:
   plot.lines.push_back({"", time, value, Pen::dark});
   return "<div class=\"history\"><div class=\"static\">" + svg_plot(plot) + "</div>" +
          zoom_chart(group, std::string(channel.quantity) + " [" + channel.unit + "]", 0, time,
-                    {
-                        {channel.title, value}
-  }) +
+                    {{channel.title, value}}) +
          "</div>\n";
 }
 

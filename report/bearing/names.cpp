@@ -10,17 +10,17 @@ struct Place {
 };
 // The first entry that matches is taken.
 const Place places[] = {
-    {"motion.",        "",       4},
-    {"load_that_fits", "",       3},
-    {"rollers_times",  "",       3},
-    {"row",            "_share", 1},
-    {"row",            "_axial", 1},
-    {"row",            "",       1},
-    {"roller",         "",       2},
-    {"heaviest",       "",       2},
-    {"loaded_rollers", "",       2},
-    {"rib_",           "",       2},
-    {"",               "",       0},
+    {"motion.", "", 4},
+    {"load_that_fits", "", 3},
+    {"rollers_times", "", 3},
+    {"row", "_share", 1},
+    {"row", "_axial", 1},
+    {"row", "", 1},
+    {"roller", "", 2},
+    {"heaviest", "", 2},
+    {"loaded_rollers", "", 2},
+    {"rib_", "", 2},
+    {"", "", 0},
 };
 const char *const titles[] = {
     "Stiffness of one bearing", "Rows",     "Rollers",          "From one roller to the bearing",

@@ -9,11 +9,11 @@ struct Law {
   bool markers;
 };
 const Law laws[] = {
-    {"fe",       "contact elements",                  Pen::dark,   true },
-    {"slices",   "slices, as the assembly uses them", Pen::warm,   false},
-    {"elastic",  "plane strain, both bodies",         Pen::dashed, false},
-    {"iso",      "ISO/TS 16281",                      Pen::pale,   false},
-    {"palmgren", "Palmgren, two contacts",            Pen::dotted, false},
+    {"fe", "contact elements", Pen::dark, true},
+    {"slices", "slices, as the assembly uses them", Pen::warm, false},
+    {"elastic", "plane strain, both bodies", Pen::dashed, false},
+    {"iso", "ISO/TS 16281", Pen::pale, false},
+    {"palmgren", "Palmgren, two contacts", Pen::dotted, false},
 };
 }  // namespace
 

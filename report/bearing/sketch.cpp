@@ -135,27 +135,16 @@ std::string across_the_axis(const BearingInfo &bearing, const Size &s)
   }
   const double bottom = y + scale * chock_height / 2;
   // What carries the chock: one face, or two feet.
-  std::vector<std::pair<double, double>> feet{
-      {-support / 2, support / 2}
-  };
+  std::vector<std::pair<double, double>> feet{{-support / 2, support / 2}};
   if (gap > 0 && gap < support)
-    feet = {
-        {-support / 2, -gap / 2   },
-        {gap / 2,      support / 2}
-    };
+    feet = {{-support / 2, -gap / 2}, {gap / 2, support / 2}};
   for (const auto &[from, to] : feet) {
     svg.line(x + scale * from, bottom + 3, x + scale * to, bottom + 3, "spring");
     for (double position = x + scale * from; position < x + scale * to - 8; position += 24)
       svg.line(position, bottom + 12, position + 9, bottom + 3, "dimension");
   }
   svg.line(x, y - 26, x, y + 16, "arrow");
-  svg.polyline(
-      {
-          {x,     y + 26},
-          {x - 6, y + 14},
-          {x + 6, y + 14}
-  },
-      "arrowhead", true);
+  svg.polyline({{x, y + 26}, {x - 6, y + 14}, {x + 6, y + 14}}, "arrowhead", true);
   svg.text(x + 10, y - 14, "load", "t halo");
   svg.text(x, bottom + 28,
            "chock " + significant(chock_width, 4) + " \u00d7 " + significant(chock_height, 4) + ", carried over " +

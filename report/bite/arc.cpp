@@ -18,14 +18,14 @@ struct Model {
 };
 // In the order in which they are shown.
 const Model known_models[] = {
-    {"fe",                 "finite elements",                           Pen::dark,    true },
-    {"karman-elastic-arc", "K\u00e1rm\u00e1n, free arc of the roll",    Pen::dotted,  true },
-    {"orowan",             "Orowan, inhomogeneous",                     Pen::dashed,  true },
-    {"karman",             "K\u00e1rm\u00e1n, homogeneous",             Pen::warm,    true },
-    {"bland-ford",         "Bland and Ford",                            Pen::pale,    true },
-    {"hu-ehmann",          "Hu and Ehmann",                             Pen::chained, true },
-    {"sims",               "Sims, sticking friction",                   Pen::pale,    false},
-    {"karman-rigid",       "K\u00e1rm\u00e1n, homogeneous, rigid roll", Pen::pale,    false},
+    {"fe", "finite elements", Pen::dark, true},
+    {"karman-elastic-arc", "K\u00e1rm\u00e1n, free arc of the roll", Pen::dotted, true},
+    {"orowan", "Orowan, inhomogeneous", Pen::dashed, true},
+    {"karman", "K\u00e1rm\u00e1n, homogeneous", Pen::warm, true},
+    {"bland-ford", "Bland and Ford", Pen::pale, true},
+    {"hu-ehmann", "Hu and Ehmann", Pen::chained, true},
+    {"sims", "Sims, sticking friction", Pen::pale, false},
+    {"karman-rigid", "K\u00e1rm\u00e1n, homogeneous, rigid roll", Pen::pale, false},
 };
 
 const Model *find_model(const std::string &key)

@@ -12,10 +12,10 @@ struct Input {
   const char *file, *quantity, *unit;
 };
 const Input inputs[] = {
-    {"reduction", "reduction",               "%"  },
-    {"tension",   "tension, front and back", "MPa"},
-    {"friction",  "friction \u00b5",         "-"  },
-    {"speed",     "roll speed",              "m/s"},
+    {"reduction", "reduction", "%"},
+    {"tension", "tension, front and back", "MPa"},
+    {"friction", "friction \u00b5", "-"},
+    {"speed", "roll speed", "m/s"},
 };
 
 // Single points of the finite elements on the curve of the slab theory.

@@ -18,10 +18,10 @@ struct Quantity {
   const char *column, *title, *name, *unit;
 };
 const Quantity field_quantities[] = {
-    {"strain",      "Plastic strain", "strain",      "-"  },
-    {"strain_rate", "Strain rate",    "strain rate", "1/s"},
-    {"pressure",    "Mean pressure",  "pressure",    "MPa"},
-    {"velocity_x",  "Speed",          "speed",       "m/s"},
+    {"strain", "Plastic strain", "strain", "-"},
+    {"strain_rate", "Strain rate", "strain rate", "1/s"},
+    {"pressure", "Mean pressure", "pressure", "MPa"},
+    {"velocity_x", "Speed", "speed", "m/s"},
 };
 
 // Points of the mesh, (station along the strip, place through the half thickness).

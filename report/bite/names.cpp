@@ -11,9 +11,7 @@ bool is_of_one_model(const std::string &name)
 
 std::vector<Group> bite_groups(const Run &run)
 {
-  std::vector<Group> groups{
-      {"Stiffness between the work rolls", {}}
-  };
+  std::vector<Group> groups{{"Stiffness between the work rolls", {}}};
   for (const Result &result : run.results) {
     if (is_of(result.name, family::bite_spring))
       groups.front().results.push_back(&result);

@@ -51,12 +51,12 @@ std::string bite_model_table(const Run &run, const BitePass &pass)
     double factor;
   };
   const Entry entries[] = {
-      {"force",            "force [kN]",                     1e-3          },
-      {"torque",           "torque of one roll [kN\u00a0m]", 1e-3          },
-      {"forward_slip",     "forward slip [%]",               100           },
-      {"neutral_angle",    "neutral angle [\u00b0]",         180 / EIGEN_PI},
-      {"flattened_radius", "radius of the arc [mm]",         1e3           },
-      {"plastic_slope",    "K4, plastic slope [kN/mm]",      1e-6          },
+      {"force", "force [kN]", 1e-3},
+      {"torque", "torque of one roll [kN\u00a0m]", 1e-3},
+      {"forward_slip", "forward slip [%]", 100},
+      {"neutral_angle", "neutral angle [\u00b0]", 180 / EIGEN_PI},
+      {"flattened_radius", "radius of the arc [mm]", 1e3},
+      {"plastic_slope", "K4, plastic slope [kN/mm]", 1e-6},
   };
   const std::string reference = reference_of(pass);
   std::string head            = "<th>model</th>", body;
@@ -136,10 +136,10 @@ std::string k4_table(const Run &run)
     const char *quantity, *what;
   };
   const Entry entries[] = {
-      {"plastic_slope", "how much the force falls when the gap opens, entry thickness held"                },
-      {"flattening",    "force over elastic approach of <b>one</b> roll's surface and its axis"            },
-      {"combined",      "both in series, plastic slope and two rolls: what acts between the work rolls"    },
-      {"path_plateau",  "nodal force over nodal displacement along the contact: shrinks with every element"},
+      {"plastic_slope", "how much the force falls when the gap opens, entry thickness held"},
+      {"flattening", "force over elastic approach of <b>one</b> roll's surface and its axis"},
+      {"combined", "both in series, plastic slope and two rolls: what acts between the work rolls"},
+      {"path_plateau", "nodal force over nodal displacement along the contact: shrinks with every element"},
   };
   std::string body;
   for (const Entry &entry : entries) {

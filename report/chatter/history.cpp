@@ -141,10 +141,7 @@ std::string chatter_histories(const Run &run, const ChatterCondition &condition)
     if (gap.x.size() == 0)
       continue;
     const ChatterHistoryInfo *info = info_of(condition, what);
-    charts.push_back({
-        title_of(what, condition), {"gap", "\u00b5m"},
-          {gap    }
-    });
+    charts.push_back({title_of(what, condition), {"gap", "\u00b5m"}, {gap}});
     charts.back().limit = 1.25 * after_the_start(gap);
     if (info && std::isfinite(info->growth) && std::abs(info->growth) * (gap.x[gap.x.size() - 1] - gap.x[0]) < 5)
       charts.back().lines.push_back(envelope_of(gap, info->growth));
@@ -194,13 +191,11 @@ std::string chatter_periods(const Run &run, const ChatterCondition &condition)
     const char *column, *unit, *label;
     Pen pen;
   };
-  for (const Channel &channel : {
-           Channel{"gap",           "\u00b5m", "gap",           Pen::dark   },
-           Channel{"force",         "kN",      "force",         Pen::warm   },
-           Channel{"entry_tension", "MPa",     "back tension",  Pen::dashed },
-           Channel{"exit_tension",  "MPa",     "front tension", Pen::dotted },
-           Channel{"friction",      "-",       "friction",      Pen::chained}
-  }) {
+  for (const Channel &channel :
+       {Channel{"gap", "\u00b5m", "gap", Pen::dark}, Channel{"force", "kN", "force", Pen::warm},
+        Channel{"entry_tension", "MPa", "back tension", Pen::dashed},
+        Channel{"exit_tension", "MPa", "front tension", Pen::dotted},
+        Channel{"friction", "-", "friction", Pen::chained}}) {
     Line line = line_of(*table, channel.column, channel.unit, channel.label, channel.pen);
     if (line.x.size() == 0)
       continue;
@@ -224,9 +219,9 @@ struct CycleChannel {
 const std::vector<CycleChannel> &cycle_channels()
 {
   static const std::vector<CycleChannel> channels{
-      {"Gap",           {"gap", "\u00b5m"}, {{"gap", ""}}                                                         },
-      {"Rolling force", {"force", "kN"},    {{"force", ""}}                                                       },
-      {"Tensions",      {"tension", "MPa"}, {{"entry_tension", "back tension"}, {"exit_tension", "front tension"}}},
+      {"Gap", {"gap", "\u00b5m"}, {{"gap", ""}}},
+      {"Rolling force", {"force", "kN"}, {{"force", ""}}},
+      {"Tensions", {"tension", "MPa"}, {{"entry_tension", "back tension"}, {"exit_tension", "front tension"}}},
   };
   return channels;
 }

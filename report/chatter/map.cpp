@@ -23,9 +23,9 @@ struct OtherAxis {
   const char *key, *quantity, *unit, *title;
 };
 constexpr OtherAxis axes[] = {
-    {"reduction", "reduction",                "%",     "Speed and reduction"},
-    {"tension",   "tension of the condition", "%",     "Speed and tension"  },
-    {"viscosity", "viscosity of the oil",     "mPa s", "Speed and viscosity"},
+    {"reduction", "reduction", "%", "Speed and reduction"},
+    {"tension", "tension of the condition", "%", "Speed and tension"},
+    {"viscosity", "viscosity of the oil", "mPa s", "Speed and viscosity"},
 };
 
 // Speed runs fastest; a table that is not such a grid draws nothing.

@@ -50,11 +50,11 @@ void spread(std::vector<Label> &labels, const double top, const double bottom)
 std::string chatter_phasors(const ChatterPhases &phases)
 {
   std::vector<Phasor> all{
-      {"gap",           0,                    Pen::dark   },
-      {"force",         phases.force,         Pen::warm   },
-      {"back tension",  phases.entry_tension, Pen::dashed },
-      {"front tension", phases.exit_tension,  Pen::dotted },
-      {"friction",      phases.friction,      Pen::chained},
+      {"gap", 0, Pen::dark},
+      {"force", phases.force, Pen::warm},
+      {"back tension", phases.entry_tension, Pen::dashed},
+      {"front tension", phases.exit_tension, Pen::dotted},
+      {"friction", phases.friction, Pen::chained},
   };
   all.erase(std::remove_if(all.begin(), all.end(), [](const Phasor &p) { return !std::isfinite(p.angle); }),
             all.end());
@@ -82,11 +82,7 @@ std::string chatter_phasors(const ChatterPhases &phases)
     for (const Label &label : *side) {
       const double turn = label.phasor->angle * EIGEN_PI / 180, x = centre[0] + way * (radius + 26);
       const Vector2d tip = centre + (radius + 3) * Vector2d(std::cos(turn), -std::sin(turn));
-      svg.polyline(
-          {
-              tip, {x - way * 4, label.y}
-      },
-          "leader");
+      svg.polyline({tip, {x - way * 4, label.y}}, "leader");
       svg.text(x, label.y + 4,
                label.phasor->label + (label.phasor->label == "gap" ? "" : " " + degrees(label.phasor->angle)), "t",
                side == &left ? Anchor::end : Anchor::start);

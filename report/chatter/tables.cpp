@@ -106,9 +106,9 @@ std::string chatter_scheme_table(const ChatterCondition &condition)
     const char *name, *what;
   };
   const Meaning meanings[] = {
-      {"sequential",      "film and exit point keep the strip speeds of the steady state"},
-      {"consistent",      "everything follows"                                           },
-      {"frozen-friction", "friction keeps its steady value"                              },
+      {"sequential", "film and exit point keep the strip speeds of the steady state"},
+      {"consistent", "everything follows"},
+      {"frozen-friction", "friction keeps its steady value"},
   };
   std::string body;
   for (const ChatterVariantInfo &scheme : condition.schemes) {

@@ -23,11 +23,11 @@ struct SharedCurve {
 };
 
 const SharedCurve shared_curves[] = {
-    {&curve::stand_modulus,  {"load", "kN"},   {"tangent", "kN/mm"},        "rolling force",    "mill modulus"      },
-    {&curve::contact,        {"load", "kN"},   {"tangent", "kN/mm"},        "load",             "stiffness, tangent"},
-    {&curve::contact_barrel, {"z", "mm"},      {"line_load", "kN/mm"},      "along the barrel", "line load"         },
-    {&curve::bearing,        {"load", "kN"},   {"displacement", "\u00b5m"}, "load",             "displacement"      },
-    {&curve::chatter_speed,  {"speed", "m/s"}, {"growth_rate", "1/s"},      "roll speed",       "growth rate"       },
+    {&curve::stand_modulus, {"load", "kN"}, {"tangent", "kN/mm"}, "rolling force", "mill modulus"},
+    {&curve::contact, {"load", "kN"}, {"tangent", "kN/mm"}, "load", "stiffness, tangent"},
+    {&curve::contact_barrel, {"z", "mm"}, {"line_load", "kN/mm"}, "along the barrel", "line load"},
+    {&curve::bearing, {"load", "kN"}, {"displacement", "\u00b5m"}, "load", "displacement"},
+    {&curve::chatter_speed, {"speed", "m/s"}, {"growth_rate", "1/s"}, "roll speed", "growth rate"},
 };
 
 const Pen run_pens[] = {Pen::dark, Pen::warm, Pen::dashed, Pen::dotted, Pen::chained, Pen::pale};

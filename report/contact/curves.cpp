@@ -7,14 +7,12 @@
 #include <limits>
 
 namespace mill::report {
-const std::array<ClosedForm, 4> closed_secants{
-    {
-     {"hertz_secant", "Hertz, axis to axis", Pen::warm, Pen::warm_dashed},
-     {"foeppl_secant", "F\u00f6ppl, parabolic pressure", Pen::dashed, Pen::pale},
-     {"half_space_secant", "larger roll as half space", Pen::dotted, Pen::dotted},
-     {"palmgren_secant", "Palmgren, empirical", Pen::chained, Pen::chained},
-     }
-};
+const std::array<ClosedForm, 4> closed_secants{{
+    {"hertz_secant", "Hertz, axis to axis", Pen::warm, Pen::warm_dashed},
+    {"foeppl_secant", "F\u00f6ppl, parabolic pressure", Pen::dashed, Pen::pale},
+    {"half_space_secant", "larger roll as half space", Pen::dotted, Pen::dotted},
+    {"palmgren_secant", "Palmgren, empirical", Pen::chained, Pen::chained},
+}};
 
 namespace {
 constexpr double not_stored = std::numeric_limits<double>::quiet_NaN();

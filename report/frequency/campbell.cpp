@@ -11,13 +11,11 @@ namespace mill::report {
 namespace {
 Pen pen_of(const std::string &group)
 {
-  static const std::map<std::string, Pen> pens{
-      {"work roll",           Pen::dark       },
-      {"backup roll",         Pen::dashed     },
-      {"work-roll bearing",   Pen::pale       },
-      {"backup-roll bearing", Pen::pale_dashed},
-      {"drive",               Pen::warm       }
-  };
+  static const std::map<std::string, Pen> pens{{"work roll", Pen::dark},
+                                               {"backup roll", Pen::dashed},
+                                               {"work-roll bearing", Pen::pale},
+                                               {"backup-roll bearing", Pen::pale_dashed},
+                                               {"drive", Pen::warm}};
   const auto match = pens.find(group);
   return match == pens.end() ? Pen::pale : match->second;
 }

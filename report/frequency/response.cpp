@@ -91,10 +91,7 @@ std::string magnitude_drawing(const Run &run, const std::string &model, const st
       if (const Eigen::VectorXd *edge = band->column(column_of(place) + end))
         plot.lines.push_back({label, values_of(*band, {"frequency", "Hz"}), per_kilonewton * *edge, Pen::pale});
   const std::pair<const char *, const char *> models[] = {
-      {"craig-bampton", "finite elements"},
-      {"beam",          "beams"          },
-      {"six-mass",      "six masses"     }
-  };
+      {"craig-bampton", "finite elements"}, {"beam", "beams"}, {"six-mass", "six masses"}};
   for (const auto &[name, label] : models)
     if (const Parts parts = response_parts(run, name, "bite", place); parts.stored())
       plot.lines.push_back({label, parts.f, parts.magnitude(),

@@ -204,14 +204,12 @@ std::string chain_cards(const Run &run)
 std::string bearing_cards(const Run &run)
 {
   std::string all;
-  for (const auto &[name, label] : {
-           std::pair("Kzc.tangent", "Kzc, tangent"),
-           {"Kzc.secant",            "Kzc, secant"                 },
-           {"Kzc.tangent_across",    "Kzc, tangent across the load"},
-           {"Kzc.roller_max",        "heaviest roller"             },
-           {"Kzc.heaviest_angle",    "its angle from the load line"},
-           {"Kzc.motion.peak_force", "peak force, driven mass"     }
-  })
+  for (const auto &[name, label] : {std::pair("Kzc.tangent", "Kzc, tangent"),
+                                    {"Kzc.secant", "Kzc, secant"},
+                                    {"Kzc.tangent_across", "Kzc, tangent across the load"},
+                                    {"Kzc.roller_max", "heaviest roller"},
+                                    {"Kzc.heaviest_angle", "its angle from the load line"},
+                                    {"Kzc.motion.peak_force", "peak force, driven mass"}})
     all += card(run.find(name), label);
   return all;
 }
@@ -221,11 +219,9 @@ std::string bite_cards(const Run &run)
   std::string all;
   for (const Result &result : run.results)
     if (is_of(result.name, family::bite) && !is_of_one_model(result.name))
-      for (const auto &[quantity, label] : {
-               std::pair("force", ", roll force"),
-               {"torque",       ", torque of one roll"},
-               {"forward_slip", ", forward slip"      }
-      })
+      for (const auto &[quantity, label] : {std::pair("force", ", roll force"),
+                                            {"torque", ", torque of one roll"},
+                                            {"forward_slip", ", forward slip"}})
         if (const auto dot = result.name.find('.', 5); result.name.substr(dot + 1) == quantity)
           all += card(&result, result.name.substr(5, dot - 5) + label);
   all += card(run.find("bite.fit.friction"), "friction, fitted") +
@@ -250,13 +246,11 @@ std::string contact_cards(const Run &run)
 {
   std::string all;
   for (const char *contact : pair_contacts)
-    for (const auto &[aspect, label] : {
-             std::pair("tangent", "stiffness, tangent"),
-             {"secant",        "stiffness, secant"},
-             {"approach",      "approach"         },
-             {"half_width",    "half width"       },
-             {"peak_pressure", "peak pressure"    }
-    })
+    for (const auto &[aspect, label] : {std::pair("tangent", "stiffness, tangent"),
+                                        {"secant", "stiffness, secant"},
+                                        {"approach", "approach"},
+                                        {"half_width", "half width"},
+                                        {"peak_pressure", "peak pressure"}})
       all += card(run.find(result_name({family::contact, contact, aspect})), label);
   return all;
 }
@@ -446,12 +440,10 @@ std::string screen_head(const Run &run)
 {
   const Manifest &m = run.manifest;
   std::string facts;
-  for (const auto &[name, value] : {
-           std::pair<const char *, const std::string &>("case", run.case_name),
-           {"kind", m.kind  },
-           {"run",  m.run_id},
-           {"date", m.date  }
-  })
+  for (const auto &[name, value] : {std::pair<const char *, const std::string &>("case", run.case_name),
+                                    {"kind", m.kind},
+                                    {"run", m.run_id},
+                                    {"date", m.date}})
     if (!value.empty())
       facts += std::string("<div><dt>") + name + "</dt><dd>" + escaped(value) + "</dd></div>";
   return "<header><h1>" + escaped(m.title.empty() ? run.case_name : m.title) + "</h1><dl class=\"facts\">" +

@@ -165,13 +165,7 @@ void draw_reach(Svg &svg, const LadderFrame &frame, const std::vector<ForceReach
     if (force.frequency <= frame.top)
       svg.line(x - 6, end, x + 6, end, "reach");
     else
-      svg.polyline(
-          {
-              {x,     end - 8},
-              {x - 5, end    },
-              {x + 5, end    }
-      },
-          "reach-head", true);
+      svg.polyline({{x, end - 8}, {x - 5, end}, {x + 5, end}}, "reach-head", true);
     svg.upright_text(x - 5, (ladder_bottom + end) / 2,
                      "force of " + force.pass + " to " + fixed(force.frequency, 0) + " Hz", "flag halo");
     x += 26;
@@ -182,11 +176,7 @@ void draw_key(Svg &svg)
 {
   const struct {
     const char *classes, *label;
-  } keys[] = {
-      {"join good", "within 3 %"        },
-      {"join fair", "3 to 10 % off"     },
-      {"join poor", "more than 10 % off"}
-  };
+  } keys[] = {{"join good", "within 3 %"}, {"join fair", "3 to 10 % off"}, {"join poor", "more than 10 % off"}};
   double x = 90;
   for (const auto &[classes, label] : keys) {
     svg.line(x, ladder_bottom + 28, x + 30, ladder_bottom + 28, classes);

@@ -74,15 +74,13 @@ int Builder::point(const std::string &name)
 
 DrawnRoll Builder::roll(const std::string &name, const RollSizes &metres, const double y)
 {
-  DrawnRoll roll{
-      y,
-      {metres.radius * scale_, metres.half_barrel * scale_, metres.neck * scale_, metres.half_total * scale_,
-        metres.seat * scale_},
-      {  },
-      {  },
-      point(name),
-      point(name)
-  };
+  DrawnRoll roll{y,
+                 {metres.radius * scale_, metres.half_barrel * scale_, metres.neck * scale_,
+                  metres.half_total * scale_, metres.seat * scale_},
+                 {},
+                 {},
+                 point(name),
+                 point(name)};
   placed_.insert(name + " end");  // the outline shows it
   int line = -1;
   for (std::size_t i = 0; i < model_.lines.size(); ++i)
@@ -141,12 +139,10 @@ void Builder::outline(const DrawnRoll &roll)
 void Builder::box(const double x, const double y, const double half_width, const double height,
                   const int displacement, const std::string &classes)
 {
-  const std::vector<Corner> corners{
-      {x - half_width, y,          displacement},
-      {x + half_width, y,          displacement},
-      {x + half_width, y + height, displacement},
-      {x - half_width, y + height, displacement}
-  };
+  const std::vector<Corner> corners{{x - half_width, y, displacement},
+                                    {x + half_width, y, displacement},
+                                    {x + half_width, y + height, displacement},
+                                    {x - half_width, y + height, displacement}};
   if (displacement != 0)
     drawing_.shapes.push_back({"ghost", true, corners});
   drawing_.shapes.push_back({classes, true, corners});
@@ -170,13 +166,10 @@ void Builder::spring(const double x, const double from_y, const int from, const 
 
 void Builder::ground(const double x, const double y, const bool above)
 {
-  drawing_.shapes.push_back({
-      "ground-line", false, {{x - 26, y}, {x + 26, y}}
-  });
+  drawing_.shapes.push_back({"ground-line", false, {{x - 26, y}, {x + 26, y}}});
   for (int i = -3; i < 3; ++i)
-    drawing_.shapes.push_back({
-        "dimension", false, {{x + 8.0 * i, y}, {x + 8.0 * (i + 1), above ? y - 8 : y + 8}}
-    });
+    drawing_.shapes.push_back(
+        {"dimension", false, {{x + 8.0 * i, y}, {x + 8.0 * (i + 1), above ? y - 8 : y + 8}}});
 }
 
 // An elastic foundation of springs where two barrels meet.
@@ -278,12 +271,8 @@ void Builder::strip(const DrawnRoll &upper, const DrawnRoll &lower)
 {
   const double y = 0.5 * (upper.y + lower.y), half = sizes_.half_strip * scale_;
   std::vector<Corner> corners;
-  for (const auto &[x, dy] : {
-           std::pair{-half, -1.5},
-           std::pair{half,  -1.5},
-           std::pair{half,  1.5 },
-           std::pair{-half, 1.5 }
-  })
+  for (const auto &[x, dy] :
+       {std::pair{-half, -1.5}, std::pair{half, -1.5}, std::pair{half, 1.5}, std::pair{-half, 1.5}})
     corners.push_back({middle + x, y + dy, upper.middle, lower.middle, 0.5});
   drawing_.shapes.push_back({"strip", true, corners});
 }
@@ -332,12 +321,8 @@ StandDrawing Builder::build()
   strip(upper_work, lower_work);
   for (const DrawnRoll *roll : {&upper_backup, &upper_work, &lower_work, &lower_backup})
     outline(*roll);
-  for (const auto &[y, name] : {
-           std::pair{first,  "upper backup roll"},
-           std::pair{second, "upper work roll"  },
-           std::pair{third,  "lower work roll"  },
-           std::pair{fourth, "lower backup roll"}
-  })
+  for (const auto &[y, name] : {std::pair{first, "upper backup roll"}, std::pair{second, "upper work roll"},
+                                std::pair{third, "lower work roll"}, std::pair{fourth, "lower backup roll"}})
     label(y, name);
   others();
   // Nothing is drawn above the upper ground: the drawing starts there.
@@ -349,13 +334,10 @@ StandDrawing Builder::build()
   for (FixedText &text : drawing_.texts)
     text.y -= off;
   const double below = ground_below_ - off + 26, metre = scale_;
-  drawing_.shapes.push_back({
-      "dimension", false, {{middle - metre / 2, below}, {middle + metre / 2, below}}
-  });
+  drawing_.shapes.push_back({"dimension", false, {{middle - metre / 2, below}, {middle + metre / 2, below}}});
   for (const double side : {-0.5, 0.5})
-    drawing_.shapes.push_back({
-        "dimension", false, {{middle + side * metre, below - 4}, {middle + side * metre, below + 4}}
-    });
+    drawing_.shapes.push_back(
+        {"dimension", false, {{middle + side * metre, below - 4}, {middle + side * metre, below + 4}}});
   drawing_.texts.push_back({middle, below + 16,
                             "1 m of the stand, to scale; motion relative, largest of the mode = 1 [-]", "axis",
                             Anchor::middle});

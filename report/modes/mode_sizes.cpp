@@ -12,11 +12,7 @@ StandSizes assumed_sizes(const ComparedModel &model)
     if (line.z.size() > 0)
       longest = std::max(longest, line.z.maxCoeff());
   const double f = longest > 0 ? longest / 1.65 : 1;
-  return {
-      {0.7 * f, 0.7 * f, 0.45 * f, 1.65 * f, 1.2 * f},
-      {0.2 * f, 0.7 * f, 0.13 * f, 1.15 * f, f      },
-      0.5 * f
-  };
+  return {{0.7 * f, 0.7 * f, 0.45 * f, 1.65 * f, 1.2 * f}, {0.2 * f, 0.7 * f, 0.13 * f, 1.15 * f, f}, 0.5 * f};
 }
 }  // namespace
 

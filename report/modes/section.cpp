@@ -24,13 +24,7 @@ void draw_arrow(Svg &svg, const double x, const double y, const double displacem
   const double size = std::abs(length), half = std::min(4.5, 0.6 * size);
   const double tip = y - length, back = tip + std::copysign(std::min(6.0, size), length);
   svg.line(x, y, x, back, "arrow");
-  svg.polyline(
-      {
-          {x,        tip },
-          {x - half, back},
-          {x + half, back}
-  },
-      "arrowhead", true);
+  svg.polyline({{x, tip}, {x - half, back}, {x + half, back}}, "arrowhead", true);
 }
 
 std::string shapes(const Table &modes)

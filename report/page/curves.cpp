@@ -16,43 +16,43 @@ struct KnownUnit {
   double si;
 };
 const KnownUnit known_units[] = {
-    {"-",           "number",         1               },
-    {"%",           "number",         0.01            },
-    {"s",           "time",           1               },
-    {"ms",          "time",           1e-3            },
-    {"Hz",          "frequency",      1               },
-    {"N",           "force",          1               },
-    {"kN",          "force",          1e3             },
-    {"MN",          "force",          1e6             },
-    {"m",           "length",         1               },
-    {"mm",          "length",         1e-3            },
-    {"\u00b5m",     "length",         1e-6            },
-    {"Pa",          "pressure",       1               },
-    {"MPa",         "pressure",       1e6             },
-    {"N/m",         "stiffness",      1               },
-    {"kN/mm",       "stiffness",      1e6             },
-    {"N/mm",        "stiffness",      1e3             },
-    {"N/m\u00b2",   "bedding",        1               },
-    {"kN/mm per m", "bedding",        1e6             },
-    {"m/N",         "flexibility",    1               },
-    {"\u00b5m/MN",  "flexibility",    1e-12           },
-    {"rad",         "angle",          1               },
-    {"mrad",        "angle",          1e-3            },
-    {"\u00b0",      "angle",          EIGEN_PI / 180  },
-    {"N m",         "moment",         1               },
-    {"kN m",        "moment",         1e3             },
-    {"1/s",         "rate",           1               },
-    {"N s/m",       "damper",         1               },
-    {"kN s/m",      "damper",         1e3             },
-    {"MN s/m",      "damper",         1e6             },
-    {"Pa s",        "viscosity",      1               },
-    {"mPa s",       "viscosity",      1e-3            },
-    {"m/s",         "speed",          1               },
-    {"m/s\u00b2",   "acceleration",   1               },
-    {"g",           "acceleration",   standard_gravity},
-    {"N/\u221aHz",  "force density",  1               },
-    {"kN/\u221aHz", "force density",  1e3             },
-    {"g/\u221aHz",  "accel. density", standard_gravity},
+    {"-", "number", 1},
+    {"%", "number", 0.01},
+    {"s", "time", 1},
+    {"ms", "time", 1e-3},
+    {"Hz", "frequency", 1},
+    {"N", "force", 1},
+    {"kN", "force", 1e3},
+    {"MN", "force", 1e6},
+    {"m", "length", 1},
+    {"mm", "length", 1e-3},
+    {"\u00b5m", "length", 1e-6},
+    {"Pa", "pressure", 1},
+    {"MPa", "pressure", 1e6},
+    {"N/m", "stiffness", 1},
+    {"kN/mm", "stiffness", 1e6},
+    {"N/mm", "stiffness", 1e3},
+    {"N/m\u00b2", "bedding", 1},
+    {"kN/mm per m", "bedding", 1e6},
+    {"m/N", "flexibility", 1},
+    {"\u00b5m/MN", "flexibility", 1e-12},
+    {"rad", "angle", 1},
+    {"mrad", "angle", 1e-3},
+    {"\u00b0", "angle", EIGEN_PI / 180},
+    {"N m", "moment", 1},
+    {"kN m", "moment", 1e3},
+    {"1/s", "rate", 1},
+    {"N s/m", "damper", 1},
+    {"kN s/m", "damper", 1e3},
+    {"MN s/m", "damper", 1e6},
+    {"Pa s", "viscosity", 1},
+    {"mPa s", "viscosity", 1e-3},
+    {"m/s", "speed", 1},
+    {"m/s\u00b2", "acceleration", 1},
+    {"g", "acceleration", standard_gravity},
+    {"N/\u221aHz", "force density", 1},
+    {"kN/\u221aHz", "force density", 1e3},
+    {"g/\u221aHz", "accel. density", standard_gravity},
 };
 
 const KnownUnit *known(const std::string &unit)
@@ -157,10 +157,7 @@ ReadableColumn readable(const Table &table, const std::size_t i)
   const Eigen::VectorXd &column = table.columns[i];
   const double largest          = column.array().isNaN().select(0, column.cwiseAbs()).maxCoeff();
   const Shown shown             = engineering(largest, table.units[i]);
-  ReadableColumn out{
-      {in_words(table.names[i]), shown.unit.empty() ? "-" : shown.unit},
-      column
-  };
+  ReadableColumn out{{in_words(table.names[i]), shown.unit.empty() ? "-" : shown.unit}, column};
   if (largest > 0)
     out.value *= shown.value / largest;
   return out;

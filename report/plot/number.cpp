@@ -45,16 +45,9 @@ struct Conversion {
   const char *shown;
 };
 const Conversion conversions[] = {
-    {"N/m",     1e-6,                 "kN/mm"      },
-    {"N/m2",    1e-6,                 "kN/mm per m"},
-    {"N s/m",   1e-3,                 "kN s/m"     },
-    {"N",       1e-3,                 "kN"         },
-    {"N m",     1e-3,                 "kN m"       },
-    {"N m/rad", 1e-6,                 "kN m/mrad"  },
-    {"Pa",      1e-6,                 "MPa"        },
-    {"deg",     1,                    "\u00b0"     },
-    {"Pa s",    1e3,                  "mPa s"      },
-    {"m/s2",    1 / standard_gravity, "g"          },
+    {"N/m", 1e-6, "kN/mm"}, {"N/m2", 1e-6, "kN/mm per m"},       {"N s/m", 1e-3, "kN s/m"}, {"N", 1e-3, "kN"},
+    {"N m", 1e-3, "kN m"},  {"N m/rad", 1e-6, "kN m/mrad"},      {"Pa", 1e-6, "MPa"},       {"deg", 1, "\u00b0"},
+    {"Pa s", 1e3, "mPa s"}, {"m/s2", 1 / standard_gravity, "g"},
 };
 }  // namespace
 

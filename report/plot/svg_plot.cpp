@@ -56,13 +56,8 @@ void draw_flags(Svg &svg, const Layout &layout)
   for (const Flag &flag : layout.flags) {  // above all lines: that of another mark may pass behind a name
     svg.text((flag.left + flag.right) / 2, base(flag), flag.mark->label, "flag", Anchor::middle);
     if (flag.mark->support)
-      svg.polyline(
-          {
-              {flag.x,     layout.bottom - 11},
-              {flag.x - 7, layout.bottom     },
-              {flag.x + 7, layout.bottom     }
-      },
-          "support", true);
+      svg.polyline({{flag.x, layout.bottom - 11}, {flag.x - 7, layout.bottom}, {flag.x + 7, layout.bottom}},
+                   "support", true);
   }
 }
 

@@ -33,10 +33,10 @@ struct Channel {
   const char *column, *title, *quantity, *unit;
 };
 const Channel channels[] = {
-    {"force",           "Rolling force",   "force",        "kN"},
-    {"load_cell",       "Load cell",       "force",        "kN"},
-    {"upper_work_roll", "Upper work roll", "acceleration", "g" },
-    {"lower_work_roll", "Lower work roll", "acceleration", "g" },
+    {"force", "Rolling force", "force", "kN"},
+    {"load_cell", "Load cell", "force", "kN"},
+    {"upper_work_roll", "Upper work roll", "acceleration", "g"},
+    {"lower_work_roll", "Lower work roll", "acceleration", "g"},
 };
 
 // Both rolls on one scale: the difference between them is what one looks for.
@@ -75,10 +75,7 @@ std::string zoomable(const std::string &drawing, const PassInfo &pass, const Tab
   const Eigen::VectorXd value = values_of(table, {channel.column, channel.unit});
   return "<div class=\"history\"><div class=\"static\">" + drawing + "</div>" +
          zoom_chart(pass.slug, std::string(channel.quantity) + " [" + channel.unit + "]",
-                    channel.unit == std::string("g") ? limit : 0, time,
-                    {
-                        {channel.title, value}
-  }) +
+                    channel.unit == std::string("g") ? limit : 0, time, {{channel.title, value}}) +
          "</div>\n";
 }
 
@@ -178,21 +175,17 @@ void one_pass(Page &page, const Run &run, const PassInfo &pass)
   } else
     page.absent("Histories of " + pass.name + " are", path + ".csv");
   if (spectra)
-    page.figure(
-        {
-            spectrum(run, *spectra, "Rolling force", {{"force", ""}                          },
-               "amplitude density", "N/\u221aHz"),
-            spectrum(run, *spectra, "Accelerations",
-                     { {"upper_work_roll", "upper work roll"}, {"lower_work_roll", "lower work roll"}},
-                     "amplitude density", "g/\u221aHz")
-    },
-        "Spectra of " + escaped(pass.name) + " with the natural frequencies of " +
-            (driven_model(run).empty() ? "the chain" : "the " + driven_title(run)) + " marked, up to " +
-            (driven_model(run).empty() ? "four times" : "twice") +
-            " the highest. A peak of the "
-            "acceleration at a mark where the "
-            "force has none is a resonance of the stand; where the force spectrum ends, so does what this "
-            "record can say.");
+    page.figure({spectrum(run, *spectra, "Rolling force", {{"force", ""}}, "amplitude density", "N/\u221aHz"),
+                 spectrum(run, *spectra, "Accelerations",
+                          {{"upper_work_roll", "upper work roll"}, {"lower_work_roll", "lower work roll"}},
+                          "amplitude density", "g/\u221aHz")},
+                "Spectra of " + escaped(pass.name) + " with the natural frequencies of " +
+                    (driven_model(run).empty() ? "the chain" : "the " + driven_title(run)) + " marked, up to " +
+                    (driven_model(run).empty() ? "four times" : "twice") +
+                    " the highest. A peak of the "
+                    "acceleration at a mark where the "
+                    "force has none is a resonance of the stand; where the force spectrum ends, so does what this "
+                    "record can say.");
   else
     page.absent("Spectra of " + pass.name + " are", path + "-spectrum.csv");
 }

@@ -7,20 +7,19 @@
 namespace mill::report {
 namespace {
 const std::map<std::string, std::string> quantity_words{
-    {"force",           "force"                                         },
-    {"approach",        "approach of the axes"                          },
-    {"tangent",         "tangent dF/d\u03b4"                            },
-    {"secant",          "secant F/\u03b4"                               },
-    {"x",               "displacement along the rolling direction"      },
-    {"y",               "displacement upwards"                          },
+    {"force", "force"},
+    {"approach", "approach of the axes"},
+    {"tangent", "tangent dF/d\u03b4"},
+    {"secant", "secant F/\u03b4"},
+    {"x", "displacement along the rolling direction"},
+    {"y", "displacement upwards"},
     {"buckling_factor", "factor on the force at which the stack buckles"},
-    {"leaving_force",   "horizontal force at which a contact opens"     },
-    {"least_guide",     "smallest stiffness of the guide"               },
-    {"velocity",        "velocity amplitude under the dynamic force"    },
-    {"acceleration",    "acceleration amplitude under the dynamic force"},
-    {"roller_load",     "load of one roller of the support"             },
-    {"mode",            "natural frequency"                             }
-};
+    {"leaving_force", "horizontal force at which a contact opens"},
+    {"least_guide", "smallest stiffness of the guide"},
+    {"velocity", "velocity amplitude under the dynamic force"},
+    {"acceleration", "acceleration amplitude under the dynamic force"},
+    {"roller_load", "load of one roller of the support"},
+    {"mode", "natural frequency"}};
 
 bool leads(const std::vector<std::string> &parts)
 {

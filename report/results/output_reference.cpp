@@ -15,36 +15,34 @@ struct OutputGroup {
   const char *chapter;  // of docs/theory
 };
 
-constexpr std::array<OutputGroup, 26> output_groups{
-    {
-     {"K3", "Contact of the upper rolls", "12-contact-of-meshed-bodies"},
-     {"K5", "Contact of the lower rolls", "12-contact-of-meshed-bodies"},
-     {"K4", "Roll bite as a spring", "08-roll-bite-slab-theories"},
-     {"contact", "Roll contact in detail", "12-contact-of-meshed-bodies"},
-     {"Kzc", "A bearing alone", "05-roller-bearings"},
-     {"KzcN", "Bearings of the stand", "05-roller-bearings"},
-     {"bearing", "Rating and life of bearings, oil films", "05-roller-bearings"},
-     {"bite", "Roll bite", "08-roll-bite-slab-theories"},
-     {"KN", "Springs of the six-mass chain", "04-springs-and-masses"},
-     {"K_ZW", "Seat of a work roll", "04-springs-and-masses"},
-     {"K_Zy", "Seat of the upper backup roll", "04-springs-and-masses"},
-     {"K_Zy_lower", "Seat of the lower backup roll", "04-springs-and-masses"},
-     {"MN", "Equivalent masses", "04-springs-and-masses"},
-     {"C", "Damper of the gap", "06-lumped-model"},
-     {"fN", "Natural frequencies of the six masses", "06-lumped-model"},
-     {"fhN", "Natural frequencies across the rolling line", "06-lumped-model"},
-     {"mode", "Modes by name", "22-stand-models"},
-     {"beam", "Stand of Timoshenko beams", "22-stand-models"},
-     {"craig-bampton", "Stand of reduced finite elements", "22-stand-models"},
-     {"housing", "Mill housing", "23-housing-and-screw-down"},
-     {"frame", "Frame and screw-down", "23-housing-and-screw-down"},
-     {"stand", "Mill modulus and thickness of the strip", "30-mill-modulus"},
-     {"frf", "Frequency response", "32-frequency-response"},
-     {"campbell", "Speeds at which something in the mill excites a mode", "32-frequency-response"},
-     {"chatter", "Chatter", "25-chatter-single-stand"},
-     {"cluster", "Planar stacks of rolls", "38-planar-roll-stacks"},
-     }
-};
+constexpr std::array<OutputGroup, 26> output_groups{{
+    {"K3", "Contact of the upper rolls", "12-contact-of-meshed-bodies"},
+    {"K5", "Contact of the lower rolls", "12-contact-of-meshed-bodies"},
+    {"K4", "Roll bite as a spring", "08-roll-bite-slab-theories"},
+    {"contact", "Roll contact in detail", "12-contact-of-meshed-bodies"},
+    {"Kzc", "A bearing alone", "05-roller-bearings"},
+    {"KzcN", "Bearings of the stand", "05-roller-bearings"},
+    {"bearing", "Rating and life of bearings, oil films", "05-roller-bearings"},
+    {"bite", "Roll bite", "08-roll-bite-slab-theories"},
+    {"KN", "Springs of the six-mass chain", "04-springs-and-masses"},
+    {"K_ZW", "Seat of a work roll", "04-springs-and-masses"},
+    {"K_Zy", "Seat of the upper backup roll", "04-springs-and-masses"},
+    {"K_Zy_lower", "Seat of the lower backup roll", "04-springs-and-masses"},
+    {"MN", "Equivalent masses", "04-springs-and-masses"},
+    {"C", "Damper of the gap", "06-lumped-model"},
+    {"fN", "Natural frequencies of the six masses", "06-lumped-model"},
+    {"fhN", "Natural frequencies across the rolling line", "06-lumped-model"},
+    {"mode", "Modes by name", "22-stand-models"},
+    {"beam", "Stand of Timoshenko beams", "22-stand-models"},
+    {"craig-bampton", "Stand of reduced finite elements", "22-stand-models"},
+    {"housing", "Mill housing", "23-housing-and-screw-down"},
+    {"frame", "Frame and screw-down", "23-housing-and-screw-down"},
+    {"stand", "Mill modulus and thickness of the strip", "30-mill-modulus"},
+    {"frf", "Frequency response", "32-frequency-response"},
+    {"campbell", "Speeds at which something in the mill excites a mode", "32-frequency-response"},
+    {"chatter", "Chatter", "25-chatter-single-stand"},
+    {"cluster", "Planar stacks of rolls", "38-planar-roll-stacks"},
+}};
 
 bool is_number(const std::string &text)
 {
@@ -142,10 +140,8 @@ std::string without_names_of_case(std::string meaning, const std::vector<std::st
 {
   for (std::size_t i = 1; i < std::min(from.size(), to.size()); ++i)
     if (std::isupper((unsigned char)to[i][0]) && to[i].size() > 1 && to[i] != "N" && from[i] != to[i])
-      for (const auto &[before, after] : {
-               std::pair{std::string(", "), std::string(", ")},
-               std::pair{std::string(" "),  std::string(" ") }
-      })
+      for (const auto &[before, after] :
+           {std::pair{std::string(", "), std::string(", ")}, std::pair{std::string(" "), std::string(" ")}})
         meaning = replaced((before + meaning + after), before + from[i] + after, before + to[i] + after)
                       .substr(before.size()),
         meaning.resize(meaning.size() - after.size());

@@ -13,13 +13,7 @@ void draw_arrows(Svg &svg, const double left, const double right, const double f
   for (int i = 0; i <= n; ++i) {
     const double x = left + (right - left) * i / n;
     svg.line(x, from, x, to + tip, "arrow-line");
-    svg.polyline(
-        {
-            {x,     to      },
-            {x - 3, to + tip},
-            {x + 3, to + tip}
-    },
-        "arrowhead", true);
+    svg.polyline({{x, to}, {x - 3, to + tip}, {x + 3, to + tip}}, "arrowhead", true);
   }
 }
 
@@ -55,13 +49,7 @@ std::string roll_sketch(const RollSketch &s)
         svg.rect(x - 6, axis - 1.3 * neck, 12, 2.6 * neck, "bearing");
         continue;
       }
-      svg.polyline(
-          {
-              {x,     y     },
-              {x - 9, y - 14},
-              {x + 9, y - 14}
-      },
-          "support", true);
+      svg.polyline({{x, y}, {x - 9, y - 14}, {x + 9, y - 14}}, "support", true);
       svg.line(x - 14, y - 14, x + 14, y - 14, "ground-line");
     }
   if (contact && s.work) {

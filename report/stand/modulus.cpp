@@ -45,14 +45,14 @@ struct GaugeRow {
 };
 
 const GaugeRow gauge_rows[] = {
-    {"stand.screw_sensitivity",            "screw opened",         1e-5, "10 \u00b5m"  },
-    {"stand.thickness_by.entry_thickness", "strip enters thicker", 1e-5, "10 \u00b5m"  },
-    {"stand.thickness_by.eccentricity",    "roll radius larger",   1e-5, "10 \u00b5m"  },
-    {"stand.thickness_by.friction",        "friction coefficient", 0.01, "0.01"        },
-    {"stand.thickness_by.flow_stress",     "flow stress",          0.01, "1\u00a0%"    },
-    {"stand.thickness_by.entry_tension",   "back tension",         1e6,  "1\u00a0MPa"  },
-    {"stand.thickness_by.exit_tension",    "front tension",        1e6,  "1\u00a0MPa"  },
-    {"stand.thickness_by.roll_speed",      "speed of the rolls",   0.1,  "0.1\u00a0m/s"},
+    {"stand.screw_sensitivity", "screw opened", 1e-5, "10 \u00b5m"},
+    {"stand.thickness_by.entry_thickness", "strip enters thicker", 1e-5, "10 \u00b5m"},
+    {"stand.thickness_by.eccentricity", "roll radius larger", 1e-5, "10 \u00b5m"},
+    {"stand.thickness_by.friction", "friction coefficient", 0.01, "0.01"},
+    {"stand.thickness_by.flow_stress", "flow stress", 0.01, "1\u00a0%"},
+    {"stand.thickness_by.entry_tension", "back tension", 1e6, "1\u00a0MPa"},
+    {"stand.thickness_by.exit_tension", "front tension", 1e6, "1\u00a0MPa"},
+    {"stand.thickness_by.roll_speed", "speed of the rolls", 0.1, "0.1\u00a0m/s"},
 };
 
 std::string gauge_table(const Run &run)

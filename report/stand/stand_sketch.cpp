@@ -138,10 +138,7 @@ void draw_ground(Svg &svg, const double x, const double y, const bool above)
 void draw_spring(Svg &svg, const double x, const double from, const double to)
 {
   const double coil = (to - from - 16) / 6;
-  std::vector<Eigen::Vector2d> zigzag{
-      {x, from    },
-      {x, from + 8}
-  };
+  std::vector<Eigen::Vector2d> zigzag{{x, from}, {x, from + 8}};
   for (int i = 0; i < 6; ++i)
     zigzag.emplace_back(x + (i % 2 ? -9 : 9), from + 8 + (i + 0.5) * coil);
   zigzag.emplace_back(x, to - 8);
@@ -154,14 +151,7 @@ void draw_damper(Svg &svg, const double x, const double from, const double to)
   const double middle = (from + to) / 2;
   svg.line(x, from, x, middle - 2, "spring");
   svg.line(x - 6, middle - 2, x + 6, middle - 2, "spring");
-  svg.polyline(
-      {
-          {x - 9, middle - 9},
-          {x - 9, middle + 6},
-          {x + 9, middle + 6},
-          {x + 9, middle - 9}
-  },
-      "spring");
+  svg.polyline({{x - 9, middle - 9}, {x - 9, middle + 6}, {x + 9, middle + 6}, {x + 9, middle - 9}}, "spring");
   svg.line(x, middle + 6, x, to, "spring");
 }
 
@@ -230,14 +220,11 @@ std::string stand_sketch(const Run &run)
     const double pass_line = (mass_y(3) + mass_y(4)) / 2;
     const auto axis        = draw_rolls(svg, run, 290, pass_line);
     for (int roll = 0; roll < 4; ++roll)
-      svg.polyline(
-          {
-              {475,                          axis[roll]      },
-              {505,                          axis[roll]      },
-              {chain_x - box_width / 2 - 30, mass_y(roll + 2)},
-              {chain_x - box_width / 2,      mass_y(roll + 2)}
-      },
-          "leader");
+      svg.polyline({{475, axis[roll]},
+                    {505, axis[roll]},
+                    {chain_x - box_width / 2 - 30, mass_y(roll + 2)},
+                    {chain_x - box_width / 2, mass_y(roll + 2)}},
+                   "leader");
     svg.text(290, 18, "Rolls, seen along the rolling direction", "title", Anchor::middle);
   }
   svg.text(chain_x, 18, "Six-mass chain", "title", Anchor::middle);

@@ -22,12 +22,7 @@ void constant_stress(benchmark::State &state)
 {
   solve(state, demo_pass(), {Theory::bland_ford, Arc(state.range(0)), int(state.range(1))});
 }
-BENCHMARK(constant_stress)
-    ->ArgsProduct({
-        {0, 1  },
-        {0, 101}
-})
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(constant_stress)->ArgsProduct({{0, 1}, {0, 101}})->Unit(benchmark::kMicrosecond);
 
 void hardening_under_a_film(benchmark::State &state)
 {
@@ -36,12 +31,7 @@ void hardening_under_a_film(benchmark::State &state)
     bite.roll_radius = 0.526;  // flattened already
   solve(state, bite, {Theory::bland_ford, Arc(state.range(0)), int(state.range(1))});
 }
-BENCHMARK(hardening_under_a_film)
-    ->ArgsProduct({
-        {0, 1  },
-        {0, 101}
-})
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(hardening_under_a_film)->ArgsProduct({{0, 1}, {0, 101}})->Unit(benchmark::kMicrosecond);
 
 void unhardened_power_law(benchmark::State &state)
 {
@@ -58,12 +48,7 @@ void friction_factors(benchmark::State &state)
     bite.strip.flow_stress = {FlowStressLaw::swift, 1.3e9, 0.05, 0.15, 0, {}};
   solve(state, bite, {Theory::hu_ehmann, Arc(state.range(0)), 0});
 }
-BENCHMARK(friction_factors)
-    ->ArgsProduct({
-        {0, 1},
-        {0, 1}
-})
-    ->Unit(benchmark::kMicrosecond);
+BENCHMARK(friction_factors)->ArgsProduct({{0, 1}, {0, 1}})->Unit(benchmark::kMicrosecond);
 
 void coefficients_of_chatter(benchmark::State &state)
 {

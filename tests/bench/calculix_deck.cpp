@@ -89,14 +89,7 @@ struct DeckMesh {
 };
 
 // Faces of a hexahedron in the numbering of CalculiX, S1 to S6; the order of the corners does not matter here.
-constexpr int faces[6][4] = {
-    {0, 1, 2, 3},
-    {4, 5, 6, 7},
-    {0, 1, 4, 5},
-    {1, 2, 5, 6},
-    {2, 3, 6, 7},
-    {3, 0, 7, 4}
-};
+constexpr int faces[6][4] = {{0, 1, 2, 3}, {4, 5, 6, 7}, {0, 1, 4, 5}, {1, 2, 5, 6}, {2, 3, 6, 7}, {3, 0, 7, 4}};
 
 DeckMesh read_mesh(const MeshFile &file)
 {
@@ -134,21 +127,9 @@ DeckMesh read_mesh(const MeshFile &file)
 // Twenty-node elements: a node in the middle of every edge, on the true circle where both ends are.
 void add_edge_nodes(DeckMesh &mesh, const double radius)
 {
-  constexpr int edges[12][2] = {
-      {0, 1},
-      {1, 2},
-      {2, 3},
-      {3, 0},
-      {4, 5},
-      {5, 6},
-      {6, 7},
-      {7, 4},
-      {0, 4},
-      {1, 5},
-      {2, 6},
-      {3, 7}
-  };
-  const auto on_circle = [&](const std::array<double, 3> &p) {
+  constexpr int edges[12][2] = {{0, 1}, {1, 2}, {2, 3}, {3, 0}, {4, 5}, {5, 6},
+                                {6, 7}, {7, 4}, {0, 4}, {1, 5}, {2, 6}, {3, 7}};
+  const auto on_circle       = [&](const std::array<double, 3> &p) {
     return std::abs(std::hypot(p[0], p[1]) - radius) < 1e-9 * radius;
   };
   std::map<std::pair<int, int>, int> middle;
@@ -280,10 +261,8 @@ struct Stopwatch {
   nlohmann::json lap()
   {
     const Stopwatch now;
-    const nlohmann::json out{
-        {"wall", std::chrono::duration<double>(now.wall - wall).count()},
-        {"cpu",  double(now.cpu - cpu) / CLOCKS_PER_SEC                }
-    };
+    const nlohmann::json out{{"wall", std::chrono::duration<double>(now.wall - wall).count()},
+                             {"cpu", double(now.cpu - cpu) / CLOCKS_PER_SEC}};
     *this = now;
     return out;
   }
@@ -344,19 +323,13 @@ nlohmann::json compare(const Settings &set)
   const Eigen::VectorXd loads =
       set.loads == 1 ? Eigen::VectorXd::Constant(1, set.highest)
                      : Eigen::VectorXd(fem::log_spaced(set.lowest, set.highest, set.loads).reverse());
-  nlohmann::json out{
-      {"blas",      blas_in_use()},
-      {      "layers", set.layers             },
-      { "load",      listed(loads,                   1e-3)}
-  };
+  nlohmann::json out{{"blas", blas_in_use()}, {"layers", set.layers}, {"load", listed(loads, 1e-3)}};
   for (const double q : loads) {
     const auto c = closed_form(q);
-    out["closed"].push_back({
-        {"half width",    1e3 * c.half_width    },
-        {"peak pressure", 1e-6 * c.peak_pressure},
-        {"approach",      1e3 * c.approach      },
-        {"tangent",       1e-6 * c.tangent      }
-    });
+    out["closed"].push_back({{"half width", 1e3 * c.half_width},
+                             {"peak pressure", 1e-6 * c.peak_pressure},
+                             {"approach", 1e3 * c.approach},
+                             {"tangent", 1e-6 * c.tangent}});
   }
   const PairMesh mesh      = mesh_pair(set);
   const ContactCurve curve = solve(set, mesh, loads, out);
@@ -374,19 +347,18 @@ Settings read_arguments(const int n, char **argument)
 {
   Settings set;
   const std::map<std::string, std::function<void(const std::string &)>> known{
-      {"--folder",            [&](const std::string &v) { set.folder = v; }                      },
-      {"--element",           [&](const std::string &v) { set.element = v; }                     },
+      {"--folder", [&](const std::string &v) { set.folder = v; }},
+      {"--element", [&](const std::string &v) { set.element = v; }},
       {"--contact-stiffness", [&](const std::string &v) { set.contact_stiffness = std::stod(v); }},
-      {"--layers",            [&](const std::string &v) { set.layers = std::stoi(v); }           },
-      {"--per-half-width",    [&](const std::string &v) { set.per_half_width = std::stoi(v); }   },
-      {"--sectors",           [&](const std::string &v) { set.sectors = std::stoi(v); }          },
-      {"--far-growth",        [&](const std::string &v) { set.far_growth = std::stod(v); }       },
-      {"--loads",             [&](const std::string &v) { set.loads = std::stoi(v); }            },
-      {"--lowest",            [&](const std::string &v) { set.lowest = 1e3 * std::stod(v); }     }, // N/mm
-      {"--highest",           [&](const std::string &v) { set.highest = 1e3 * std::stod(v); }    }, // N/mm
-      {"--degree",            [&](const std::string &v) { set.degree = std::stoi(v); }           },
-      {"--threads",           [&](const std::string &v) { set.threads = std::stoi(v); }          }
-  };
+      {"--layers", [&](const std::string &v) { set.layers = std::stoi(v); }},
+      {"--per-half-width", [&](const std::string &v) { set.per_half_width = std::stoi(v); }},
+      {"--sectors", [&](const std::string &v) { set.sectors = std::stoi(v); }},
+      {"--far-growth", [&](const std::string &v) { set.far_growth = std::stod(v); }},
+      {"--loads", [&](const std::string &v) { set.loads = std::stoi(v); }},
+      {"--lowest", [&](const std::string &v) { set.lowest = 1e3 * std::stod(v); }},    // N/mm
+      {"--highest", [&](const std::string &v) { set.highest = 1e3 * std::stod(v); }},  // N/mm
+      {"--degree", [&](const std::string &v) { set.degree = std::stoi(v); }},
+      {"--threads", [&](const std::string &v) { set.threads = std::stoi(v); }}};
   for (int i = 1; i < n; i += 2) {
     const auto option = known.find(argument[i]);
     if (option == known.end() || i + 1 == n)

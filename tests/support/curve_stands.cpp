@@ -43,19 +43,13 @@ CurveStand two_masses(const double upper, const double lower, const SpringLaw &c
 {
   const double k = contact.at(contact.compression(load)).stiffness;
   StandModel stand;
-  stand.M           = Eigen::Vector2d(upper, lower).asDiagonal();
-  stand.K_parts     = Eigen::MatrixXd::Zero(2, 2);
-  stand.connections = {
-      {"K3", Eigen::RowVector2d(1, -1), Eigen::VectorXd::Constant(1, k)}
-  };
+  stand.M            = Eigen::Vector2d(upper, lower).asDiagonal();
+  stand.K_parts      = Eigen::MatrixXd::Zero(2, 2);
+  stand.connections  = {{"K3", Eigen::RowVector2d(1, -1), Eigen::VectorXd::Constant(1, k)}};
   stand.b            = Eigen::Vector2d(-1, 1);  // presses them together, as a bite presses the contacts of a stand
   Modes modes        = modes_of(stand);
   modes.frequency[0] = 0;
-  return curve_stand(stand, modes.frequency, modes.shape,
-                     {
-                         {"K3", "K3", contact, load}
-  },
-                     0, 1e9, 0);
+  return curve_stand(stand, modes.frequency, modes.shape, {{"K3", "K3", contact, load}}, 0, 1e9, 0);
 }
 
 ChainOnCurves chain_on_curves(const double load, const double damping, const double gap_damper)

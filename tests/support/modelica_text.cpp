@@ -331,9 +331,7 @@ private:
     for (const char *relation : {"<", "<=", ">", ">=", "==", "<>"})
       if (is(relation)) {
         next();
-        return {
-            relation, "", 0, {std::move(left), sum()}
-        };
+        return {relation, "", 0, {std::move(left), sum()}};
       }
     return left;
   }
@@ -343,9 +341,7 @@ private:
     while (is("+") || is("-")) {
       const std::string sign = now_.is;
       next();
-      left = {
-          sign, "", 0, {std::move(left), product()}
-      };
+      left = {sign, "", 0, {std::move(left), product()}};
     }
     return left;
   }
@@ -355,9 +351,7 @@ private:
     while (is("*") || is("/")) {
       const std::string sign = now_.is;
       next();
-      left = {
-          sign, "", 0, {std::move(left), power()}
-      };
+      left = {sign, "", 0, {std::move(left), power()}};
     }
     return left;
   }

@@ -106,12 +106,7 @@ void write_roller(const fs::path &stem)
   const VectorXd load                          = log_spaced(16, 1e3, 4e4);
   Csv law                                      = Csv().with("load [N]", load);
   const std::pair<const char *, double> laws[] = {
-      {"fe",       6.3e8 },
-      {"slices",   6.25e8},
-      {"iso",      5.24e8},
-      {"palmgren", 5.41e8},
-      {"elastic",  6.22e8}
-  };
+      {"fe", 6.3e8}, {"slices", 6.25e8}, {"iso", 5.24e8}, {"palmgren", 5.41e8}, {"elastic", 6.22e8}};
   for (const auto &[name, at] : laws) {
     const VectorXd secant = at * (load / 1e4).array().pow(0.1);
     law.with(std::string("secant_") + name + " [N/m]", secant)
@@ -205,13 +200,10 @@ ordered_json sample_bearing_results()
   ordered_json v;
   const std::string by = "computed: FE law of one roller, elastic rings in their chock";
   const mill::OperatingPoint at("{} on one bearing", {{1e6, "kN"}});
-  const auto add       = [&](const std::string &name, const double number, const std::string &unit,
+  const auto add = [&](const std::string &name, const double number, const std::string &unit,
                        const double standard) {
-    v["Kzc." + name] = value(number, unit, by, at, 0.02,
-                                   {
-                                 "bearing.trb.rows", "load.radial"
-    },
-                                   {{"ISO/TS 16281, rigid rings", ""}}, {standard});
+    v["Kzc." + name] = value(number, unit, by, at, 0.02, {"bearing.trb.rows", "load.radial"},
+                             {{"ISO/TS 16281, rigid rings", ""}}, {standard});
   };
   add("tangent", 1e10, "N/m", 2.174e10);
   add("secant", 9e9, "N/m", 1.957e10);
@@ -229,10 +221,7 @@ ordered_json sample_bearing_results()
     add("row" + std::to_string(row + 1) + "_axial", (row % 2 ? -4.5e5 : 4.5e5) * share_of(row), "N", 9e4);
   add("rib_max", 1.2e3, "N", 1.2e3);
   v["Kzc.rollers_times_Z5"] = value(
-      1.96e10, "N/m", by, at, NAN,
-      {
-          "bearing.trb.rows"
-  },
+      1.96e10, "N/m", by, at, NAN, {"bearing.trb.rows"},
       {{"published per-roller values times Z/5", "their own total"}, {"published total", "no contact angle"}},
       {2.0181e10, 2.01e10});
   v["Kzc.rollers_times_stribeck"]   = value(2.1e10, "N/m", by, at);

@@ -98,92 +98,51 @@ inline void write_chatter_history(const fs::path &file, const double growth, con
 inline ordered_json chatter_json(const std::string &name)
 {
   ordered_json json{
-      {"condition", name        },
-      {"speed",     17.5        },
-      {"reduction", 27.0        },
-      {"viscosity", 5.0         },
-      {"scheme",    "sequential"}
-  };
-  json["critical"] = {
-      {"verdict",                 "crossing"                                          },
-      {"speed",                   18.0                                                },
-      {"frequency",               128.0                                               },
-      {"growth_at_working_speed", -0.75                                               },
-      {"searched",                {1, 30}                                             },
-      {"sentence",                "stable below 18.00 m/s and unstable above <128 Hz>"}
-  };
-  for (const auto &[what, speed] : {
-           std::pair("below", 17.8), {"at",    18.0},
-             {"above", 18.2}
-  })
-    json["histories"].push_back({
-        {"file",            "response/chatter-" + name + "-" + what},
-        {"speed",           speed                                  },
-        {"growth_rate",     chatter_slope * (speed - 18)           },
-        {"measured_growth", chatter_slope * (speed - 18)           }
-    });
-  json["limit_cycle"] = {
-      {"speed",        19                                },
-      {"settled",      true                              },
-      {"amplitude_um", 11.9                              },
-      {"frequency",    127.5                             },
-      {"limited_by",   "the strip before the stand slack"}
-  };
+      {"condition", name}, {"speed", 17.5}, {"reduction", 27.0}, {"viscosity", 5.0}, {"scheme", "sequential"}};
+  json["critical"] = {{"verdict", "crossing"}, {"speed", 18.0},
+                      {"frequency", 128.0},    {"growth_at_working_speed", -0.75},
+                      {"searched", {1, 30}},   {"sentence", "stable below 18.00 m/s and unstable above <128 Hz>"}};
+  for (const auto &[what, speed] : {std::pair("below", 17.8), {"at", 18.0}, {"above", 18.2}})
+    json["histories"].push_back({{"file", "response/chatter-" + name + "-" + what},
+                                 {"speed", speed},
+                                 {"growth_rate", chatter_slope * (speed - 18)},
+                                 {"measured_growth", chatter_slope * (speed - 18)}});
+  json["limit_cycle"] = {{"speed", 19},
+                         {"settled", true},
+                         {"amplitude_um", 11.9},
+                         {"frequency", 127.5},
+                         {"limited_by", "the strip before the stand slack"}};
   for (int i = 0; i < 40; ++i)
-    json["limit_cycle"]["events"].push_back({
-        {"time", 0.1 + i / 127.5                                 },
-        {"what", i % 2 ? "entry strip taut" : "entry strip slack"}
-    });
-  json["phases"] = {
-      {"frequency",     128.0},
-      {"ratio",         0.015},
-      {"force",         178.3},
-      {"entry_tension", -60.7},
-      {"exit_tension",  -93.1},
-      {"friction",      180.0}
-  };
+    json["limit_cycle"]["events"].push_back(
+        {{"time", 0.1 + i / 127.5}, {"what", i % 2 ? "entry strip taut" : "entry strip slack"}});
+  json["phases"]   = {{"frequency", 128.0},     {"ratio", 0.015},        {"force", 178.3},
+                      {"entry_tension", -60.7}, {"exit_tension", -93.1}, {"friction", 180.0}};
   double amplitude = 0.5;
   for (const char *body : {"upper housing", "upper backup roll", "upper work roll", "lower work roll",
                            "lower backup roll", "lower housing"})
-    json["phases"]["shape"].push_back({
-        {"label",     body                                   },
-        {"amplitude", amplitude *= 1.1                       },
-        {"phase",     std::string(body).size() > 15 ? 175 : 3}
-    });
+    json["phases"]["shape"].push_back(
+        {{"label", body}, {"amplitude", amplitude *= 1.1}, {"phase", std::string(body).size() > 15 ? 175 : 3}});
   const auto input = [&](const char *key, const char *words, const double friction, const double speed,
                          const ordered_json &minus, const ordered_json &plus, const bool curved) {
-    json["sensitivities"].push_back({
-        {"key",            key     },
-        {"name",           words   },
-        {"friction",       friction},
-        {"critical_speed", speed   },
-        {"monotone",       !curved }
-    });
+    json["sensitivities"].push_back(
+        {{"key", key}, {"name", words}, {"friction", friction}, {"critical_speed", speed}, {"monotone", !curved}});
     ordered_json &last = json["sensitivities"].back();
-    last["lowered"]    = {
-           {"friction",       -0.1 * friction},
-           {"critical_speed", minus          }
-    };
-    last["raised"] = {
-        {"friction",       0.1 * friction},
-        {"critical_speed", plus          }
-    };
+    last["lowered"]    = {{"friction", -0.1 * friction}, {"critical_speed", minus}};
+    last["raised"]     = {{"friction", 0.1 * friction}, {"critical_speed", plus}};
   };
   input("oil.viscosity", "viscosity of the oil", -1.1, -0.27, 0.029, -0.025, false);
   input("condition.entry_thickness", "entry thickness", 3.4, -0.17, 0.052, 0.001, true);
   input("stand.masses[4]", "lower backup roll, mass", 0, -0.27, nullptr, -0.03, false);
   const auto other = [&](const char *list, const char *called, const ordered_json &speed, const char *verdict) {
-    json[list].push_back({
-        {"name",                called                                                },
-        {"verdict",             verdict                                               },
-        {"critical_speed",      speed                                                 },
-        {"frequency",           speed.is_null() ? ordered_json() : ordered_json(128.0)},
-        {"growth_rate",         -0.75                                                 },
-        {"ratio",               1.17                                                  },
-        {"force_phase",         166.6                                                 },
-        {"entry_tension_phase", -67.2                                                 },
-        {"upper_moves_more",    true                                                  }
-    });
+    json[list].push_back({{"name", called},
+                          {"verdict", verdict},
+                          {"critical_speed", speed},
+                          {"frequency", speed.is_null() ? ordered_json() : ordered_json(128.0)},
+                          {"growth_rate", -0.75},
+                          {"ratio", 1.17},
+                          {"force_phase", 166.6},
+                          {"entry_tension_phase", -67.2},
+                          {"upper_moves_more", true}});
   };
   other("schemes", "sequential", 18.0, "crossing");
   other("schemes", "consistent", 18.9, "crossing");
@@ -192,48 +151,30 @@ inline ordered_json chatter_json(const std::string &name)
   other("variants", "B & more", 18.18, "crossing");
   other("structures", "six masses", 18.0, "crossing");
   other("structures", "beam", nullptr, "stable");
-  json["conclusions"].push_back({
-      {"text",   "The critical speed"},
-      {"holds",  true                },
-      {"detail", "18.0 .. 18.2 m/s"  }
-  });
-  json["conclusions"].push_back({
-      {"text",   "The chatter frequency"},
-      {"holds",  false                  },
-      {"detail", "81 .. 132 Hz"         }
-  });
-  json["published"].push_back({
-      {"quantity",  "critical speed"},
-      {"unit",      "m/s"           },
-      {"here",      18.0            },
-      {"published", 18.9            },
-      {"measured",  20.0            },
-      {"note",      "a <note>"      }
-  });
+  json["conclusions"].push_back({{"text", "The critical speed"}, {"holds", true}, {"detail", "18.0 .. 18.2 m/s"}});
+  json["conclusions"].push_back({{"text", "The chatter frequency"}, {"holds", false}, {"detail", "81 .. 132 Hz"}});
+  json["published"].push_back({{"quantity", "critical speed"},
+                               {"unit", "m/s"},
+                               {"here", 18.0},
+                               {"published", 18.9},
+                               {"measured", 20.0},
+                               {"note", "a <note>"}});
   return json;
 }
 
 inline ordered_json chatter_tandem_json()
 {
-  ordered_json json{
-      {"stands",         {"1", "2"}                                       },
-      {"verdict",        "crossing"                                       },
-      {"critical_speed", 17.1                                             },
-      {"frequency",      127.0                                            },
-      {"without_delay",  17.442                                           },
-      {"sentence",       "stable below 17.10 m/s"                         },
-      {"sentences",      ordered_json::array({"The delay costs 0.3 m/s."})}
-  };
+  ordered_json json{{"stands", {"1", "2"}},
+                    {"verdict", "crossing"},
+                    {"critical_speed", 17.1},
+                    {"frequency", 127.0},
+                    {"without_delay", 17.442},
+                    {"sentence", "stable below 17.10 m/s"},
+                    {"sentences", ordered_json::array({"The delay costs 0.3 m/s."})}};
   for (const char *stand : {"1", "2"}) {
-    json["single"].push_back({
-        {"name",           stand},
-        {"critical_speed", 18.0 }
-    });
-    json["shape"].push_back({
-        {"label",     std::string(stand) + ", upper work roll"},
-        {"amplitude", 1                                       },
-        {"phase",     -140                                    }
-    });
+    json["single"].push_back({{"name", stand}, {"critical_speed", 18.0}});
+    json["shape"].push_back(
+        {{"label", std::string(stand) + ", upper work roll"}, {"amplitude", 1}, {"phase", -140}});
   }
   return json;
 }
@@ -271,12 +212,10 @@ inline std::string run_with_chatter()
   kind.kind          = "two-cylinders";
   const fs::path run = write_sample_run(kind);
   fs::remove_all(run / "curves");
-  ordered_json results{
-      {"case",        "tandem"             },
-      {"status",      "ok"                 },
-      {"warnings",    ordered_json::array()},
-      {"assumptions", ordered_json::array()}
-  };
+  ordered_json results{{"case", "tandem"},
+                       {"status", "ok"},
+                       {"warnings", ordered_json::array()},
+                       {"assumptions", ordered_json::array()}};
   ordered_json &v                          = results["values"];
   v["chatter.2.critical_speed"]            = value(18.0, "m/s", "computed: eigenvalues over speed");
   v["chatter.2.frequency"]                 = value(128.0, "Hz", "computed: eigenvalues over speed");
@@ -286,12 +225,7 @@ inline std::string run_with_chatter()
   v["bite.2.force"]                        = value(8.7e6, "N", "computed: Bland and Ford");
   v["bite.2.friction"]                     = value(0.028, "1", "computed: film law");
   ordered_json manifest{
-      {"program", "millstand"},
-      {"version", "0"        },
-      {"kind",    "chatter"  },
-      {"title",   "Tandem"   },
-      {"run_id",  "r1"       }
-  };
+      {"program", "millstand"}, {"version", "0"}, {"kind", "chatter"}, {"title", "Tandem"}, {"run_id", "r1"}};
   std::ofstream(run / "results.json") << results.dump(1);
   std::ofstream(run / "run.json") << manifest.dump(1);
   write_chatter(run);

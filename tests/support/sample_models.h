@@ -90,10 +90,7 @@ inline ordered_json roll_model(const std::string &name, const std::string &title
     std::vector<double> z;
     for (int i = 0; i <= 30; ++i)
       z.push_back(end * i / 30);
-    model["lines"].push_back({
-        {"name", roll},
-        {"z",    z   }
-    });
+    model["lines"].push_back({{"name", roll}, {"z", z}});
   }
   for (std::size_t m = 0; m < beam_frequencies.size(); ++m) {
     // Four rolls that take turns, bending more with every mode; the other places follow their neighbours.
@@ -153,22 +150,11 @@ inline ordered_json models_json()
   json["models"]          = {chain_model(), roll_model("beam", "beam", 1),
                              roll_model("craig-bampton", "Craig-Bampton", soft)};
   const auto add_pair     = [&](const int mode, const int other, const double mac) {
-    ordered_json pair{
-        {"mode",     mode                                    },
-        {"six_mass", chain_frequencies[std::size_t(mode - 1)]}
-    };
+    ordered_json pair{{"mode", mode}, {"six_mass", chain_frequencies[std::size_t(mode - 1)]}};
     if (other > 0) {
-      const double f           = beam_frequencies[std::size_t(other - 1)];
-      pair["partners"]["beam"] = {
-          {"mode",      other},
-          {"frequency", f    },
-          {"mac",       mac  }
-      };
-      pair["partners"]["craig-bampton"] = {
-          {"mode",      other     },
-          {"frequency", soft * f  },
-          {"mac",       mac - 0.01}
-      };
+      const double f                    = beam_frequencies[std::size_t(other - 1)];
+      pair["partners"]["beam"]          = {{"mode", other}, {"frequency", f}, {"mac", mac}};
+      pair["partners"]["craig-bampton"] = {{"mode", other}, {"frequency", soft * f}, {"mac", mac - 0.01}};
     }
     json["pairs"].push_back(pair);
   };
@@ -198,14 +184,12 @@ inline ordered_json models_json()
   json["mac"]["values"]           = values;
   const auto add_count = [&](const int masses, const std::string &added, const double error, const int right,
                              const std::vector<double> &missing) {
-    json["masses_needed"].push_back({
-        {"masses",            masses },
-        {"added",             added  },
-        {"worst_error",       error  },
-        {"right",             right  },
-        {"modes_below_limit", 12     },
-        {"missing",           missing}
-    });
+    json["masses_needed"].push_back({{"masses", masses},
+                                     {"added", added},
+                                     {"worst_error", error},
+                                     {"right", right},
+                                     {"modes_below_limit", 12},
+                                     {"missing", missing}});
   };
   add_count(2, "the stack and the upper frame", 0.41, 1,
             {176.1, 177, 257.1, 270.7, 372.9, 529.4, 547.1, 646.3, 865.5, 869.3});
@@ -225,51 +209,28 @@ inline ordered_json models_json()
   }
   const auto add_mass = [&](const std::string &mass, const std::string &route,
                             const std::vector<std::pair<std::string, std::array<double, 2>>> &parts) {
-    ordered_json entry{
-        {"mass",  mass },
-        {"route", route}
-    };
+    ordered_json entry{{"mass", mass}, {"route", route}};
     for (const auto &[name, kg] : parts)
-      entry["parts"].push_back({
-          {"name",       name },
-          {"mass",       kg[0]},
-          {"equivalent", kg[1]}
-      });
+      entry["parts"].push_back({{"name", name}, {"mass", kg[0]}, {"equivalent", kg[1]}});
     json["breakdown"].push_back(entry);
   };
-  for (const auto &[route, factor] : {
-           std::pair{"chain",           1.0 },
-           std::pair{"finite elements", 1.01}
-  }) {
+  for (const auto &[route, factor] : {std::pair{"chain", 1.0}, std::pair{"finite elements", 1.01}}) {
     add_mass("M2", route,
-             {
-                 {"barrel",       {17800, factor * 17100}},
-                 {"necks",        {10370, factor * 9080} },
-                 {"cylinders",    {14800, factor * 6900} },
-                 {"chocks",       {21800, factor * 17700}},
-                 {"bearings",     {3000, factor * 2640}  },
-                 {"balance gear", {8000, factor * 6305}  }
-    });
-    add_mass("M3", route,
-             {
-                 {"barrel", {1493.5, factor * 1480}},
-                 {"necks",  {395, factor * 390}    }
-    });
+             {{"barrel", {17800, factor * 17100}},
+              {"necks", {10370, factor * 9080}},
+              {"cylinders", {14800, factor * 6900}},
+              {"chocks", {21800, factor * 17700}},
+              {"bearings", {3000, factor * 2640}},
+              {"balance gear", {8000, factor * 6305}}});
+    add_mass("M3", route, {{"barrel", {1493.5, factor * 1480}}, {"necks", {395, factor * 390}}});
   }
-  add_mass("M1", "chain",
-           {
-               {"posts",  {5200, 5200}},
-               {"beams",  {2700, 2700}},
-               {"piston", {1420, 1420}}
-  });
+  add_mass("M1", "chain", {{"posts", {5200, 5200}}, {"beams", {2700, 2700}}, {"piston", {1420, 1420}}});
   const auto add_route = [&](const std::string &mass, const double closed, const double published) {
-    ordered_json row{
-        {"mass",        mass          },
-        {"chain",       closed        },
-        {"fe_integral", 1.01 * closed },
-        {"fe_solid",    1.012 * closed},
-        {"published",   nullptr       }
-    };
+    ordered_json row{{"mass", mass},
+                     {"chain", closed},
+                     {"fe_integral", 1.01 * closed},
+                     {"fe_solid", 1.012 * closed},
+                     {"published", nullptr}};
     if (published > 0)
       row["published"] = published;
     json["routes"].push_back(row);

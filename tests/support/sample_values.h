@@ -16,26 +16,15 @@ inline nlohmann::ordered_json value(const double number, const std::string &unit
                                     const std::vector<std::array<std::string, 2>> &checks = {},
                                     const std::vector<double> &check_values               = {})
 {
-  nlohmann::ordered_json json{
-      {"value",  number},
-      {"unit",   unit  },
-      {"source", source}
-  };
+  nlohmann::ordered_json json{{"value", number}, {"unit", unit}, {"source", source}};
   if (!at.empty())
     json["at"] = at.text();
   for (const auto &quantity : at.values())
-    json["at_values"].push_back({
-        {"value", quantity.value},
-        {"unit",  quantity.unit }
-    });
+    json["at_values"].push_back({{"value", quantity.value}, {"unit", quantity.unit}});
   json["error_estimate"] = error;
   json["inputs"]         = inputs;
   for (std::size_t i = 0; i < checks.size(); ++i)
-    json["checks"].push_back({
-        {"name",  checks[i][0]   },
-        {"value", check_values[i]},
-        {"note",  checks[i][1]   }
-    });
+    json["checks"].push_back({{"name", checks[i][0]}, {"value", check_values[i]}, {"note", checks[i][1]}});
   return json;
 }
 // clang-format on

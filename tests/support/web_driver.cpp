@@ -85,16 +85,10 @@ Browser::Browser()
                           "--disable-background-networking",
                           "--window-size=1400,900",
                           "--user-data-dir=" + folder_ + "/profile"};
-  const json wanted    = {
-         {"browserName",        "chrome"                                            },
-         {"goog:loggingPrefs",  {{"browser", "ALL"}, {"performance", "ALL"}}        },
-         {"goog:chromeOptions", {{"binary", browser_program()}, {"args", arguments}}}
-  };
-  session_ = call("POST", "/session",
-                  {
-                      {"capabilities", {{"alwaysMatch", wanted}}}
-  })
-                 .at("sessionId");
+  const json wanted    = {{"browserName", "chrome"},
+                          {"goog:loggingPrefs", {{"browser", "ALL"}, {"performance", "ALL"}}},
+                          {"goog:chromeOptions", {{"binary", browser_program()}, {"args", arguments}}}};
+  session_             = call("POST", "/session", {{"capabilities", {{"alwaysMatch", wanted}}}}).at("sessionId");
 }
 
 Browser::~Browser()
@@ -135,10 +129,7 @@ json Browser::session(const std::string &method, const std::string &path, const 
 
 void Browser::open(const std::string &url)
 {
-  session("POST", "/url",
-          {
-              {"url", url}
-  });
+  session("POST", "/url", {{"url", url}});
 }
 
 void Browser::reload()
@@ -149,30 +140,22 @@ void Browser::reload()
 void Browser::size(const int width, const int height)
 {
   session("POST", "/goog/cdp/execute",
-          {
-              {"cmd",    "Emulation.setDeviceMetricsOverride"                                               },
-              {"params", {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}}}
-  });
+          {{"cmd", "Emulation.setDeviceMetricsOverride"},
+           {"params", {{"width", width}, {"height", height}, {"deviceScaleFactor", 1}, {"mobile", false}}}});
 }
 
 void Browser::dark(const bool wanted)
 {
-  session("POST", "/goog/cdp/execute",
-          {
-              {"cmd",    "Emulation.setEmulatedMedia"                                                     },
-              {"params",
-               {{"features",
-                 json::array({{{"name", "prefers-color-scheme"}, {"value", wanted ? "dark" : "light"}}})}}}
-  });
+  session(
+      "POST", "/goog/cdp/execute",
+      {{"cmd", "Emulation.setEmulatedMedia"},
+       {"params",
+        {{"features", json::array({{{"name", "prefers-color-scheme"}, {"value", wanted ? "dark" : "light"}}})}}}});
 }
 
 json Browser::run(const std::string &script)
 {
-  return session("POST", "/execute/sync",
-                 {
-                     {"script", script       },
-                     {"args",   json::array()}
-  });
+  return session("POST", "/execute/sync", {{"script", script}, {"args", json::array()}});
 }
 
 bool Browser::wait_for(const std::string &script, const double seconds)
@@ -193,33 +176,22 @@ void Browser::type(const std::string &keys)
     while (at + n < keys.size() && (static_cast<unsigned char>(keys[at + n]) & 0xC0) == 0x80)
       ++n;
     for (const char *step : {"keyDown", "keyUp"})
-      steps.push_back({
-          {"type",          step},
-          { "value", keys.substr(at,   n)}
-      });
+      steps.push_back({{"type", step}, {"value", keys.substr(at, n)}});
     at += n;
   }
   session("POST", "/actions",
-          {
-              {"actions", json::array({{{"type", "key"}, {"id", "keyboard"}, {"actions", steps}}})}
-  });
+          {{"actions", json::array({{{"type", "key"}, {"id", "keyboard"}, {"actions", steps}}})}});
 }
 
 json Browser::console()
 {
-  return session("POST", "/se/log",
-                 {
-                     {"type", "browser"}
-  });
+  return session("POST", "/se/log", {{"type", "browser"}});
 }
 
 std::vector<std::string> Browser::requests()
 {
   std::vector<std::string> out;
-  for (const json &entry : session("POST", "/se/log",
-                                   {
-                                       {"type", "performance"}
-  })) {
+  for (const json &entry : session("POST", "/se/log", {{"type", "performance"}})) {
     const json message = json::parse(entry.at("message").get<std::string>()).at("message");
     if (message.at("method") != "Network.requestWillBeSent")
       continue;

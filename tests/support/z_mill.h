@@ -82,13 +82,9 @@ inline mill::cluster::Stack stack_of(const ZMill &z)
     rollers.against    = 0;
     stack.supports.push_back(rollers);
   }
-  stack.loads.push_back({
-      0, {0, z.force}
-  });
+  stack.loads.push_back({0, {0, z.force}});
   if (z.horizontal != 0)
-    stack.side_loads.push_back({
-        0, {z.horizontal, 0}
-    });
+    stack.side_loads.push_back({0, {z.horizontal, 0}});
   return stack;
 }
 

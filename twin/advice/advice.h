@@ -139,8 +139,8 @@ LevelAdvice ranked_actions(const dynamics::MillModel &model, const Eigen::Vector
 /// never less than a 200 000th of `high`.
 double resolving_step(const VibratingStand &stand, double high);
 
-/// Dampers that are tried where the case names no damper: work roll to backup roll (each and both), work roll to work
-/// roll.
+/// Dampers that are tried where the case names no damper: work roll to backup roll (each and both), work roll to
+/// work roll.
 std::vector<DamperChoice> usual_dampers(const VibratingStand &stand, double damper);
 
 /// What could change a spring of the chain, in words.

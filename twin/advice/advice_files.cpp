@@ -16,11 +16,7 @@ ordered_json effects_json(const std::vector<SideEffect> &effects)
 {
   ordered_json list = ordered_json::array();
   for (const SideEffect &effect : effects)
-    list.push_back({
-        {"name",  effect.name                 },
-        {"value", number_or_null(effect.value)},
-        {"unit",  effect.unit                 }
-    });
+    list.push_back({{"name", effect.name}, {"value", number_or_null(effect.value)}, {"unit", effect.unit}});
   return list;
 }
 
@@ -48,23 +44,21 @@ ordered_json dampers_json(const RatedAction &action)
 ordered_json action_json(const AdviceRecord &record, const std::size_t i)
 {
   const RatedAction &a = record.actions[i];
-  ordered_json json{
-      {"rank",            a.against.empty() ? ordered_json(i + 1) : ordered_json(nullptr)},
-      {"name",            a.name                                                         },
-      {"means",           a.means                                                        },
-      {"pair",            a.pair                                                         },
-      {"change",          number_or_null(a.change)                                       },
-      {"change_sd",       number_or_null(a.spread)                                       },
-      {"verified_change", number_or_null(a.verified)                                     },
-      {"first_order",     number_or_null(a.first_order)                                  },
-      {"one_by_one",      number_or_null(a.apart)                                        },
-      {"effects",         effects_json(a.effects)                                        },
-      {"modes",           a.modes                                                        },
-      {"against",         a.against                                                      },
-      {"remarks",         a.remarks                                                      },
-      {"in_other_models", effects_json(a.repeated)                                       },
-      {"dampers",         dampers_json(a)                                                }
-  };
+  ordered_json json{{"rank", a.against.empty() ? ordered_json(i + 1) : ordered_json(nullptr)},
+                    {"name", a.name},
+                    {"means", a.means},
+                    {"pair", a.pair},
+                    {"change", number_or_null(a.change)},
+                    {"change_sd", number_or_null(a.spread)},
+                    {"verified_change", number_or_null(a.verified)},
+                    {"first_order", number_or_null(a.first_order)},
+                    {"one_by_one", number_or_null(a.apart)},
+                    {"effects", effects_json(a.effects)},
+                    {"modes", a.modes},
+                    {"against", a.against},
+                    {"remarks", a.remarks},
+                    {"in_other_models", effects_json(a.repeated)},
+                    {"dampers", dampers_json(a)}};
   if (!record.reaches.empty())
     json["reaches_margin"] = bool(record.reaches[i]);
   return json;
@@ -115,13 +109,9 @@ std::string one_text(const std::vector<std::string> &sentences)
 std::string advice_json(const AdviceRecord &record)
 {
   ordered_json json = ordered_json::parse(results_json(record.results, record.case_name, "ok"));
-  json["goal"]      = {
-           {"kind",     record.goal    },
-           {"question", record.question},
-           {"answer",   record.answer  }
-  };
-  json["stand"]   = record.stand;
-  json["actions"] = ordered_json::array();
+  json["goal"]      = {{"kind", record.goal}, {"question", record.question}, {"answer", record.answer}};
+  json["stand"]     = record.stand;
+  json["actions"]   = ordered_json::array();
   for (std::size_t i = 0; i < record.actions.size(); ++i)
     json["actions"].push_back(action_json(record, i));
   json["tuned_dampers"] = ordered_json::array();
@@ -129,10 +119,7 @@ std::string advice_json(const AdviceRecord &record)
     json["tuned_dampers"].push_back(tuned_json(tuned));
   json["slopes"] = ordered_json::array();
   for (const auto &[name, slope] : record.slopes)
-    json["slopes"].push_back({
-        {"name",  name                 },
-        {"slope", number_or_null(slope)}
-    });
+    json["slopes"].push_back({{"name", name}, {"slope", number_or_null(slope)}});
   json["notes"] = record.notes;
   return json.dump(1) + "\n";
 }

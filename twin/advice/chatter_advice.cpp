@@ -43,9 +43,7 @@ public:
     }
     now_errors_ = errors_of(asked_, advice_.now);
     if (!now_errors_.empty())
-      advice_.spread = spread_of({
-          {1, &now_errors_}
-      });  // (46.10)
+      advice_.spread = spread_of({{1, &now_errors_}});  // (46.10)
     const std::vector<ProcessStep> steps = all_steps();
     std::vector<std::vector<const ProcessStep *>> sets;
     for (const ProcessStep &step : steps)
@@ -110,12 +108,11 @@ private:
       const bool of_spring = number.K_by.size() > 0;
       for (const double factor : of_spring ? asked_.stiffness : asked_.damping)
         if (factor != 1)
-          steps.push_back({
-              {fmt::format("{} x {:g}", number.name, factor), number.key,
-               of_spring ? "part of the stand that this spring stands for" : "dampers, liners, cylinders",
-               number.key, factor},
-              number.key
-          });
+          steps.push_back(
+              {{fmt::format("{} x {:g}", number.name, factor), number.key,
+                of_spring ? "part of the stand that this spring stands for" : "dampers, liners, cylinders",
+                number.key, factor},
+               number.key});
     }
     return steps;
   }
@@ -170,10 +167,7 @@ private:
     judge(r, pass);
     r.errors = errors_of(model, r.state);
     if (!r.errors.empty() && !now_errors_.empty())
-      action.spread = (1 + action.change) * spread_of({
-                                                {1,  &r.errors   },
-                                                {-1, &now_errors_}
-      });  // (46.11)
+      action.spread = (1 + action.change) * spread_of({{1, &r.errors}, {-1, &now_errors_}});  // (46.11)
     return r;
   }
 
@@ -246,11 +240,7 @@ private:
       if (better.errors.empty() || one.errors.empty() || now_errors_.empty())
         continue;
       const double a = 1 + better.action.change, b = 1 + one.action.change;
-      const double apart = a - b, sd = spread_of({
-                                      {a,     &better.errors},
-                                      {-b,    &one.errors   },
-                                      {b - a, &now_errors_  }
-      });
+      const double apart = a - b, sd = spread_of({{a, &better.errors}, {-b, &one.errors}, {b - a, &now_errors_}});
       if (apart < sd)
         one.action.remarks.push_back(fmt::format("not distinguishable from {}: {:.2g} % apart, with a standard "
                                                  "deviation of {:.2g} % by what is not known of mill and bite",

@@ -15,13 +15,13 @@ double resolving_step(const VibratingStand &stand, const double high)
 std::string means_of_spring(const std::string &name)
 {
   static const std::map<std::string, std::string> means{
-      {"K1", "posts and beam of the upper housing"                                                        },
+      {"K1", "posts and beam of the upper housing"},
       {"K2", "height of the oil column, cylinder, chock and bearing of the upper backup roll, its bending"},
-      {"K3", "contact of the upper rolls: load and common length; diameters hardly move it"               },
-      {"K4", "bite: reduction, width, friction"                                                           },
-      {"K5", "contact of the lower rolls: load and common length; diameters hardly move it"               },
-      {"K6", "chock and bearing of the lower backup roll, its bending"                                    },
-      {"K7", "lower housing and its foundation"                                                           },
+      {"K3", "contact of the upper rolls: load and common length; diameters hardly move it"},
+      {"K4", "bite: reduction, width, friction"},
+      {"K5", "contact of the lower rolls: load and common length; diameters hardly move it"},
+      {"K6", "chock and bearing of the lower backup roll, its bending"},
+      {"K7", "lower housing and its foundation"},
   };
   const auto found = means.find(name);
   return found == means.end() ? "" : found->second;
@@ -50,9 +50,8 @@ std::vector<DamperChoice> usual_dampers(const VibratingStand &stand, const doubl
     if (a.from >= 0 && a.to >= 0)
       choices.push_back({damper_name(stand, a), {a}});
   if (choices.size() == 3)
-    choices.push_back({
-        fmt::format("dampers {:g} kN s/m, both work rolls to their backup rolls", damper / 1e3), {upper, lower}
-    });
+    choices.push_back(
+        {fmt::format("dampers {:g} kN s/m, both work rolls to their backup rolls", damper / 1e3), {upper, lower}});
   return choices;
 }
 

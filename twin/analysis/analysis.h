@@ -44,10 +44,7 @@ struct AnalysisSettings {
   std::optional<double> speed;   ///< m/s, of a record without a channel of it
   std::optional<double> limit;   ///< m/s2, 0-peak: the mill's own limit of chatter
   std::vector<double> severity;  ///< m/s, rms: upper ends of zones A, B, C; empty: none given
-  std::vector<ChatterBand> bands{
-      {"third_octave", 125, 240},
-      {"fifth_octave", 550, 650}
-  };
+  std::vector<ChatterBand> bands{{"third_octave", 125, 240}, {"fifth_octave", 550, 650}};
   std::optional<Baseline> baseline;  ///< an earlier analysis of the same mill
   std::optional<double> mains;       ///< Hz, of the plant; neither: 50 and 60 Hz are tried
   bool align  = false;               ///< takes the delay out of the response to the force

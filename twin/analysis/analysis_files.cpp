@@ -99,16 +99,14 @@ ordered_json number(const double value)
 
 ordered_json json_of(const Finding &finding)
 {
-  ordered_json json{
-      {"kind",      finding.kind                               },
-      {"channel",   finding.channel                            },
-      {"frequency", number(finding.frequency)                  },
-      {"interval",  {number(finding.low), number(finding.high)}},
-      {"amplitude", number(finding.amplitude)                  },
-      {"unit",      finding.unit                               },
-      {"owner",     finding.owner                              },
-      {"evidence",  finding.evidence                           }
-  };
+  ordered_json json{{"kind", finding.kind},
+                    {"channel", finding.channel},
+                    {"frequency", number(finding.frequency)},
+                    {"interval", {number(finding.low), number(finding.high)}},
+                    {"amplitude", number(finding.amplitude)},
+                    {"unit", finding.unit},
+                    {"owner", finding.owner},
+                    {"evidence", finding.evidence}};
   if (finding.members.empty())
     return json;
   json["orders"] = ordered_json::array();
@@ -116,10 +114,7 @@ ordered_json json_of(const Finding &finding)
   for (const FamilyMember &member : finding.members) {
     if (member.order > 0)
       json["orders"].push_back(member.order);
-    json["lines"].push_back({
-        {"frequency", member.frequency},
-        {"amplitude", member.amplitude}
-    });
+    json["lines"].push_back({{"frequency", member.frequency}, {"amplitude", member.amplitude}});
   }
   return json;
 }
@@ -128,42 +123,38 @@ ordered_json json_of(const Finding &finding)
 ordered_json json_of(const ChannelAnalysis &seen)
 {
   const Account &account = seen.account;
-  return {
-      {"channel",       seen.name                      },
-      {"variance",      seen.variance                  },
-      {"lines",         100 * account.lines            },
-      {"families",      100 * account.families         },
-      {"modes",         100 * account.modes            },
-      {"floor",         100 * account.floor            },
-      {"not_explained", 100 * account.unexplained      },
-      {"largest",
-       {{"frequency", number(account.largest)},
-        {"amplitude", number(account.amplitude)},
-        {"unit", seen.unit},
-        {"over_floor", number(account.over_floor)},
-        {"source", account.source}}                    },
-      {"only_noise",    account.only_noise()           },
-      {"threshold",     number(seen.detected.threshold)},
-      {"false_alarm",   false_alarm                    }
-  };
+  return {{"channel", seen.name},
+          {"variance", seen.variance},
+          {"lines", 100 * account.lines},
+          {"families", 100 * account.families},
+          {"modes", 100 * account.modes},
+          {"floor", 100 * account.floor},
+          {"not_explained", 100 * account.unexplained},
+          {"largest",
+           {{"frequency", number(account.largest)},
+            {"amplitude", number(account.amplitude)},
+            {"unit", seen.unit},
+            {"over_floor", number(account.over_floor)},
+            {"source", account.source}}},
+          {"only_noise", account.only_noise()},
+          {"threshold", number(seen.detected.threshold)},
+          {"false_alarm", false_alarm}};
 }
 
 ordered_json conventions_of(const ChannelAnalysis &seen)
 {
   const auto band = seen.spectrum.n > 0 ? seen.spectrum.band() : std::array<double, 2>{0, 0};
-  return {
-      {"channel",   seen.name                                                                 },
-      {"quantity",  name_of(seen.quantity)                                                    },
-      {"unit",      seen.unit                                                                 },
-      {"window",    "Hann, periodic"                                                          },
-      {"L",         seen.spectrum.L                                                           },
-      {"segments",  seen.spectrum.n                                                           },
-      {"enbw",      seen.spectrum.L > 0 ? number(seen.spectrum.enbw()) : ordered_json(nullptr)},
-      {"dof",       seen.spectrum.n > 0 ? number(seen.spectrum.dof()) : ordered_json(nullptr) },
-      {"band",      {band[0], band[1]}                                                        },
-      {"density",   "one-sided, unit^2/Hz"                                                    },
-      {"bandwidth", number(seen.bandwidth)                                                    }
-  };
+  return {{"channel", seen.name},
+          {"quantity", name_of(seen.quantity)},
+          {"unit", seen.unit},
+          {"window", "Hann, periodic"},
+          {"L", seen.spectrum.L},
+          {"segments", seen.spectrum.n},
+          {"enbw", seen.spectrum.L > 0 ? number(seen.spectrum.enbw()) : ordered_json(nullptr)},
+          {"dof", seen.spectrum.n > 0 ? number(seen.spectrum.dof()) : ordered_json(nullptr)},
+          {"band", {band[0], band[1]}},
+          {"density", "one-sided, unit^2/Hz"},
+          {"bandwidth", number(seen.bandwidth)}};
 }
 
 // Largest of each group of bins, so that lines stay.
@@ -346,71 +337,56 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
       json["account"].push_back(json_of(seen));
   json["bearings"] = ordered_json::array();
   for (const BearingScore &one : analysis.bearings)
-    json["bearings"].push_back({
-        {"channel",   one.channel        },
-        {"bearing",   one.bearing        },
-        {"roll",      one.roll           },
-        {"family",    one.family         },
-        {"frequency", one.frequency      },
-        {"slip",      one.slip           },
-        {"score",     one.score          },
-        {"speed",     one.speed          },
-        {"band",      {one.low, one.high}},
-        {"kurtosis",  one.kurtosis       }
-    });
+    json["bearings"].push_back({{"channel", one.channel},
+                                {"bearing", one.bearing},
+                                {"roll", one.roll},
+                                {"family", one.family},
+                                {"frequency", one.frequency},
+                                {"slip", one.slip},
+                                {"score", one.score},
+                                {"speed", one.speed},
+                                {"band", {one.low, one.high}},
+                                {"kurtosis", one.kurtosis}});
   json["response_to_force"] =
       analysis.forced.response.n == 0
           ? ordered_json(nullptr)
           : ordered_json{
-                {"window",         "Hann, periodic"                                                                    },
-                {"L",              analysis.forced.response.L                                                          },
-                {"rate",           analysis.forced.response.rate                                                       },
-                {"segments",       analysis.forced.response.n                                                          },
-                {"enbw",           1.5 * analysis.forced.response.resolution()                                         },
-                {"delay",          analysis.delay.told ? ordered_json(analysis.delay.seconds) : ordered_json(nullptr)  },
-                {"delay_sd",       analysis.delay.told ? ordered_json(analysis.delay.deviation) : ordered_json(nullptr)},
-                {"aligned",        settings.align                                                                      },
-                {"best_coherence", analysis.forced.best_coherence                                                      }
-  };
+                {"window", "Hann, periodic"},
+                {"L", analysis.forced.response.L},
+                {"rate", analysis.forced.response.rate},
+                {"segments", analysis.forced.response.n},
+                {"enbw", 1.5 * analysis.forced.response.resolution()},
+                {"delay", analysis.delay.told ? ordered_json(analysis.delay.seconds) : ordered_json(nullptr)},
+                {"delay_sd", analysis.delay.told ? ordered_json(analysis.delay.deviation) : ordered_json(nullptr)},
+                {"aligned", settings.align},
+                {"best_coherence", analysis.forced.best_coherence}};
   json["baseline"] = settings.baseline ? ordered_json{{"folder", settings.baseline->folder},
                                                       {"record", settings.baseline->record}}
                                        : ordered_json(nullptr);
-  json["record"] = {
-      {"file",         record.file                                                       },
-      {"format",       record.format                                                     },
-      {"rate",         record.rate                                                       },
-      {"duration",     record.duration()                                                 },
-      {"jitter",       record.jitter                                                     },
-      {"interpolated", record.interpolated                                               },
-      {"start",        record.start ? ordered_json(*record.start) : ordered_json(nullptr)},
-      {"speed",        {number(analysis.lowest_speed), number(analysis.highest_speed)}   }
-  };
+  json["record"]   = {{"file", record.file},
+                      {"format", record.format},
+                      {"rate", record.rate},
+                      {"duration", record.duration()},
+                      {"jitter", record.jitter},
+                      {"interpolated", record.interpolated},
+                      {"start", record.start ? ordered_json(*record.start) : ordered_json(nullptr)},
+                      {"speed", {number(analysis.lowest_speed), number(analysis.highest_speed)}}};
   json["stand"] = stand ? ordered_json{{"case", stand->name}, {"source", stand->source}} : ordered_json(nullptr);
   json["cleaning"] = ordered_json::array();
   for (const CleaningEvent &event : record.events)
-    json["cleaning"].push_back({
-        {"channel", event.channel},
-        {"fault",   event.fault  },
-        {"from",    event.from   },
-        {"to",      event.to     },
-        {"count",   event.count  },
-        {"done",    event.done   }
-    });
+    json["cleaning"].push_back({{"channel", event.channel},
+                                {"fault", event.fault},
+                                {"from", event.from},
+                                {"to", event.to},
+                                {"count", event.count},
+                                {"done", event.done}});
   json["described"] = ordered_json::array();
   for (const DescribedChannel &channel : record.described)
-    json["described"].push_back({
-        {"channel", channel.name    },
-        {"kind",    channel.kind    },
-        {"what",    channel.sentence}
-    });
+    json["described"].push_back({{"channel", channel.name}, {"kind", channel.kind}, {"what", channel.sentence}});
   json["labels"] = ordered_json::array();
   for (const Label &label : record.labels)
-    json["labels"].push_back({
-        {"column", label.column},
-        {"text",   label.text  },
-        {"from",   label.from  },
-        {"to",     label.to    }
-    });
+    json["labels"].push_back(
+        {{"column", label.column}, {"text", label.text}, {"from", label.from}, {"to", label.to}});
   json["conventions"] = ordered_json::array();
   for (const ChannelAnalysis &seen : analysis.channels)
     json["conventions"].push_back(conventions_of(seen));
@@ -446,11 +422,10 @@ std::string candidates_csv(const Analysis &analysis)
 std::map<std::string, Table> analysis_tables(const Analysis &analysis)
 {
   std::map<std::string, Table> tables{
-      {"spectrum",   spectrum_table(analysis,  &ChannelAnalysis::spectrum, "frequency", "Hz")},
-      {"waterfall", waterfall_table(analysis)                   },
-      {"modes",  mode_table(analysis)},
-      {"poles",      pole_table(analysis)        }
-  };
+      {"spectrum", spectrum_table(analysis, &ChannelAnalysis::spectrum, "frequency", "Hz")},
+      {"waterfall", waterfall_table(analysis)},
+      {"modes", mode_table(analysis)},
+      {"poles", pole_table(analysis)}};
   if (Table length = spectrum_table(analysis, &ChannelAnalysis::length, "per_length", "1/m");
       !length.columns.empty())
     tables.emplace("distance", std::move(length));

@@ -31,10 +31,7 @@ Stretch steady_stretch(const CleanChannel &channel, const CleanChannel *recorded
       while (end < piece.end && std::abs(recorded->value[end] - v) <= steady * std::abs(v))
         ++end;
       if (v > 0 && end - i > best.span.size())
-        best = {
-            {i, end},
-            recorded->value.segment(i, end - i).mean()
-        };
+        best = {{i, end}, recorded->value.segment(i, end - i).mean()};
       i = std::max(end, i + 1);
     }
   }

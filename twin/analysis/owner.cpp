@@ -125,10 +125,7 @@ void add_bearing_lines(std::vector<std::string> &found, const TurningPeak &peak,
   for (const TurningBearing &bearing : stand.bearings) {
     const double turn                                = speed / (M_PI * bearing.roll_diameter);
     const std::pair<const char *, double> families[] = {
-        {"BPFO",  bearing.outer     },
-        {"BPFI",  bearing.inner     },
-        {"2 BSF", 2 * bearing.roller}
-    };
+        {"BPFO", bearing.outer}, {"BPFI", bearing.inner}, {"2 BSF", 2 * bearing.roller}};
     for (const auto &[family, order] : families)
       for (int h = 1; h <= most_of_bearing; ++h) {
         const double line = h * order * turn;

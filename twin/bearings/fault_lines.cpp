@@ -159,12 +159,10 @@ std::vector<FaultLines> fault_lines(const EnvelopeSpectrum &spectrum, const Turn
   Lines lines(spectrum);
   for (int k = 1; k <= shaft_harmonics; ++k)
     lines.block(k * shaft);
-  std::vector<std::pair<std::string, double>> left{
-      {"BPFO",  bearing.outer * shaft     },
-      {"BPFI",  bearing.inner * shaft     },
-      {"2 BSF", 2 * bearing.roller * shaft},
-      {"FTF",   bearing.cage * shaft      }
-  };
+  std::vector<std::pair<std::string, double>> left{{"BPFO", bearing.outer * shaft},
+                                                   {"BPFI", bearing.inner * shaft},
+                                                   {"2 BSF", 2 * bearing.roller * shaft},
+                                                   {"FTF", bearing.cage * shaft}};
   while (!left.empty()) {
     FaultLines best;
     for (const auto &[family, frequency] : left)

@@ -173,7 +173,7 @@ std::vector<std::string> ratios_that_suffice(const CalibrationInput &in, const F
                                              const RecordParts &check)
 {
   const Eigen::Index common = index_of(in.unknowns, "zeta");
-  const bool some_free = std::any_of(in.unknowns.begin(), in.unknowns.end(), [](const Unknown &u) {
+  const bool some_free      = std::any_of(in.unknowns.begin(), in.unknowns.end(), [](const Unknown &u) {
     return u.name.size() > 4 && u.name.compare(0, 4, "zeta") == 0;
   });
   if (common < 0 || some_free)

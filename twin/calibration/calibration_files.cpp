@@ -19,9 +19,7 @@ ordered_json finite(const double value)
 Results values_of(const Calibration &result, const bool written)
 {
   Results values;
-  const OperatingPoint at("{} of the records", {
-                                                   {result.fit_seconds, "s", ".4g"}
-  });
+  const OperatingPoint at("{} of the records", {{result.fit_seconds, "s", ".4g"}});
   for (const Calibrated &u : result.unknowns) {
     const bool delay            = u.name == "delay";
     const ChangeInterval change = change_interval(u, written);
@@ -35,11 +33,9 @@ Results values_of(const Calibration &result, const bool written)
     if (delay)
       p.error_lacks = {"a delay has no relative error; its deviation is listed with the unknowns"};
     if (u.identified && !delay)
-      p.checks = {
-          {"95 % from",      std::exp(change.low),  ""                                        },
-          {"95 % to",        std::exp(change.high), ""                                        },
-          {"with all freed", std::exp(u.estimate),  "with what is not identified free as well"}
-      };
+      p.checks = {{"95 % from", std::exp(change.low), ""},
+                  {"95 % to", std::exp(change.high), ""},
+                  {"with all freed", std::exp(u.estimate), "with what is not identified free as well"}};
     values.add(delay ? "delay" : "factor." + u.name, p);
   }
   const auto misfit = [&](const std::string &name, const double value, const std::string &of,
@@ -70,21 +66,19 @@ ordered_json unknowns_of(const CalibrationInput &input, const Calibration &resul
   for (std::size_t i = 0; i < result.unknowns.size(); ++i) {
     const Calibrated &u     = result.unknowns[i];
     const ShownChange shown = shown_change(u, written);
-    all.push_back({
-        {"name",     u.name                                                            },
-        {"prior",    finite(input.unknowns[i].prior)                                   },
-        {"prior_sd", finite(u.prior_sd)                                                },
-        {"estimate", finite(u.estimate)                                                },
-        {"sd",       finite(u.sd)                                                      },
-        {"interval", {finite(u.low), finite(u.high)}                                   },
+    all.push_back({{"name", u.name},
+                   {"prior", finite(input.unknowns[i].prior)},
+                   {"prior_sd", finite(u.prior_sd)},
+                   {"estimate", finite(u.estimate)},
+                   {"sd", finite(u.sd)},
+                   {"interval", {finite(u.low), finite(u.high)}},
 
-        {"shrink",   finite(u.shrink)                                                  },
-        {"moved",    finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)       },
-        {"told",     u.identified                                                      },
-        {"kept",     finite(u.kept)                                                    },
-        {"shown",    {{"value", shown.value}, {"low", shown.low}, {"high", shown.high}}},
-        {"why_not",  u.why_not                                                         }
-    });
+                   {"shrink", finite(u.shrink)},
+                   {"moved", finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)},
+                   {"told", u.identified},
+                   {"kept", finite(u.kept)},
+                   {"shown", {{"value", shown.value}, {"low", shown.low}, {"high", shown.high}}},
+                   {"why_not", u.why_not}});
   }
   return all;
 }
@@ -93,17 +87,15 @@ ordered_json bands_of(const CalibrationInput &input, const RecordFit &fit)
 {
   ordered_json all = ordered_json::array();
   for (const BandResidual &band : fit.bands)
-    all.push_back({
-        {"centre", finite(band.centre)                                                    },
-        {"sensor", band.sensor < 0 ? all_sensors : input.sensors[std::size_t(band.sensor)]},
-        {"bins",   band.bins                                                              },
-        {"energy", finite(band.energy)                                                    },
-        {"left",   finite(band.left)                                                      },
-        {"floor",  finite(band.floor)                                                     },
-        {"ratio",  finite(band.ratio)                                                     },
-        {"limit",  finite(band.limit)                                                     },
-        {"counts", band.decisive                                                          }
-    });
+    all.push_back({{"centre", finite(band.centre)},
+                   {"sensor", band.sensor < 0 ? all_sensors : input.sensors[std::size_t(band.sensor)]},
+                   {"bins", band.bins},
+                   {"energy", finite(band.energy)},
+                   {"left", finite(band.left)},
+                   {"floor", finite(band.floor)},
+                   {"ratio", finite(band.ratio)},
+                   {"limit", finite(band.limit)},
+                   {"counts", band.decisive}});
   return all;
 }
 
@@ -111,14 +103,12 @@ ordered_json levels_of(const RecordFit &fit)
 {
   ordered_json all = ordered_json::array();
   for (const LevelBand &band : fit.levels)
-    all.push_back({
-        {"centre", finite(band.centre)},
-        {"bins",   band.bins          },
-        {"ratio",  finite(band.ratio) },
-        {"limit",  finite(band.limit) },
-        {"energy", finite(band.energy)},
-        {"counts", band.decisive      }
-    });
+    all.push_back({{"centre", finite(band.centre)},
+                   {"bins", band.bins},
+                   {"ratio", finite(band.ratio)},
+                   {"limit", finite(band.limit)},
+                   {"energy", finite(band.energy)},
+                   {"counts", band.decisive}});
   return all;
 }
 
@@ -169,31 +159,19 @@ std::string calibration_json(const CalibrationInput &input, const Calibration &r
   document["correlation"] = rows_of_matrix(result.correlation);
   ordered_json basins     = ordered_json::array();
   for (const Basin &basin : result.scan.basins)
-    basins.push_back({
-        {"name",     basin.name            },
-        {"theta",    finite(basin.theta)   },
-        {"deviance", finite(basin.deviance)}
-    });
+    basins.push_back({{"name", basin.name}, {"theta", finite(basin.theta)}, {"deviance", finite(basin.deviance)}});
   document["basins"]        = basins;
   document["kept_deviance"] = finite(result.kept_deviance);
   document["case_deviance"] = finite(result.case_deviance);
   if (result.delay)
-    document["delay"] = {
-        {"seconds", finite(result.delay->seconds)  },
-        {"sd",      finite(result.delay->deviation)},
-        {"limit",   finite(result.delay->limit)    }
-    };
-  document["bands"] = {
-      {"fit",   bands_of(input, result.fit)  },
-      {"check", bands_of(input, result.check)}
-  };
+    document["delay"] = {{"seconds", finite(result.delay->seconds)},
+                         {"sd", finite(result.delay->deviation)},
+                         {"limit", finite(result.delay->limit)}};
+  document["bands"]          = {{"fit", bands_of(input, result.fit)}, {"check", bands_of(input, result.check)}};
   document["force_recorded"] = result.force_recorded();
   if (!result.force_recorded()) {
     document["without_force"] = without_force_words();
-    document["levels"]        = {
-               {"fit",   levels_of(result.fit)  },
-               {"check", levels_of(result.check)}
-    };
+    document["levels"]        = {{"fit", levels_of(result.fit)}, {"check", levels_of(result.check)}};
   }
   document["refusals"] = result.refusals;
   document["notes"]    = facts.notes;

@@ -20,8 +20,9 @@ struct LevelBand {
   }
 };
 
-/// Residual of the stand with one force per third octave, over the residual that any one force leaves of the spectral
-/// matrices; `sensor` is -1: all of them together, over the root of their noise.  None of one sensor alone.
+/// Residual of the stand with one force per third octave, over the residual that any one force leaves of the
+/// spectral matrices; `sensor` is -1: all of them together, over the root of their noise.  None of one sensor
+/// alone.
 std::vector<BandResidual> direction_residuals(const OutputOnly &record, const std::vector<SeenForce> &seen,
                                               const NoiseDensity &noise, const std::vector<ForcedSamples> &pieces,
                                               double rate, double low, double high,

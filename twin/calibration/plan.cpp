@@ -190,10 +190,7 @@ WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<
     for (Eigen::Index q = 0; q < p; ++q)
       slope.col(q) += SF * width * (at.H.conjugate().cwiseProduct(at.slope.col(q))).real();
   }
-  WhiteForceLevels levels{
-      square.cwiseSqrt(), {"zeta", "bandwidth"},
-       Eigen::MatrixXd(m, p + 1)
-  };
+  WhiteForceLevels levels{square.cwiseSqrt(), {"zeta", "bandwidth"}, Eigen::MatrixXd(m, p + 1)};
   levels.names.insert(levels.names.end(), springs.begin(), springs.end());
   const Eigen::VectorXd edge = SF * bandwidth * at_places(response(bandwidth), places).H.cwiseAbs2();
   levels.slope.col(0)        = slope.col(0).cwiseQuotient(square);

@@ -73,9 +73,7 @@ void prefer_a_correction(const FitProblem &problem, const Eigen::Index p, const 
   scan.best              = minimised(problem, found->at, beyond.noise, settings);
   const double rise      = 2 * (scan.best.cost - beyond.cost);
   const Eigen::Index own = index_of(scan, name);
-  std::vector<Basin> basins{
-      {name, beyond.estimate[own], -rise, beyond.estimate}
-  };
+  std::vector<Basin> basins{{name, beyond.estimate[own], -rise, beyond.estimate}};
   for (Basin other : scan.basins) {
     other.deviance -= rise;
     if (other.name != name || std::abs(other.theta - scan.best.estimate[own]) > scan.best.sd()[own])

@@ -43,10 +43,8 @@ std::vector<CriticalSlope> critical_slopes(const ChatterModel &model, const bite
     }
   for (const auto &number : model.numbers)
     add(number.key, number.name, root.by(dynamics::chatter_matrix_by(model.stand, point.by, number)).real());
-  const char *span[][2] = {
-      {"stand.entry_distance", "distance to the stand before"},
-      {"stand.exit_distance",  "distance to the stand behind"}
-  };
+  const char *span[][2] = {{"stand.entry_distance", "distance to the stand before"},
+                           {"stand.exit_distance", "distance to the stand behind"}};
   for (int side = 0; side < 2; ++side) {  // the row of a tension goes with E/L, (27.7)
     Eigen::MatrixXd row   = Eigen::MatrixXd::Zero(A.rows(), A.cols());
     row.row(2 * n + side) = -A.row(2 * n + side);

@@ -34,8 +34,8 @@ struct InputDoubt {
   double sd;      ///< -
   bool streamed;  ///< measured with the speed; false: a number of the model
 };
-/// Assumed where no better values are stated: thicknesses 0.5 %, tensions 3 %, friction and oil 10 %, flow stress 3 %,
-/// masses 2 %, springs 5 %, dampings 30 %, distances 1 %.
+/// Assumed where no better values are stated: thicknesses 0.5 %, tensions 3 %, friction and oil 10 %, flow stress
+/// 3 %, masses 2 %, springs 5 %, dampings 30 %, distances 1 %.
 const std::vector<InputDoubt> &usual_doubts();
 
 /// One solution.
@@ -66,8 +66,8 @@ public:
   bool following() const;
 
   /// The critical speed at other inputs: secant steps on the real part of the same root, the steady bite solved at
-  /// every one of them.  Accepted when that root alone reaches the axis there, upward and next to its last position, and
-  /// when the stand is stable at one more speed below, another one each time (16 over the range).
+  /// every one of them.  Accepted when that root alone reaches the axis there, upward and next to its last
+  /// position, and when the stand is stable at one more speed below, another one each time (16 over the range).
   /// @returns false: lost; why() says it, and a search of the range is needed
   /// Cost: 3 to 4 working points and eigenproblems, 0.4 ms.
   bool follow(const bite::RollBite &bite);

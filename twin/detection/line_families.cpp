@@ -250,11 +250,7 @@ LinesInFamilies lines_in_families(const std::vector<SeenLine> &lines, const std:
     });
     result.families.push_back(*family);
     spacings.push_back({family->fundamental, family->deviation});
-    if (const auto bands = best_bands(lines, free,
-                                      {
-                                          {family->fundamental, family->deviation}
-    },
-                                      spacings, 3))
+    if (const auto bands = best_bands(lines, free, {{family->fundamental, family->deviation}}, spacings, 3))
       take_side_bands(result, *bands);
   }
   while (free.size() >= 3) {

@@ -66,10 +66,7 @@ std::vector<DecimatedRecord> halves(const DecimatedRecord &record)
   Eigen::Index all = 0;
   for (const auto &part : record.piece)
     all += part.cols();
-  std::vector<DecimatedRecord> result{
-      {record.rate, {}},
-      {record.rate, {}}
-  };
+  std::vector<DecimatedRecord> result{{record.rate, {}}, {record.rate, {}}};
   Eigen::Index before = 0;
   for (const auto &part : record.piece) {
     const Eigen::Index first = std::clamp<Eigen::Index>(all / 2 - before, 0, part.cols());

@@ -131,11 +131,7 @@ int block_rows(const double rate, const double low)
 std::vector<ModeBand> mode_bands(const double highest)
 {
   std::vector<ModeBand> bands;
-  for (const ModeBand &band : {
-           ModeBand{20,  120 },
-           ModeBand{100, 420 },
-           ModeBand{380, 1000}
-  })
+  for (const ModeBand &band : {ModeBand{20, 120}, ModeBand{100, 420}, ModeBand{380, 1000}})
     if (highest > 1.5 * band.low)
       bands.push_back({band.low, std::min(band.high, highest)});
   return bands;

@@ -170,9 +170,7 @@ void take_heads(CsvLayout &layout, const std::string &file, const std::vector<st
     if (name.unit.empty())
       name.unit = unit_above(lines, std::size_t(names), layout.separator,
                              time_name(name.name) != TimeName::none ? "horizontal units" : "vertical units", c);
-    layout.columns.push_back({
-        name, {file, names + 1, column_of(line, head.cells[c], c, layout.separator)}
-    });
+    layout.columns.push_back({name, {file, names + 1, column_of(line, head.cells[c], c, layout.separator)}});
   }
   if (names > 0)
     layout.notes.push_back(

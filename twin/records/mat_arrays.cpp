@@ -29,16 +29,9 @@ bool number_type(const int type, BinaryType &found)
     int type;
     BinaryType number;
   } types[] = {
-      {1,  {'i', 1, false}},
-      {2,  {'u', 1, false}},
-      {3,  {'i', 2, false}},
-      {4,  {'u', 2, false}},
-      {5,  {'i', 4, false}},
-      {6,  {'u', 4, false}},
-      {7,  {'f', 4, false}},
-      {9,  {'f', 8, false}},
-      {12, {'i', 8, false}},
-      {13, {'u', 8, false}},
+      {1, {'i', 1, false}},  {2, {'u', 1, false}},  {3, {'i', 2, false}}, {4, {'u', 2, false}},
+      {5, {'i', 4, false}},  {6, {'u', 4, false}},  {7, {'f', 4, false}}, {9, {'f', 8, false}},
+      {12, {'i', 8, false}}, {13, {'u', 8, false}},
   };
   for (const auto &one : types)
     if (one.type == type) {

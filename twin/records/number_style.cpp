@@ -11,12 +11,7 @@ constexpr std::size_t longest_number = 64;  // characters
 std::string_view plain_signs(std::string_view text, std::array<char, longest_number> &copy)
 {
   static constexpr std::pair<std::string_view, char> signs[] = {
-      {"\u2212", '-' },
-      {"\u00a0", ' ' },
-      {"\u202f", ' ' },
-      {"\u2009", ' ' },
-      {"\u2019", '\''}
-  };
+      {"\u2212", '-'}, {"\u00a0", ' '}, {"\u202f", ' '}, {"\u2009", ' '}, {"\u2019", '\''}};
   if (std::none_of(text.begin(), text.end(), [](const char c) { return static_cast<unsigned char>(c) >= 0x80; }))
     return text;
   std::size_t n = 0;

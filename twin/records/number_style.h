@@ -15,8 +15,7 @@ bool operator==(const NumberStyle &a, const NumberStyle &b);
 
 /// All ways that are understood; a set of them is a mask with bit i for style i.
 constexpr std::array<NumberStyle, 8> number_styles{
-    {{'.', 0}, {',', 0}, {'.', ','}, {',', '.'}, {'.', '\''}, {',', '\''}, {'.', ' '}, {',', ' '}}
-};
+    {{'.', 0}, {',', 0}, {'.', ','}, {',', '.'}, {'.', '\''}, {',', '\''}, {'.', ' '}, {',', ' '}}};
 using StyleMask                 = unsigned;
 constexpr StyleMask every_style = (1u << number_styles.size()) - 1;
 

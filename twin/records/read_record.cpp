@@ -15,18 +15,9 @@ using Reader = RawRecord (*)(const std::string &, const ReadOptions &);
 const std::vector<std::pair<std::string, Reader>> &readers()
 {
   static const std::vector<std::pair<std::string, Reader>> all{
-      {".csv", read_csv_record},
-      {".txt", read_csv_record},
-      {".tsv", read_csv_record},
-      {".asc", read_csv_record},
-      {".npy", read_npy_record},
-      {".npz", read_npz_record},
-      {".uff", read_uff_record},
-      {".unv", read_uff_record},
-      {".mat", read_mat_record},
-      {".wav", read_wav_record},
-      {".lvm", read_lvm_record}
-  };
+      {".csv", read_csv_record}, {".txt", read_csv_record}, {".tsv", read_csv_record}, {".asc", read_csv_record},
+      {".npy", read_npy_record}, {".npz", read_npz_record}, {".uff", read_uff_record}, {".unv", read_uff_record},
+      {".mat", read_mat_record}, {".wav", read_wav_record}, {".lvm", read_lvm_record}};
   return all;
 }
 

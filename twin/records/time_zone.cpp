@@ -145,11 +145,8 @@ bool read_date(TextReader &text, DateText &date)
 // Cuts " AM" or "p.m." off the end of a text: 'a', 'p', or 0 where there is neither.
 char cut_half_of_day(std::string_view &text)
 {
-  for (const auto &[ending, half] : {
-           std::pair<std::string_view, char>("am", 'a'), {"pm",   'p'},
-              {"a.m.", 'a'},
-              {"p.m.", 'p'}
-  }) {
+  for (const auto &[ending, half] :
+       {std::pair<std::string_view, char>("am", 'a'), {"pm", 'p'}, {"a.m.", 'a'}, {"p.m.", 'p'}}) {
     if (text.size() <= ending.size())
       continue;
     const auto tail = text.substr(text.size() - ending.size());

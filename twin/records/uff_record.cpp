@@ -109,13 +109,7 @@ std::string without_none(const std::string_view text)
 std::string direction_name(const std::string_view code)
 {
   static constexpr std::pair<std::string_view, const char *> directions[] = {
-      {"1",  "+X"},
-      {"-1", "-X"},
-      {"2",  "+Y"},
-      {"-2", "-Y"},
-      {"3",  "+Z"},
-      {"-3", "-Z"}
-  };
+      {"1", "+X"}, {"-1", "-X"}, {"2", "+Y"}, {"-2", "-Y"}, {"3", "+Z"}, {"-3", "-Z"}};
   for (const auto &[number, name] : directions)
     if (code == number)
       return name;
@@ -270,17 +264,8 @@ private:
   static std::vector<std::pair<std::size_t, std::size_t>> widths_of_pairs(const bool is_double)
   {
     if (is_double)
-      return {
-          {13, 20},
-          {20, 20},
-          {20, 13},
-          {25, 25}
-      };
-    return {
-        {13, 13},
-        {20, 13},
-        {20, 20}
-    };
+      return {{13, 20}, {20, 20}, {20, 13}, {25, 25}};
+    return {{13, 13}, {20, 13}, {20, 20}};
   }
 
   static bool fits(const std::string_view line, const std::size_t abscissa, const std::size_t ordinate)

@@ -50,12 +50,7 @@ Waterfall waterfall(const Eigen::VectorXd &value, const std::vector<Span> &piece
     Eigen::VectorXd mean = Eigen::VectorXd::Zero(L / 2 + 1);
     for (Eigen::Index k = first; k < last; ++k) {
       const Eigen::Index begin = starts[std::size_t(k)];
-      mean += welch(value,
-                    {
-                        {begin, begin + L}
-      },
-                    rate, L, fourier)
-                  .density;
+      mean += welch(value, {{begin, begin + L}}, rate, L, fourier).density;
       map.time[i] += (double(begin) + double(L) / 2) / rate / double(last - first);
       if (speed.size() > 0)
         map.speed[i] += speed.segment(begin, L).mean() / double(last - first);

@@ -83,9 +83,7 @@ Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vect
     p.error_estimate += mesh_pair_error(p.value, companion, 2);
   if (liner && q.bearing.support_assumed)  // the case does not say that the liner carries the whole side
     p.error_estimate += std::abs(s.tangent_across / p.value - 1);
-  p.checks = {
-      {"ISO/TS 16281, rigid rings", iso, ""}
-  };
+  p.checks = {{"ISO/TS 16281, rigid rings", iso, ""}};
   if (liner)
     p.checks.push_back({"the chock on the supports that carry the load", s.tangent_across, ""});
   return p;

@@ -57,9 +57,8 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
     p.value  = value;
     p.unit   = unit;
     p.method = method;
-    p.at     = {
-            "{}, {} at {}", {{spec.load.radial, "kN", ".4g"}, {e.amplitude, "kN", ".4g"}, {e.frequency, "Hz", ".4g"}}
-    };
+    p.at     = {"{}, {} at {}",
+                {{spec.load.radial, "kN", ".4g"}, {e.amplitude, "kN", ".4g"}, {e.frequency, "Hz", ".4g"}}};
     p.checks = std::move(checks);
     p.inputs = {"dynamics.mass",      "dynamics.damping",   "dynamics.amplitude",
                 "dynamics.frequency", "dynamics.direction", "load.radial"};
@@ -67,16 +66,11 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
   };
   const double linear = std::sqrt(study.tangent / e.mass) / (2 * M_PI);
   add("frequency", "Hz", motion.frequency_along, "small motions about the load, on the interpolated curve",
-      {
-          {"tangent of the assembled bearing", linear, ""}
-  });
+      {{"tangent of the assembled bearing", linear, ""}});
   add("frequency_across", "Hz", motion.frequency_across,
       "small motions across the load, on the interpolated curve",
-      {
-          {"tangent of the assembled bearing across the load",
-           std::sqrt(study.tangent_across / e.mass) / (2 * M_PI),
-           "a bearing in a chock is not the same all round"}
-  });
+      {{"tangent of the assembled bearing across the load", std::sqrt(study.tangent_across / e.mass) / (2 * M_PI),
+        "a bearing in a chock is not the same all round"}});
   add("spectrum_peak", "Hz", motion.spectrum_peak, "highest line of the acceleration's spectrum");
   add("peak_acceleration", "m/s2", motion.peak_acceleration, "time integration on the bearing's curve");
   add("peak_force", "N", motion.peak_force, "time integration on the bearing's curve");

@@ -109,11 +109,9 @@ void add_basic_ratings(RatingResults &out, const RatedBearing &r)
     by_slices.push_back({"load for 1e6 revolutions by slices", r.loads.dynamic * std::pow(life.life / 1e6, 0.3),
                          "P (L10r/1e6)^0.3: the solved loads of the rollers in place of the standard's"});
   one("C", r.C, b.dynamic_rating, r.by_formula.dynamic, "ISO 281", by_slices);
-  Parameter *C0 = one("C0", r.C0, b.static_rating, r.by_formula.static_rating, "ISO 76",
-                      {
-                          {"Hertz pressure 4000 MPa under the heaviest roller", from_hertz,
-                           "five times the mean load of a roller"}
-  });
+  Parameter *C0 = one(
+      "C0", r.C0, b.static_rating, r.by_formula.static_rating, "ISO 76",
+      {{"Hertz pressure 4000 MPa under the heaviest roller", from_hertz, "five times the mean load of a roller"}});
   if (std::isnan(C0->error_estimate)) {
     C0->error_estimate = ratio_error(from_hertz, r.C0);
     C0->error_lacks.clear();
@@ -124,9 +122,7 @@ void add_loads_and_safety(RatingResults &out, const RatedBearing &r)
 {
   const auto life = r.life(r.study.at);
   out.add("P", "N", r.loads.dynamic, "ISO 281, equivalent load, (5.32)",
-          {
-              {"from the life by slices, C (L10r/1e6)^-0.3", life.equivalent_load, "every roller's load counted"}
-  },
+          {{"from the life by slices, C (L10r/1e6)^-0.3", life.equivalent_load, "every roller's load counted"}},
           ratio_error(life.equivalent_load, r.loads.dynamic));
   const double p =
       bearing::elastic_roller(r.bearing, r.study.at.roller_load.maxCoeff(), r.bearing.roller_diameter / 2)
@@ -134,10 +130,8 @@ void add_loads_and_safety(RatingResults &out, const RatedBearing &r)
   const double S0   = r.C0 / r.loads.statics;
   const double safe = std::pow(4e9 / p, 2);
   out.add("S0", "1", S0, "ISO 76, static safety C0/P0, (5.33)",
-          {
-              {"(4000 MPa over the heaviest roller's pressure)^2", safe, "solved load of the heaviest roller"},
-              { "(yield_pressure over that pressure)^2",             std::pow(r.bearing.yield_pressure / p,   2),                                   ""}
-  },
+          {{"(4000 MPa over the heaviest roller's pressure)^2", safe, "solved load of the heaviest roller"},
+           {"(yield_pressure over that pressure)^2", std::pow(r.bearing.yield_pressure / p, 2), ""}},
           ratio_error(safe, S0));
 }
 
@@ -146,17 +140,13 @@ double add_basic_lives(RatingResults &out, const RatedBearing &r)
 {
   const auto life   = r.life(r.study.at);
   const auto number = [&](const bearing::AssemblyState &state) { return r.life(state).life; };
-  std::vector<Check> checks{
-      {"ISO/TS 16281, rigid rings", number(r.study.standard), ""},
-      { "without the factor of the ends",          r.life(r.study.at,              false).life, ""}
-  };
+  std::vector<Check> checks{{"ISO/TS 16281, rigid rings", number(r.study.standard), ""},
+                            {"without the factor of the ends", r.life(r.study.at, false).life, ""}};
   double error = error_of(r.study, number);
   if (r.has_equivalent_load()) {
     const double L10 = bearing::basic_life(r.C, r.loads.dynamic);
     out.add("L10", "1", L10, "ISO 281, 1e6 (C/P)^(10/3) revolutions, (5.34)",
-            {
-                {"ISO/TS 16281 by slices", life.life, "the solved load of every roller"}
-    },
+            {{"ISO/TS 16281 by slices", life.life, "the solved load of every roller"}},
             ratio_error(life.life, L10));
     checks.push_back({"ISO 281", L10, "load of the rollers by a factor"});
     error = std::max(std::isfinite(error) ? error : 0, ratio_error(L10, life.life));
@@ -227,10 +217,7 @@ void add_speeds(RatingResults &out, const RatedBearing &r)
   out.add("cage_speed", "Hz", bearing::cage_speed(b, speed), "rolling without slip, shaft turning, cup at rest",
           {});
   out.add("centrifugal_force", "N", bearing::centrifugal_force(b, speed),
-          "of one steel roller at the cage's speed",
-          {
-              {"heaviest roller", heaviest, "what it stands against"}
-  });
+          "of one steel roller at the cage's speed", {{"heaviest roller", heaviest, "what it stands against"}});
 }
 
 // Numbers that are not printed, from those that are printed.
@@ -248,10 +235,7 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
       high               = std::max(high, other);
     }
     Parameter &p = out.add(key, unit, value, "from C and C0 of " + b.designation + ", (5.40), (5.41)",
-                           {
-                               {"least candidate",   low,  ""},
-                               {"largest candidate", high, ""}
-    },
+                           {{"least candidate", low, ""}, {"largest candidate", high, ""}},
                            std::max(high / value - 1, 1 - low / value));
     p.source     = Source::estimated;
     p.at         = {};
@@ -270,10 +254,7 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
               fmt::format("largest distance of the radial stiffness with {} other sets of rollers, (5.30); "
                           "part of the errors of the stiffnesses",
                           b.candidates.size() - 1),
-              {
-                  {"softest set over the one taken",  low,  ""},
-                  {"stiffest set over the one taken", high, ""}
-  });
+              {{"softest set over the one taken", low, ""}, {"stiffest set over the one taken", high, ""}});
   p.source = Source::estimated;
   p.at     = {};
 }

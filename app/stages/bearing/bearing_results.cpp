@@ -25,9 +25,7 @@ Parameter plain(const BearingStudy &s, const std::vector<std::string> &inputs)
 // say which one it is; their difference is not an error of the model.
 std::vector<Check> comparisons(const BearingStudy &s, const StateNumber &number, const bool of_arrangement = false)
 {
-  std::vector<Check> checks{
-      {"ISO/TS 16281, rigid rings", number(s.standard), ""}
-  };
+  std::vector<Check> checks{{"ISO/TS 16281, rigid rings", number(s.standard), ""}};
   if (!of_arrangement || s.arrangements.empty())
     return checks;
   const RollerBearing &b = s.question.bearing;
@@ -111,9 +109,7 @@ void add_closing_angle(RunContext &run, const std::string &prefix, const RollerB
     return;
   p.unit   = "rad";
   p.method = "cup angle at which roller, cup and cone share one apex, (5.1)";
-  p.checks = {
-      {"cup_angle of the case", b.cup_angle, "up to 0.5 deg apart are accepted"}
-  };
+  p.checks = {{"cup_angle of the case", b.cup_angle, "up to 0.5 deg apart are accepted"}};
   for (const char *key : {"pitch_diameter", "roller_diameter", "roller_cone_angle"})
     p.inputs.push_back("bearing." + b.name + "." + key);
   run.results.add(prefix + ".closing_cup_angle", p);
@@ -217,9 +213,7 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
   state("loaded_rollers", "1", s.at.loaded_rollers.maxCoeff(),
         fmt::format(", in the fullest row; {} of {} in all rows", s.at.loaded_rollers.sum(),
                     s.at.roller_load.size()),
-        {
-            {"ISO/TS 16281, rigid rings", double(s.standard.loaded_rollers.maxCoeff()), ""}
-  });
+        {{"ISO/TS 16281, rigid rings", double(s.standard.loaded_rollers.maxCoeff()), ""}});
   add_closing_angle(run, prefix, s.question.bearing);
 }
 

@@ -30,12 +30,10 @@ struct Seat {
 
 std::array<Seat, 4> seats_of(const FourHigh &s)
 {
-  return {
-      {{"Kzc1", "backup_roll", &s.backup_roll, &s.upper_contact, true},
-       {"Kzc2", "work_roll", &s.work_roll, &s.upper_contact, false},
-       {"Kzc3", "work_roll", &s.work_roll, &s.lower_contact, false},
-       {"Kzc4", "backup_roll", &s.backup_roll, &s.lower_contact, true}}
-  };
+  return {{{"Kzc1", "backup_roll", &s.backup_roll, &s.upper_contact, true},
+           {"Kzc2", "work_roll", &s.work_roll, &s.upper_contact, false},
+           {"Kzc3", "work_roll", &s.work_roll, &s.lower_contact, false},
+           {"Kzc4", "backup_roll", &s.backup_roll, &s.lower_contact, true}}};
 }
 
 /// Radial load of one bearing and where it comes from.
@@ -96,10 +94,8 @@ OilFilmQuestion film_question(const FourHigh &stand, const Seat &seat, const dou
   OilFilmQuestion q;
   q.bearing        = *film_of(stand, seat);
   q.surface_radius = seat.roll->barrel_diameter / 2;  // which rolls on the work roll without slip
-  q.load           = {
-                load, stand.passes[pass].speed / q.surface_radius, {0, 0}
-  };
-  q.speed_key = fmt::format("pass.{}.speed", pass);
+  q.load           = {load, stand.passes[pass].speed / q.surface_radius, {0, 0}};
+  q.speed_key      = fmt::format("pass.{}.speed", pass);
   if (pass == 0) {
     q.loads  = around(load);
     q.speeds = around_speed(q.load.speed);

@@ -174,21 +174,13 @@ OperatingPoint operating_point(const BearingStudy &s)
   if (q.radial > 0)
     load_text = {"{} on one bearing", {{q.radial, "kN"}}};
   if (std::isfinite(q.axial_displacement))
-    load_text.add(", {} along the axis", {
-                                             {q.axial_displacement, "um", ".4g"}
-    });
+    load_text.add(", {} along the axis", {{q.axial_displacement, "um", ".4g"}});
   else if (q.axial != 0)
-    load_text.add(", {} axial", {
-                                    {q.axial, "kN"}
-    });
+    load_text.add(", {} axial", {{q.axial, "kN"}});
   if (std::isfinite(q.moment))
-    load_text.add(", moment {}", {
-                                     {q.moment, "kN m", ".4g"}
-    });
+    load_text.add(", moment {}", {{q.moment, "kN m", ".4g"}});
   else if (q.tilt != 0)
-    load_text.add(", tilted by {}", {
-                                        {q.tilt, "mrad", ".4g"}
-    });
+    load_text.add(", tilted by {}", {{q.tilt, "mrad", ".4g"}});
   return load_text;
 }
 

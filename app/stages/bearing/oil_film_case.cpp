@@ -124,10 +124,8 @@ void write_oil_film(RunContext &run, const OilFilmStudy &s)
 void solve_oil_film_case(RunContext &run, const BearingCase &spec, const OilFilmBearing &film)
 {
   OilFilmQuestion q;
-  q.bearing = film;
-  q.load    = {
-         spec.load.radial, 2 * M_PI * spec.load.speed, {spec.load.tilt, spec.load.tilt_across}
-  };
+  q.bearing   = film;
+  q.load      = {spec.load.radial, 2 * M_PI * spec.load.speed, {spec.load.tilt, spec.load.tilt_across}};
   q.loads     = evenly(spec.load.loads, spec.load.samples);
   auto speeds = spec.load.speeds;
   if (std::isnan(speeds[0]))

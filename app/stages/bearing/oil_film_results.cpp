@@ -98,9 +98,7 @@ Parameter plain_film(const OilFilmStudy &s, const std::vector<std::string> &inpu
 {
   Parameter p;
   p.method = film_model(s.question);
-  p.at     = {
-          "{} on one bearing, {}", {{s.question.load.load, "kN"}, shown_speed(s.question, s.question.load.speed)}
-  };
+  p.at = {"{} on one bearing, {}", {{s.question.load.load, "kN"}, shown_speed(s.question, s.question.load.speed)}};
   p.inputs = inputs;
   return p;
 }
@@ -132,16 +130,12 @@ void add_matrices(RunContext &run, const std::string &prefix, const OilFilmStudy
     for (int j = 0; j < 2; ++j) {
       Parameter k = film_entry(s, inputs, &OilFilmState::stiffness, i, j);
       k.unit      = "N/m";
-      k.checks    = {
-             {parabola_name, other.stiffness(i, j), rigid_note(s.question)}
-      };
+      k.checks    = {{parabola_name, other.stiffness(i, j), rigid_note(s.question)}};
       k.method += i == j ? "" : ", force along the first axis by motion along the second";
       run.results.add(prefix + "k_" + axes[i] + axes[j], k);
       Parameter b = film_entry(s, inputs, &OilFilmState::damping, i, j);
       b.unit      = "N s/m";
-      b.checks    = {
-             {"short bearing (29.14)", other.short_damping(i, j), "L/D -> 0"}
-      };
+      b.checks    = {{"short bearing (29.14)", other.short_damping(i, j), "L/D -> 0"}};
       run.results.add(prefix + "b_" + axes[i] + axes[j], b);
     }
 }
@@ -153,14 +147,12 @@ void add_layers(RunContext &run, const std::string &prefix, const OilFilmStudy &
     return;
   OilFilmBearing rigid = s.question.bearing;
   rigid.bush_thickness = rigid.sleeve_thickness = not_given;
-  rigid.viscosity                               = {
-                                    {s.solution.at.temperature, s.solution.at.viscosity}
-  };
-  rigid.heat_share = 0;
-  Parameter p      = plain_film(s, inputs);
-  p.unit           = "N/m";
-  p.value          = s.solution.at.layer_stiffness;
-  p.method         = "layers of bush and sleeve under the film's pressure, W^2/(C int p^2 dA), (29.16)";
+  rigid.viscosity                               = {{s.solution.at.temperature, s.solution.at.viscosity}};
+  rigid.heat_share                              = 0;
+  Parameter p                                   = plain_film(s, inputs);
+  p.unit                                        = "N/m";
+  p.value                                       = s.solution.at.layer_stiffness;
+  p.method = "layers of bush and sleeve under the film's pressure, W^2/(C int p^2 dA), (29.16)";
   p.error_estimate =
       mesh_pair_error(s.solution.fine.layer_stiffness, s.solution.coarse.layer_stiffness, second_order);
   run.results.add(prefix + "layer_stiffness", p);
@@ -171,8 +163,7 @@ void add_layers(RunContext &run, const std::string &prefix, const OilFilmStudy &
     const double film = bearing::solve_oil_film(rigid, s.question.load).at.stiffness(0, 0);
     series.value      = 1 / (1 / film + 1 / p.value);
     series.checks     = {
-            {"film and layers solved together", s.solution.at.stiffness(0, 0), "the layers reshape the film"}
-    };
+            {"film and layers solved together", s.solution.at.stiffness(0, 0), "the layers reshape the film"}};
     run.results.add(prefix + "series_stiffness", series);
   } catch (const SolverError &) {
     run.assume(
@@ -190,8 +181,7 @@ Parameter film_stiffness(const OilFilmStudy &s, const std::vector<std::string> &
   p.unit         = "N/m";
   p.method += across ? ", across the load" : ", along the load";
   p.checks = {
-      {parabola_name, simpler_film(s.question, s.solution.at).stiffness(axis, axis), rigid_note(s.question)}
-  };
+      {parabola_name, simpler_film(s.question, s.solution.at).stiffness(axis, axis), rigid_note(s.question)}};
   return p;
 }
 
@@ -212,57 +202,33 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
   };
   const double c = s.question.bearing.clearance;
   add("eccentricity", "1", &OilFilmState::eccentricity,
-      {
-          {parabola_name, other.eccentricity,       note      },
-          {short_name,    other.short_eccentricity, "L/D -> 0"}
-  });
+      {{parabola_name, other.eccentricity, note}, {short_name, other.short_eccentricity, "L/D -> 0"}});
   add("attitude", "rad", &OilFilmState::attitude,
-      {
-          {parabola_name, other.attitude,                                     note      },
-          {short_name,    bearing::ocvirk_attitude(other.short_eccentricity), "L/D -> 0"}
-  });
-  add("minimum_film", "m", &OilFilmState::least_film,
-      {
-          {parabola_name, c * (1 - other.eccentricity), note}
-  });
-  add("peak_pressure", "Pa", &OilFilmState::peak_pressure,
-      {
-          {short_name, other.short_peak, "L/D -> 0"}
-  });
+      {{parabola_name, other.attitude, note},
+       {short_name, bearing::ocvirk_attitude(other.short_eccentricity), "L/D -> 0"}});
+  add("minimum_film", "m", &OilFilmState::least_film, {{parabola_name, c * (1 - other.eccentricity), note}});
+  add("peak_pressure", "Pa", &OilFilmState::peak_pressure, {{short_name, other.short_peak, "L/D -> 0"}});
   const double streamers = std::abs(state.power_streamers / state.power_loss - 1);
   const double w         = s.question.load.speed;
   add("power_loss", "W", &OilFilmState::power_loss,
-      {
-          {"full film of the parabola's eccentricity", other.full_friction * w, note               },
-          {"oil in streamers behind the rupture",      state.power_streamers,   "part of the error"}
-  },
+      {{"full film of the parabola's eccentricity", other.full_friction * w, note},
+       {"oil in streamers behind the rupture", state.power_streamers, "part of the error"}},
       streamers);
   add("friction_torque", "N m", &OilFilmState::friction_torque,
-      {
-          {"full film of the parabola's eccentricity", other.full_friction, note}
-  },
-      streamers);
+      {{"full film of the parabola's eccentricity", other.full_friction, note}}, streamers);
   add("side_flow", "m3/s", &OilFilmState::side_flow,
-      {
-          {"short bearing, 2 e R c w L/2", other.short_flow, "L/D -> 0"}
-  });
+      {{"short bearing, 2 e R c w L/2", other.short_flow, "L/D -> 0"}});
   const OilFilmBearing &b = s.question.bearing;
   const double warming = b.heat_share * other.full_friction * w / (b.oil_density * b.oil_heat * other.short_flow);
   add("temperature", "K", &OilFilmState::temperature,
-      {
-          {"by full film and short bearing", b.inlet_temperature + b.warming_share * warming, note}
-  });
+      {{"by full film and short bearing", b.inlet_temperature + b.warming_share * warming, note}});
   add("outlet_temperature", "K", &OilFilmState::outlet_temperature,
-      {
-          {"by full film and short bearing", b.inlet_temperature + warming, note}
-  });
+      {{"by full film and short bearing", b.inlet_temperature + warming, note}});
   add("viscosity", "Pa s", &OilFilmState::viscosity);
   add("sommerfeld", "1", &OilFilmState::sommerfeld,
-      {
-          {parabola_name,
-           bearing::sommerfeld_number(bearing::parabolic_force(b.length / b.diameter, state.eccentricity).norm()),
-           note}
-  });
+      {{parabola_name,
+        bearing::sommerfeld_number(bearing::parabolic_force(b.length / b.diameter, state.eccentricity).norm()),
+        note}});
   add_matrices(run, prefix, s, other, inputs);
   Parameter still      = plain_film(s, inputs);
   still.unit           = "N/m";
@@ -270,9 +236,7 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
   still.error_estimate = mesh_pair_error(1 / s.solution.fine.stiffness.inverse()(0, 0),
                                          1 / s.solution.coarse.stiffness.inverse()(0, 0), second_order);
   still.method += ", along the load, free to move across";
-  still.checks = {
-      {"difference of two loads", s.static_slope, ""}
-  };
+  still.checks = {{"difference of two loads", s.static_slope, ""}};
   run.results.add(prefix + "k_static", still);
   Parameter least = plain_film(s, inputs);
   least.unit      = "Hz";

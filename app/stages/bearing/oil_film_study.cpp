@@ -28,11 +28,9 @@ double slope_between_loads(const OilFilmQuestion &q, const OilFilmState &state)
 {
   constexpr double part = 5e-3;
   OilFilmBearing b      = q.bearing;
-  b.viscosity           = {
-                {state.temperature, state.viscosity}
-  };  // a slope at one temperature
-  b.heat_share     = 0;
-  const auto place = [&](const double factor) {
+  b.viscosity           = {{state.temperature, state.viscosity}};  // a slope at one temperature
+  b.heat_share          = 0;
+  const auto place      = [&](const double factor) {
     OilFilmLoad load = q.load;
     load.load *= factor;
     const OilFilmState s = bearing::solve_oil_film(b, load).at;

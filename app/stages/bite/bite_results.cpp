@@ -17,11 +17,9 @@ OperatingPoint operating_point(const BiteStudy &s)
 {
   const Strip &strip = s.question.bite.strip;
   return OperatingPoint(s.question.pass)
-      .add(", {} -> {}, {}", {
-                                 {strip.entry_thickness,  "mm", ".4g"},
-                                 {strip.exit_thickness,   "mm", ".4g"},
-                                 {s.chosen().state.force, "kN", ".1f"}
-  });
+      .add(", {} -> {}, {}", {{strip.entry_thickness, "mm", ".4g"},
+                              {strip.exit_thickness, "mm", ".4g"},
+                              {s.chosen().state.force, "kN", ".1f"}});
 }
 
 Parameter plain(const BiteStudy &s, const BiteAnswer &answer)
@@ -196,12 +194,12 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   add("exit_speed", "m/s", state.exit_speed, not_given);
   const std::pair<const char *, Input> inputs[] = {
       {"force_by_entry_thickness", Input::entry_thickness},
-      {"force_by_exit_thickness",  Input::exit_thickness },
-      {"force_by_entry_tension",   Input::entry_tension  },
-      {"force_by_exit_tension",    Input::exit_tension   },
-      {"force_by_friction",        Input::friction       },
-      {"force_by_flow_stress",     Input::flow_stress    },
-      {"force_by_roll_speed",      Input::roll_speed     },
+      {"force_by_exit_thickness", Input::exit_thickness},
+      {"force_by_entry_tension", Input::entry_tension},
+      {"force_by_exit_tension", Input::exit_tension},
+      {"force_by_friction", Input::friction},
+      {"force_by_flow_stress", Input::flow_stress},
+      {"force_by_roll_speed", Input::roll_speed},
   };
   const char *const units[] = {"N/m", "N/m", "m2", "m2", "N", "N", "N s/m"};
   for (int i = 0; i < 7; ++i) {
@@ -265,15 +263,11 @@ void add_path_plateau(const BiteStudy &s, BiteSpring &spring)
                           "1/nodes",
                           100 * s.question.setup.path_trim, path.nodes);
   // The only other value of the flattening: the section of the roll under the computed pressure.
-  spring.flattening.checks = {
-      {"finite elements of the roll's section, sum of nodal forces over mean displacement", path.sum,
-       "reads the mean over the arc, the closed form its middle"}
-  };
+  spring.flattening.checks = {{"finite elements of the roll's section, sum of nodal forces over mean displacement",
+                               path.sum, "reads the mean over the arc, the closed form its middle"}};
   spring.flattening.error_estimate = apart(path.sum, spring.flattening.value);
-  p.checks                         = {
-                              {"sum of nodal forces over mean displacement",          path.sum,                             "does not depend on the mesh"},
-                              {"flattening of one roll, closed form, over the nodes", spring.flattening.value / path.nodes, ""                           }
-  };
+  p.checks = {{"sum of nodal forces over mean displacement", path.sum, "does not depend on the mesh"},
+              {"flattening of one roll, closed form, over the nodes", spring.flattening.value / path.nodes, ""}};
 }
 // Plastic slope and the flattening of both rolls in series; what is not known of the flattening comes with it.
 void add_combined(const BiteStudy &s, BiteSpring &spring)

@@ -38,27 +38,17 @@ std::vector<std::pair<std::string, bite::SlabModel>> models_beside(const BiteQue
 {
   const bool factors = !slides(q.bite.strip.friction);
   const Arc arc      = q.setup.arc == "rigid" ? Arc::rigid : Arc::hitchcock;
-  std::vector<std::pair<std::string, bite::SlabModel>> models{
-      {"karman-rigid", {Theory::karman, Arc::rigid}},
-      {"karman",       {Theory::karman, arc}       },
-      {"orowan",       {Theory::orowan, arc}       }
-  };
+  std::vector<std::pair<std::string, bite::SlabModel>> models{{"karman-rigid", {Theory::karman, Arc::rigid}},
+                                                              {"karman", {Theory::karman, arc}},
+                                                              {"orowan", {Theory::orowan, arc}}};
   if (factors)
-    models.push_back({
-        "hu-ehmann", {Theory::hu_ehmann, arc}
-    });
+    models.push_back({"hu-ehmann", {Theory::hu_ehmann, arc}});
   else
-    models.push_back({
-        "bland-ford", {Theory::bland_ford, arc}
-    });
+    models.push_back({"bland-ford", {Theory::bland_ford, arc}});
   if (factors || plain_coefficient(q.bite.strip.friction) >= 0.25)  // it takes the strip as sticking
-    models.push_back({
-        "sims", {Theory::sims, arc}
-    });
+    models.push_back({"sims", {Theory::sims, arc}});
   if (q.setup.arc == "elastic" || (q.setup.arc == "hitchcock" && q.curves))
-    models.push_back({
-        "karman-elastic-arc", {Theory::karman, Arc::elastic}
-    });
+    models.push_back({"karman-elastic-arc", {Theory::karman, Arc::elastic}});
   return models;
 }
 

@@ -92,10 +92,7 @@ std::vector<ModelValue> values_of_run(RunContext &run, const FitQuestion &q, con
         const BiteStudy study    = study_bite(pass_run, one);
         const BiteAnswer &chosen = study.chosen();
         const bite::BiteState &s = chosen.state;
-        values[p]                = {
-                           {s.force, s.forward_slip, s.torque},
-                           model_text(chosen), ""
-        };
+        values[p]                = {{s.force, s.forward_slip, s.torque}, model_text(chosen), ""};
       } catch (const InputError &e) {
         values[p].refused = e.problems.front().message;
       } catch (const SolverError &e) {

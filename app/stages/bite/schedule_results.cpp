@@ -15,9 +15,7 @@ std::string fit_text(const std::string &what, const PassForce &pass, const std::
 
 OperatingPoint pass_at(const PassForce &pass)
 {
-  return {
-      "{} -> {}", {{pass.entry_thickness, "mm", ".4g"}, {pass.exit_thickness, "mm", ".4g"}}
-  };
+  return {"{} -> {}", {{pass.entry_thickness, "mm", ".4g"}, {pass.exit_thickness, "mm", ".4g"}}};
 }
 
 /// Adds results of one pass, or of all of them.
@@ -80,8 +78,7 @@ void add_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p, c
   const bool fitted = !std::isnan(pass.flat.flow_stress);
   if (fitted) {
     std::vector<Check> checks{
-        {"on the roll's own radius, without flattening", pass.rigid.flow_stress, "also fitted"}
-    };
+        {"on the roll's own radius, without flattening", pass.rigid.flow_stress, "also fitted"}};
     if (!std::isnan(pass.law_stress))
       checks.push_back({"flow stress law of the case at the exit", pass.law_stress, ""});
     for (const Check &other : by_other_theories(pass))

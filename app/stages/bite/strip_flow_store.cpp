@@ -106,10 +106,7 @@ struct Writer {
       nlohmann::json numbers = nlohmann::json::array();
       for (Eigen::Index i = 0; i < value.size(); ++i)
         numbers.push_back(number(value.data()[i]));
-      out[name] = {
-          {"rows",    value.rows()},
-          {"numbers", numbers     }
-      };
+      out[name] = {{"rows", value.rows()}, {"numbers", numbers}};
     } else
       out[name] = value;
   }

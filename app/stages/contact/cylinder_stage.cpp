@@ -153,21 +153,10 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
     run.results.add("contact.line." + what, s);
   };
   const char *johnson = engine == PlaneEngine::two_cylinders ? "Johnson, axis to axis " : "Johnson ";
-  scalar("half_width", "m", &LineValues::half_width,
-         {
-             {"Hertz (3.2)", closed.half_width, ""}
-  });
-  scalar("peak_pressure", "Pa", &LineValues::peak_pressure,
-         {
-             {"Hertz (3.3)", closed.peak_pressure, ""}
-  });
-  scalar("approach", "m", &LineValues::approach,
-         {
-             {johnson + std::string("(3.4)"), closed.approach, ""}
-  });
-  std::vector<Check> slopes{
-      {johnson + std::string("(3.5b)"), closed.tangent, ""}
-  };
+  scalar("half_width", "m", &LineValues::half_width, {{"Hertz (3.2)", closed.half_width, ""}});
+  scalar("peak_pressure", "Pa", &LineValues::peak_pressure, {{"Hertz (3.3)", closed.peak_pressure, ""}});
+  scalar("approach", "m", &LineValues::approach, {{johnson + std::string("(3.4)"), closed.approach, ""}});
+  std::vector<Check> slopes{{johnson + std::string("(3.5b)"), closed.tangent, ""}};
   if (std::isfinite(a.exact))
     slopes.push_back({"active set of this one load (2.8)", a.exact, "steps as nodes come into contact"});
   scalar("tangent", "N/m2", &LineValues::tangent, std::move(slopes));

@@ -88,14 +88,10 @@ void add_slip(RunContext &run, const TwoCylinders &pair, const SlipValues &s)
     p.value  = value;
     p.unit   = unit;
     p.method = "half planes with stick and slip (sec. 33.4), displacements with the datum of the normal approach";
-    p.at     = {
-            "{}, {} across", {{pair.contact.at, "N/mm"}, {pair.contact.tangential_load, "N/mm"}}
-    };
+    p.at     = {"{}, {} across", {{pair.contact.at, "N/mm"}, {pair.contact.tangential_load, "N/mm"}}};
     p.error_estimate = mesh_pair_error(value, other);
-    p.checks         = {
-                {form,                   check, coupled ? "equal materials: pressure and shear apart" : ""},
-                {"strips twice as wide", other, ""                                                        }
-    };
+    p.checks         = {{form, check, coupled ? "equal materials: pressure and shear apart" : ""},
+                        {"strips twice as wide", other, ""}};
     run.results.add(std::string("contact.line.") + what, p);
   };
   add("stick_half_width", "m", s.stick, coarse.stick, "Cattaneo (33.5)", closed.stick);

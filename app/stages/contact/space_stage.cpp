@@ -124,16 +124,10 @@ void add_edges(RunContext &run, const SpaceRun &s)
   }
   const auto ratio = [&](const SpaceAnswer &a) { return a.state.line_load.maxCoeff() / s.face_load(); };
   const auto edge  = [&](const SpaceAnswer &a) { return a.state.peak_pressure.maxCoeff() / a.peak_pressure; };
-  add(run, s, "line_load_ratio", "1", ratio(s.fine), ratio(s.coarse),
-      {
-          {"even line load", 1, ""}
-  },
+  add(run, s, "line_load_ratio", "1", ratio(s.fine), ratio(s.coarse), {{"even line load", 1, ""}},
       unseen_order_safety);
   if (s.fine.state.line_load[s.fine.row] > 0)
-    add(run, s, "edge_factor", "1", edge(s.fine), edge(s.coarse),
-        {
-            {"even line load", 1, ""}
-    },
+    add(run, s, "edge_factor", "1", edge(s.fine), edge(s.coarse), {{"even line load", 1, ""}},
         unseen_order_safety);
 }
 
@@ -264,34 +258,22 @@ void solve_slip(RunContext &run, const SpaceRun &s)
     const auto e      = contact::mindlin_ellipse(s.ellipse(), s.shape.bodies, c.friction, share, along);
     const char *form  = "Mindlin, ellipse (33.9)";
     const double left = std::cbrt(1 - share);
-    stick             = {
-                    {form, e.stick_x, equal}
-    };
-    displacement = {
-        {form, e.tangential, equal}
-    };
-    first = {
-        {"no slip (33.8)", e.stiffness, equal}
-    };
-    tangent = {
-        {form, e.stiffness * left, equal}
-    };
+    stick             = {{form, e.stick_x, equal}};
+    displacement      = {{form, e.tangential, equal}};
+    first             = {{"no slip (33.8)", e.stiffness, equal}};
+    tangent           = {{form, e.stiffness * left, equal}};
   } else if (s.long_line()) {
-    stick = {
-        {"Cattaneo, line (33.5)", contact::cattaneo_line(s.line(), share).stick, even_load}
-    };
+    stick = {{"Cattaneo, line (33.5)", contact::cattaneo_line(s.line(), share).stick, even_load}};
   }
   const auto put = [&](const char *what, const char *unit, const double value, const double other,
                        std::vector<Check> checks) {
     if (!std::isfinite(value))
       return;
     Parameter p;
-    p.value  = value;
-    p.unit   = unit;
-    p.method = "half spaces with stick and slip (sec. 33.4), between points far from the contact";
-    p.at     = {
-            "{}, {} " + c.tangential_direction + " the axes", {{c.at, "N"}, {c.tangential_load, "N"}}
-    };
+    p.value          = value;
+    p.unit           = unit;
+    p.method         = "half spaces with stick and slip (sec. 33.4), between points far from the contact";
+    p.at             = {"{}, {} " + c.tangential_direction + " the axes", {{c.at, "N"}, {c.tangential_load, "N"}}};
     p.error_estimate = mesh_pair_error(value, other);
     p.checks         = std::move(checks);
     p.checks.push_back({"coarser grid", other, ""});

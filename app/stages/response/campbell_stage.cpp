@@ -46,12 +46,10 @@ void add_bearing_lines(CampbellRecord &record, const TurningRoll &roll, const in
   std::string title = std::string(roll.name) + " bearing";
   title.replace(title.find(' '), 1, "-");  // "work-roll bearing"
   // A defect of a roller meets both raceways in each of its turns.
-  const std::pair<const char *, double> parts[] = {
-      {"cage",               per_turn.cage      },
-      {"outer raceway",      per_turn.outer     },
-      {"inner raceway",      per_turn.inner     },
-      {"roller, both sides", 2 * per_turn.roller}
-  };
+  const std::pair<const char *, double> parts[] = {{"cage", per_turn.cage},
+                                                   {"outer raceway", per_turn.outer},
+                                                   {"inner raceway", per_turn.inner},
+                                                   {"roller, both sides", 2 * per_turn.roller}};
   for (const auto &[part, events] : parts)
     for (int h = 1; h <= harmonics; ++h)
       record.lines.push_back(
@@ -147,9 +145,7 @@ void add_results(RunContext &run, const CampbellRecord &record, const TurningSta
     p.unit  = "m/s";
     p.method =
         fmt::format("{} ({:.5g} per turn of the {}) meets {}", line.name, line.per_turn, line.shaft, mode.name);
-    p.at = {
-        "working range {} .. {}", {{record.working[0], "m/s", "g"}, {record.working[1], "m/s", "g"}}
-    };
+    p.at = {"working range {} .. {}", {{record.working[0], "m/s", "g"}, {record.working[1], "m/s", "g"}}};
     p.error_estimate = mode.error_estimate;
     if (std::isnan(p.error_estimate))
       p.error_lacks = run.find(result_name({family::mode, mode.key, "frequency"}))->error_lacks;

@@ -323,10 +323,8 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     p.method = model.method +
                (curves ? ", curves of the contacts, Runge-Kutta of order 8" : ", exact first-order hold") +
                ", force " + settings.force_meaning;
-    p.at = {
-        "{} mean, {} peak to peak",
-        {{statistics.mean, "kN", ".1f"}, {statistics.largest - statistics.smallest, "kN", ".3f"}}
-    };
+    p.at          = {"{} mean, {} peak to peak",
+                     {{statistics.mean, "kN", ".1f"}, {statistics.largest - statistics.smallest, "kN", ".3f"}}};
     p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
     p.inputs      = model.inputs;
     p.checks      = std::move(checks);

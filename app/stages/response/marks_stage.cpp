@@ -15,9 +15,7 @@ std::string result_word(std::string name)
 
 OperatingPoint operating_point(const MarksQuestion &q)
 {
-  return {
-      "{} at {}", {{q.spacing, "mm"}, {q.speed, "m/s"}}
-  };
+  return {"{} at {}", {{q.spacing, "mm"}, {q.speed, "m/s"}}};
 }
 
 // The numbers of the record as results, each with its keys.

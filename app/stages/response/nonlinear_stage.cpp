@@ -23,8 +23,7 @@ double g_of(const double acceleration)
 }
 
 constexpr std::array<std::pair<const char *, int>, 2> rolls{
-    {{"upper_work_roll", dynamics::upper_work_roll}, {"lower_work_roll", dynamics::lower_work_roll}}
-};
+    {{"upper_work_roll", dynamics::upper_work_roll}, {"lower_work_roll", dynamics::lower_work_roll}}};
 
 std::vector<NonlinearRoll> roll_records(const CurveRuns &runs)
 {
@@ -274,10 +273,8 @@ std::vector<Check> checks_of_level(const CurveRuns &runs, const int column, cons
     const auto level = dynamics::level(r.acceleration.col(column));
     return g_of(peak ? level.peak : level.rms);
   };
-  return {
-      {"linear springs",        value(runs.linear),         "slopes of the curves at rest"    },
-      {"curves by fixed steps", value(runs.fixed.response), "implicit, of second order (36.7)"}
-  };
+  return {{"linear springs", value(runs.linear), "slopes of the curves at rest"},
+          {"curves by fixed steps", value(runs.fixed.response), "implicit, of second order (36.7)"}};
 }
 
 void add_nonlinear(RunContext &run, const CurveDrive &drive, const CurveRuns &runs,

@@ -99,14 +99,12 @@ struct GaugeInput {
   double Strip::*member;    ///< nullptr: none that a number of the strip is
   double step;              ///< of the differences: relative to a thickness, Pa
 };
-const GaugeInput gauge_inputs[] = {
-    {"entry_thickness", "1",    &Strip::entry_thickness, gauge_step},
-    {"entry_tension",   "m/Pa", &Strip::entry_tension,   1e4       },
-    {"exit_tension",    "m/Pa", &Strip::exit_tension,    1e4       },
-    {"friction",        "m",    nullptr,                 0         },
-    {"flow_stress",     "m",    nullptr,                 0         },
-    {"roll_speed",      "s",    nullptr,                 0         }
-};
+const GaugeInput gauge_inputs[] = {{"entry_thickness", "1", &Strip::entry_thickness, gauge_step},
+                                   {"entry_tension", "m/Pa", &Strip::entry_tension, 1e4},
+                                   {"exit_tension", "m/Pa", &Strip::exit_tension, 1e4},
+                                   {"friction", "m", nullptr, 0},
+                                   {"flow_stress", "m", nullptr, 0},
+                                   {"roll_speed", "s", nullptr, 0}};
 
 // A number of the gauge: its error is that of modulus, plastic slope and slope of the bite with their shares.
 struct GaugeNumber {

@@ -138,12 +138,10 @@ struct RollInPlace {
 
 std::array<RollInPlace, 4> rolls_in_place(const FourHigh &stand, const Component &work, const Component &backup)
 {
-  std::array<RollInPlace, 4> rolls{
-      RollInPlace{"upper backup roll", &backup, 0},
-      {"upper work roll",   &work,   0},
-      {"lower work roll",   &work,   0},
-      {"lower backup roll", &backup, 0}
-  };
+  std::array<RollInPlace, 4> rolls{RollInPlace{"upper backup roll", &backup, 0},
+                                   {"upper work roll", &work, 0},
+                                   {"lower work roll", &work, 0},
+                                   {"lower backup roll", &backup, 0}};
   for (RollInPlace &roll : rolls)
     roll.height = height_of(stand, roll.name);
   return rolls;
@@ -239,17 +237,15 @@ std::string mat_of(const reduce::StandWithModes &s, const Eigen::MatrixXd &M, co
   readings.emplace_back("load cell, change of force [N]");
   for (const reduce::ModeName &mode : s.names)
     modes.push_back(mode.name);
-  std::vector<MatVariable> variables{
-      {"M",             M,                    {}                 },
-      {"K",             K,                    {}                 },
-      {"C",             C,                    {}                 },
-      {"b",             s.model.b,            {}                 },
-      {"readings",      readings_of(s.model), {}                 },
-      {"frequency",     s.modes.frequency,    {}                 },
-      {"shape",         s.modes.shape,        {}                 },
-      {"unknown_names", {},                   names_of(s.model)  },
-      {"reading_names", {},                   std::move(readings)}
-  };
+  std::vector<MatVariable> variables{{"M", M, {}},
+                                     {"K", K, {}},
+                                     {"C", C, {}},
+                                     {"b", s.model.b, {}},
+                                     {"readings", readings_of(s.model), {}},
+                                     {"frequency", s.modes.frequency, {}},
+                                     {"shape", s.modes.shape, {}},
+                                     {"unknown_names", {}, names_of(s.model)},
+                                     {"reading_names", {}, std::move(readings)}};
   if (!modes.empty())
     variables.push_back({"mode_names", {}, std::move(modes)});
   return mat_file(variables);

@@ -252,13 +252,10 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
   for (Eigen::Index i = 0; i < std::min(error.size(), coarse.modes.frequency.size()); ++i)
     error[i] +=
         mesh_pair_error(m.craig_bampton.modes.frequency[i], coarse.modes.frequency[i], roll_mesh_gain(components));
-  const auto names = reduce::common_names(
-      {
-          &m.craig_bampton, &m.beam, &m.chain
-  },
-      {{0, 1, reduce::mac_between(m.craig_bampton, m.beam)},
-       {0, 2, reduce::mac_with_chain(m.craig_bampton, m.chain)},
-       {1, 2, reduce::mac_with_chain(m.beam, m.chain)}});
+  const auto names      = reduce::common_names({&m.craig_bampton, &m.beam, &m.chain},
+                                               {{0, 1, reduce::mac_between(m.craig_bampton, m.beam)},
+                                                {0, 2, reduce::mac_with_chain(m.craig_bampton, m.chain)},
+                                                {1, 2, reduce::mac_with_chain(m.beam, m.chain)}});
   m.craig_bampton.names = names[0];
   m.beam.names          = names[1];
   m.chain.names         = names[2];

@@ -205,17 +205,12 @@ void Modulus::add_contact_of_work_rolls()
   Parameter tangent =
       made("N/m", contact.tangent, "Hertz line contact of both work rolls over the barrel (3.5b)", at);
   tangent.error_estimate = error_of_closed_form(stand, run.results.find(of_pass("K3.tangent")), F);
-  tangent.checks         = {
-              {"differences of the approach (3.4)", 0.02 * F / (stretch(1.01 * F) - stretch(0.99 * F)),
-               "1 % of the force"}
-  };
+  tangent.checks   = {{"differences of the approach (3.4)", 0.02 * F / (stretch(1.01 * F) - stretch(0.99 * F)),
+                       "1 % of the force"}};
   Parameter secant = tangent;
   secant.value     = contact.secant;
   secant.method    = "Hertz line contact of both work rolls over the barrel (3.5a)";
-  secant.checks    = {
-         {"Foeppl (3.8)",    laws.foeppl,   ""                     },
-         {"Palmgren (3.10)", laws.palmgren, "lower end of the band"}
-  };
+  secant.checks = {{"Foeppl (3.8)", laws.foeppl, ""}, {"Palmgren (3.10)", laws.palmgren, "lower end of the band"}};
   run.results.add(name_of("K_ww", "tangent"), tangent);
   run.results.add(name_of("K_ww", "secant"), secant);
 }
@@ -375,13 +370,11 @@ void Modulus::add_by_width()
   const auto by_width    = [&](const double bending) {
     return reduce::modulus_by_width(M, flattening.value, b, bending);
   };
-  Parameter p = made("N/m2", by_width(slope),
-                     "flattening and bending of the work rolls under another width, "
-                     "same force and arc (30.10)",
-                     at);
-  p.checks    = {
-         {"flattening alone", by_width(0), "work rolls that do not bend"}
-  };
+  Parameter p   = made("N/m2", by_width(slope),
+                       "flattening and bending of the work rolls under another width, "
+                         "same force and arc (30.10)",
+                       at);
+  p.checks      = {{"flattening alone", by_width(0), "work rolls that do not bend"}};
   p.error_lacks = {"K4.flattening"};
   run.results.add(name_of("modulus", "by_width"), p);
 }

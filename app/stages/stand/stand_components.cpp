@@ -180,10 +180,8 @@ ComponentSets stand_components(RunContext &run, const FourHigh &stand, const boo
     stages.push_back([&](RunContext &part_run) { coarse_housing = housing(part_run, stand, false); });
   }
   run_side_by_side(run, std::move(stages));
-  ComponentSets sets{
-      {std::move(work.fine),   std::move(backup.fine),   std::move(fine_housing)  },
-      {std::move(work.coarse), std::move(backup.coarse), std::move(coarse_housing)}
-  };
+  ComponentSets sets{{std::move(work.fine), std::move(backup.fine), std::move(fine_housing)},
+                     {std::move(work.coarse), std::move(backup.coarse), std::move(coarse_housing)}};
   sets.present = true;
   run.progress.at("components", 1);
   return sets;

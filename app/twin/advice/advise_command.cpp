@@ -102,14 +102,10 @@ int advise_command(const CommandLine &command, const Case &the_case)
                                         : RolledAdvice();
   const auto components           = [&] {
     reduce::StandComponents rolls;
-    run_in_scratch(command, the_case,
-                             {
-                       {"components", 1}
-    },
-                             [&](RunContext &run) {
-                     rolls = stand_components(run, std::get<FourHigh>(the_case.spec), false).fine;
-                     say_warnings(run.results.warnings);
-                   });
+    run_in_scratch(command, the_case, {{"components", 1}}, [&](RunContext &run) {
+      rolls = stand_components(run, std::get<FourHigh>(the_case.spec), false).fine;
+      say_warnings(run.results.warnings);
+    });
     return rolls;
   };
   const twin::AdviceRecord record = chatter

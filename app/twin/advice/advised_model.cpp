@@ -84,12 +84,8 @@ DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
 
 bool scale_spring(reduce::StandSprings &springs, const std::string &name, const double factor)
 {
-  for (const auto &[known, spring] : {
-           std::pair{"K1", &springs.K1},
-           {"K3", &springs.K3},
-           {"K5", &springs.K5},
-           {"K7", &springs.K7}
-  })
+  for (const auto &[known, spring] :
+       {std::pair{"K1", &springs.K1}, {"K3", &springs.K3}, {"K5", &springs.K5}, {"K7", &springs.K7}})
     if (name == known) {
       *spring *= factor;
       return true;

@@ -16,10 +16,8 @@ using twin::VibratingStand;
 int on_its_chock(const VibratingStand &beam, const std::string &roll)
 {
   for (const char *side : {"upper", "lower"})
-    for (const auto &[body, chock] : {
-             std::pair{" work roll",   " work-roll chock"},
-             {" backup roll", " backup chock"   }
-    })
+    for (const auto &[body, chock] :
+         {std::pair{" work roll", " work-roll chock"}, {" backup roll", " backup chock"}})
       if (roll == std::string(side) + body)
         return beam.place(std::string(side) + chock);
   return beam.place(roll);
@@ -81,7 +79,7 @@ private:
 
 // Dampers as they are; tuned ones with their mass, tuned again.
 std::vector<Attachment> tuned_again(const VibratingStand &stand, const std::vector<Attachment> &joined,
-                                   const int place, const twin::ForceBand &force, const double level)
+                                    const int place, const twin::ForceBand &force, const double level)
 {
   std::vector<Attachment> tuned;
   for (const Attachment &one : joined)

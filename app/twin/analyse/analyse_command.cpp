@@ -39,10 +39,8 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
         "--severity: the upper ends of the zones grow, for example \"2.3 mm/s\" \"4.5 mm/s\" \"7.1 mm/s\"");
   if (settings.severity.empty())
     settings.severity = monitoring.zones();
-  settings.bands = {
-      {"third_octave", monitoring.third_octave[0], monitoring.third_octave[1]},
-      {"fifth_octave", monitoring.fifth_octave[0], monitoring.fifth_octave[1]}
-  };
+  settings.bands                     = {{"third_octave", monitoring.third_octave[0], monitoring.third_octave[1]},
+                                        {"fifth_octave", monitoring.fifth_octave[0], monitoring.fifth_octave[1]}};
   std::vector<std::string> baselines = command.baseline;
   if (baselines.empty() && !monitoring.baseline.empty())
     baselines.push_back(monitoring.baseline);
@@ -93,15 +91,8 @@ int analyse_command(const CommandLine &command)
                                : alone                ? command.output
                                                       : command.output + "/" + stem;
     twin::RawRecord raw;
-    console::ProgressBar bar(
-        {
-            {"read",     3},
-            {"clean",    1},
-            {"spectra",  4},
-            {"modes",    3},
-            {"findings", 1}
-    },
-        command.quiet);
+    console::ProgressBar bar({{"read", 3}, {"clean", 1}, {"spectra", 4}, {"modes", 3}, {"findings", 1}},
+                             command.quiet);
     Progress progress;
     progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
     progress.at("read", 0);

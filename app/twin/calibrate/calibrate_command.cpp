@@ -159,15 +159,7 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   // wrong options are refused before long records are read
   freed_unknowns(at_first_pass, command.calibrate.free, true);
   model_error_of(command.calibrate);
-  console::ProgressBar bar(
-      {
-          {"read",   3},
-          {"start",  1},
-          {"fit",    1},
-          {"basins", 6},
-          {"check",  1}
-  },
-      command.quiet);
+  console::ProgressBar bar({{"read", 3}, {"start", 1}, {"fit", 1}, {"basins", 6}, {"check", 1}}, command.quiet);
   Progress progress;
   progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
   progress.at("read", 0);

@@ -158,11 +158,9 @@ void calibrate(Parameter &number, const twin::Calibrated &u, const std::string &
   number.method                     = method;
   number.error_estimate             = u.sd;
   number.error_lacks                = {};
-  number.checks                     = {
-                          {"95 % from", before * std::exp(change.low),  ""                       },
-                          {"95 % to",   before * std::exp(change.high), ""                       },
-                          {"before",    before,                         "value of the given case"}
-  };
+  number.checks                     = {{"95 % from", before * std::exp(change.low), ""},
+                                       {"95 % to", before * std::exp(change.high), ""},
+                                       {"before", before, "value of the given case"}};
 }
 }  // namespace
 

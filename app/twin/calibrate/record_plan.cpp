@@ -139,13 +139,11 @@ std::string plan_text(const RecordPlan &plan)
 namespace {
 nlohmann::ordered_json row_of(const twin::Unknown &unknown, const double shrink)
 {
-  return {
-      {"name",       unknown.name              },
-      {"prior_sd",   unknown.prior_sd          },
-      {"sd",         shrink * unknown.prior_sd },
-      {"shrink",     shrink                    },
-      {"identified", shrink <= identified_up_to}
-  };
+  return {{"name", unknown.name},
+          {"prior_sd", unknown.prior_sd},
+          {"sd", shrink * unknown.prior_sd},
+          {"shrink", shrink},
+          {"identified", shrink <= identified_up_to}};
 }
 }  // namespace
 
@@ -157,15 +155,10 @@ std::string plan_json(const RecordPlan &plan)
   document["case"]    = plan.case_name;
   document["stand"]   = plan.stand;
   document["sensors"] = plan.sensors;
-  document["record"]  = {
-       {"duration_s",             record.duration          },
-       {"noise_m_s2_per_root_Hz", record.noise             },
-       {"force_rms_N",            plan.force_rms           },
-       {"force_N_per_root_Hz",    record.force_density     },
-       {"force_up_to_Hz",         record.force_highest     },
-       {"force_recorded",         record.force_recorded    },
-       {"band_Hz",                {record.low, record.high}}
-  };
+  document["record"]  = {{"duration_s", record.duration},          {"noise_m_s2_per_root_Hz", record.noise},
+                         {"force_rms_N", plan.force_rms},          {"force_N_per_root_Hz", record.force_density},
+                         {"force_up_to_Hz", record.force_highest}, {"force_recorded", record.force_recorded},
+                         {"band_Hz", {record.low, record.high}}};
   auto &unknowns = document["unknowns"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < plan.unknowns.size(); ++i)
     unknowns.push_back(row_of(plan.unknowns[i], plan.found.shrink[Eigen::Index(i)]));
@@ -181,13 +174,11 @@ std::string plan_json(const RecordPlan &plan)
   auto &next = document["next_sensors"] = nlohmann::ordered_json::array();
   for (const twin::NextSensor &sensor : plan.next) {
     const std::size_t best = most_improved(plan, sensor);
-    next.push_back({
-        {"place",      plan.places[std::size_t(sensor.place)]          },
-        {"gain_nats",  sensor.gain                                     },
-        {"improves",   plan.found.names[best]                          },
-        {"shrink",     sensor.identification.shrink[Eigen::Index(best)]},
-        {"shrink_now", plan.found.shrink[Eigen::Index(best)]           }
-    });
+    next.push_back({{"place", plan.places[std::size_t(sensor.place)]},
+                    {"gain_nats", sensor.gain},
+                    {"improves", plan.found.names[best]},
+                    {"shrink", sensor.identification.shrink[Eigen::Index(best)]},
+                    {"shrink_now", plan.found.shrink[Eigen::Index(best)]}});
   }
   document["notes"] = plan.notes;
   return document.dump(2) + "\n";

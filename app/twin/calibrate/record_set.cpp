@@ -87,9 +87,7 @@ RecordSet described_set(const std::string &folder, const std::string &path)
 /// Samples of a record in which force and all sensors are complete.
 std::vector<twin::Span> common_pieces(const twin::CleanRecord &record, const std::vector<std::string> &names)
 {
-  std::vector<twin::Span> common{
-      {0, record.n}
-  };
+  std::vector<twin::Span> common{{0, record.n}};
   for (const std::string &name : names) {
     std::vector<twin::Span> next;
     for (const twin::Span &a : common)
@@ -157,10 +155,7 @@ void divide(const twin::CleanRecord &record, const RecordEntry &entry, const boo
     const auto cut = roles ? (entry.role == "check" ? span.begin : span.end)
                            : std::clamp(span.begin + 2 * all / 3 - seen, span.begin, span.end);
     seen += span.size();
-    for (const twin::Span &part : {
-             twin::Span{span.begin, cut     },
-             twin::Span{cut,        span.end}
-    }) {
+    for (const twin::Span &part : {twin::Span{span.begin, cut}, twin::Span{cut, span.end}}) {
       if (part.size() == 0)
         continue;
       if (part.size() < least) {
@@ -188,7 +183,8 @@ RecordSet read_record_set(const std::string &folder)
   for (const auto &file : fs::directory_iterator(folder))
     if (file.is_regular_file() && twin::is_record_file(file.path().string()))
       set.entries.push_back({file.path().string(), "", std::numeric_limits<double>::quiet_NaN(), "smooth", {}});
-  std::sort(set.entries.begin(), set.entries.end(), [](const RecordEntry &a, const RecordEntry &b) { return a.file < b.file; });
+  std::sort(set.entries.begin(), set.entries.end(),
+            [](const RecordEntry &a, const RecordEntry &b) { return a.file < b.file; });
   if (set.entries.empty())
     throw InputError("--measured " + folder + ": no record in it; .csv, .npy, .uff and .mat are read");
   return set;
@@ -253,10 +249,7 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
   result.load = load / std::max(1, loads);
   result.between =
       set.entries.front().between == "lines" ? twin::BetweenSamples::lines : twin::BetweenSamples::smooth;
-  for (const auto &[pieces, what] : {
-           std::pair{&result.fit,   "fit"  },
-           std::pair{&result.check, "check"}
-  })
+  for (const auto &[pieces, what] : {std::pair{&result.fit, "fit"}, std::pair{&result.check, "check"}})
     if (pieces->empty())
       throw InputError(fmt::format("--measured {}: nothing is left for the {}; a piece without gaps has to last "
                                    "{:.0f} s at least",

@@ -240,13 +240,11 @@ std::string LiveRun::account_json() const
   const auto &of              = engine_->source();
   for (std::size_t c = 0; of && c < of->channels.size(); ++c) {
     const live::ChannelAccount &a          = engine_->book()->channels()[c];
-    json["channels"][of->channels[c].name] = {
-        {"offered",   a.offered  },
-        {"processed", a.processed},
-        {"missing",   a.missing  },
-        {"rejected",  a.rejected },
-        {"overrun",   a.overrun  }
-    };
+    json["channels"][of->channels[c].name] = {{"offered", a.offered},
+                                              {"processed", a.processed},
+                                              {"missing", a.missing},
+                                              {"rejected", a.rejected},
+                                              {"overrun", a.overrun}};
   }
   if (engine_->book()) {
     json["doubled"]       = engine_->book()->doubled();

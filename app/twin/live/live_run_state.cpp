@@ -22,9 +22,7 @@ void LiveRun::store_state()
   auto state       = engine_->state();
   const auto until = recorder_->next();
   Json shown       = Json::array();
-  Json run{
-      {"recorded", until == no_number ? Json() : Json(until)}
-  };
+  Json run{{"recorded", until == no_number ? Json() : Json(until)}};
   {
     const std::lock_guard lock(alarm_lock_);
     std::size_t over = std::size_t(std::count_if(shown_alarms_.begin(), shown_alarms_.end(),

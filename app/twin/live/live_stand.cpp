@@ -14,15 +14,9 @@ namespace {
 const char *label_of(const std::string &key)
 {
   static const std::map<std::string, const char *> labels{
-      {"K1",      "upper frame"       },
-      {"K2",      "upper backup roll" },
-      {"K3",      "upper roll contact"},
-      {"K4",      "roll bite"         },
-      {"K5",      "lower roll contact"},
-      {"K6",      "lower backup roll" },
-      {"K7",      "lower frame"       },
-      {"damping", "modal damping"     }
-  };
+      {"K1", "upper frame"}, {"K2", "upper backup roll"},  {"K3", "upper roll contact"},
+      {"K4", "roll bite"},   {"K5", "lower roll contact"}, {"K6", "lower backup roll"},
+      {"K7", "lower frame"}, {"damping", "modal damping"}};
   return labels.at(key);
 }
 

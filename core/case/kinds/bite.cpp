@@ -11,11 +11,9 @@ const CaseKind &case_kind(const BiteCase *)
     k.name       = "bite";
     k.title      = "roll bite";
     k.read       = [](const Node &root, Reading &reading) -> CaseSpec { return read_bite_case(root, reading); };
-    k.sections   = {
-          head_section(),
-          steel_section(),
-          {"work_roll", Repeat::once, true, "both work rolls", rows_of(bite_roll_rows())}
-    };
+    k.sections   = {head_section(),
+                    steel_section(),
+                    {"work_roll", Repeat::once, true, "both work rolls", rows_of(bite_roll_rows())}};
     for (const SectionRows &section : strip_sections())
       k.sections.push_back(section);
     k.sections.push_back(
@@ -23,8 +21,7 @@ const CaseKind &case_kind(const BiteCase *)
     k.sections.push_back(bite_section());
     k.sections.push_back(published_section(bite_published_rows()));
     k.notes = {
-        {"strip.flow_stress", "", {}, {"k"}},
-        { "strip.friction",                 "", {}, {},  true}  // [strip] says it in a number
+        {"strip.flow_stress", "", {}, {"k"}}, {"strip.friction", "", {}, {}, true}  // [strip] says it in a number
     };
     k.given = k.published = bite_published_rows();
     k.repeated            = [](const CaseSpec &spec, const std::string &section) {

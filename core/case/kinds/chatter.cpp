@@ -47,17 +47,16 @@ const CaseKind &case_kind(const ChatterCase *)
     k.title    = "chatter of a stand";
     k.read     = [](const Node &root, Reading &reading) -> CaseSpec { return read_chatter(root, reading); };
     k.sections = chatter_sections();
-    k.notes    = {
-           {"work_roll",         "", {{"diameter", "\"600 mm\""}},                                                                 {}                   },
-           {"strip",             "", {},                                                                                           {"initial_thickness"}},
-           {"strip.flow_stress",
-            "",                      {{"law", "\"reduction-power\""}, {"k", "\"829.64 MPa\""}, {"eps0", "0.00817"}, {"n", "0.3"}},
-            {"k"}                                                                                                                                       },
-           {"strip.friction",    "", {},                                                                                           {},                    true},
-           {"stand",                   "",               {},                                                                                       {"masses", "stiffnesses", "dampings", "entry_distance", "exit_distance"}                                                                                           },
-           {"variant",                   "",             {},                                                                                     {}, true}, // [stand] says it
-           {"analysis",               "",                 {},                                                                                                    {"speeds"}                                                                                                        }
-    };
+    k.notes    = {{"work_roll", "", {{"diameter", "\"600 mm\""}}, {}},
+                  {"strip", "", {}, {"initial_thickness"}},
+                  {"strip.flow_stress",
+                   "",
+                   {{"law", "\"reduction-power\""}, {"k", "\"829.64 MPa\""}, {"eps0", "0.00817"}, {"n", "0.3"}},
+                   {"k"}},
+                  {"strip.friction", "", {}, {}, true},
+                  {"stand", "", {}, {"masses", "stiffnesses", "dampings", "entry_distance", "exit_distance"}},
+                  {"variant", "", {}, {}, true},  // [stand] says it
+                  {"analysis", "", {}, {"speeds"}}};
     k.notes.push_back(monitoring_note());
     k.notes.push_back(plant_note());
     k.notes.push_back(chatter_advice_note());

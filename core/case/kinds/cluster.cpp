@@ -22,10 +22,7 @@ std::vector<TemplateNote> cluster_notes()
 {
   std::vector<TemplateNote> notes;
   const auto roll = [&](const char *name, const char *diameter, const char *position) {
-    Values values{
-        {"name",            quoted(name)    },
-        {"barrel_diameter", quoted(diameter)}
-    };
+    Values values{{"name", quoted(name)}, {"barrel_diameter", quoted(diameter)}};
     if (*position)
       values["position"] = position;
     notes.push_back(note_of("roll", values));
@@ -36,59 +33,37 @@ std::vector<TemplateNote> cluster_notes()
   roll("R", "51 mm", "");
   roll("L", "51 mm", "");
   const auto contact = [&](const char *pair, const char *direction) {
-    notes.push_back(note_of("contact", {
-                                           {"pair",      quoted(pair)     },
-                                           {"direction", quoted(direction)}
-    }));
+    notes.push_back(note_of("contact", {{"pair", quoted(pair)}, {"direction", quoted(direction)}}));
   };
   contact("W-I", "90 deg");
   contact("I-E", "90 deg");
   contact("W-R", "0 deg");
-  notes.push_back(note_of("contact", {
-                                         {"pair", quoted("W-L")},
-                                         {"like", quoted("W-R")}
-  }));
-  notes.push_back(note_of("support",
-                          {
-                              {"roll", quoted("E")}
-  },
-                          {"stiffness", "load"}));
+  notes.push_back(note_of("contact", {{"pair", quoted("W-L")}, {"like", quoted("W-R")}}));
+  notes.push_back(note_of("support", {{"roll", quoted("E")}}, {"stiffness", "load"}));
   notes.push_back(
-      note_of("support", {
-                             {"roll",      quoted("I")      },
-                             {"type",      quoted("guide")  },
-                             {"stiffness", quoted("5e8 N/m")}
-  }));
+      note_of("support", {{"roll", quoted("I")}, {"type", quoted("guide")}, {"stiffness", quoted("5e8 N/m")}}));
   notes.push_back(
-      note_of("support",
-              {
-                  {"roll",      quoted("R")         },
-                  {"type",      quoted("rollers")   },
-                  {"stiffness", quoted("1.93e8 N/m")}
-  },
+      note_of("support", {{"roll", quoted("R")}, {"type", quoted("rollers")}, {"stiffness", quoted("1.93e8 N/m")}},
               {"half_angle", "preload", "against"}));
-  notes.push_back(note_of("support", {
-                                         {"roll", quoted("L")},
-                                         {"like", quoted("R")}
-  }));
+  notes.push_back(note_of("support", {{"roll", quoted("L")}, {"like", quoted("R")}}));
   notes.push_back(note_of("pass", {}, {"load", "entry_thickness", "exit_thickness", "speed"}));
   return notes;
 }
 const std::vector<DrawingValue> &cluster_drawing()
 {
   static const std::vector<DrawingValue> values{
-      {"stack",   "strip",           "section of the stand: the roll at the strip"                       },
-      {"roll",    "name",            "section of the stand"                                              },
-      {"roll",    "barrel_diameter", "roll drawing: ground diameter"                                     },
-      {"roll",    "barrel_length",   "roll drawing: length of the barrel"                                },
-      {"roll",    "position",        "section of the stand; the first roll anywhere on its line"         },
-      {"contact", "pair",            "section of the stand: rolls that touch"                            },
-      {"contact", "direction",       "section of the stand: angle of the line of centres"                },
-      {"support", "roll",            "section of the stand: rolls in bearings, guides or on rollers"     },
-      {"support", "stiffness",       "bearing catalogue or fit to a measured frequency"                  },
-      {"strip",   "width",           "pass schedule"                                                     },
-      {"pass",    "name",            "pass schedule"                                                     },
-      {"pass",    "load",            "pass schedule or force meter: rolling force of both sides together"},
+      {"stack", "strip", "section of the stand: the roll at the strip"},
+      {"roll", "name", "section of the stand"},
+      {"roll", "barrel_diameter", "roll drawing: ground diameter"},
+      {"roll", "barrel_length", "roll drawing: length of the barrel"},
+      {"roll", "position", "section of the stand; the first roll anywhere on its line"},
+      {"contact", "pair", "section of the stand: rolls that touch"},
+      {"contact", "direction", "section of the stand: angle of the line of centres"},
+      {"support", "roll", "section of the stand: rolls in bearings, guides or on rollers"},
+      {"support", "stiffness", "bearing catalogue or fit to a measured frequency"},
+      {"strip", "width", "pass schedule"},
+      {"pass", "name", "pass schedule"},
+      {"pass", "load", "pass schedule or force meter: rolling force of both sides together"},
   };
   return values;
 }
@@ -105,11 +80,11 @@ const CaseKind &case_kind(const ClusterCase *)
     k.sections   = {
           head_section(),
           steel_section(),
-          {"stack",   Repeat::once, true,  "what is common to the rolls",       rows_of(cluster_stack_rows())  },
-          {"roll",    Repeat::list, true,  "one roll",                          rows_of(cluster_roll_rows())   },
-          {"contact", Repeat::list, false, "two rolls that touch",              rows_of(cluster_contact_rows())},
-          {"support", Repeat::list, true,  "what holds a roll from the ground", rows_of(cluster_support_rows())},
-          {"strip",   Repeat::once, true,  "the strip in the bite",             rows_of(cluster_strip_rows())  },
+          {"stack", Repeat::once, true, "what is common to the rolls", rows_of(cluster_stack_rows())},
+          {"roll", Repeat::list, true, "one roll", rows_of(cluster_roll_rows())},
+          {"contact", Repeat::list, false, "two rolls that touch", rows_of(cluster_contact_rows())},
+          {"support", Repeat::list, true, "what holds a roll from the ground", rows_of(cluster_support_rows())},
+          {"strip", Repeat::once, true, "the strip in the bite", rows_of(cluster_strip_rows())},
     };
     for (const SectionRows &section : strip_sections())
       if (section.name != "strip") {
@@ -117,12 +92,12 @@ const CaseKind &case_kind(const ClusterCase *)
         k.sections.back().needed = false;
       }
     for (SectionRows &section : std::vector<SectionRows>{
-             {"pass",     Repeat::list, true,  "one pass",                               rows_of(cluster_pass_rows())    },
-             {"response", Repeat::once, false, "damping, response and history",          rows_of(cluster_response_rows())},
-             {"mode",     Repeat::list, false, "a motion that has a name",               rows_of(cluster_mode_rows())    },
-             {"variant",  Repeat::list, false, "the stack with other laws, and its fit",
-              rows_of(cluster_variant_rows())                                                                            },
-    })
+             {"pass", Repeat::list, true, "one pass", rows_of(cluster_pass_rows())},
+             {"response", Repeat::once, false, "damping, response and history", rows_of(cluster_response_rows())},
+             {"mode", Repeat::list, false, "a motion that has a name", rows_of(cluster_mode_rows())},
+             {"variant", Repeat::list, false, "the stack with other laws, and its fit",
+              rows_of(cluster_variant_rows())},
+         })
       k.sections.push_back(std::move(section));
     k.sections.push_back(bite_section());
     k.notes    = cluster_notes();
@@ -130,13 +105,8 @@ const CaseKind &case_kind(const ClusterCase *)
     k.repeated = [](const CaseSpec &spec, const std::string &section) {
       const ClusterStand &stand = *std::get<ClusterCase>(spec).stand;
       const std::map<std::string, std::size_t> sizes{
-          {"roll",    stand.rolls.size()   },
-          {"contact", stand.contacts.size()},
-          {"support", stand.supports.size()},
-          {"pass",    stand.schedule.size()},
-          {"mode",    stand.modes.size()   },
-          {"variant", stand.variants.size()}
-      };
+          {"roll", stand.rolls.size()},    {"contact", stand.contacts.size()}, {"support", stand.supports.size()},
+          {"pass", stand.schedule.size()}, {"mode", stand.modes.size()},       {"variant", stand.variants.size()}};
       const auto entry = sizes.find(section);
       return entry == sizes.end() ? std::vector<std::string>() : numbers_to(entry->second);
     };

@@ -137,43 +137,44 @@ std::vector<SectionRows> four_high_sections()
   std::vector<SectionRows> all{
       head_section(),
       steel_section(),
-      {"work_roll",                                       Repeat::once,              true, "both work rolls",
-          with_rows(rows_of(work_roll_rows()),                                                                                                                                                                    rows_of(roll_estimate_rows()))},
-      {"backup_roll",                                                 Repeat::once,                                                              true,      "both backup rolls",
-          with_rows(rows_of(backup_roll_rows()),                             rows_of(roll_estimate_rows()))},
-      {"bearing",                   Repeat::named,                                            false,
-          "a roller bearing, named by the rolls; rolls whose Kzc are given need none",                                                                     rows_of(bearing_rows())                                            },
+      {"work_roll", Repeat::once, true, "both work rolls",
+       with_rows(rows_of(work_roll_rows()), rows_of(roll_estimate_rows()))},
+      {"backup_roll", Repeat::once, true, "both backup rolls",
+       with_rows(rows_of(backup_roll_rows()), rows_of(roll_estimate_rows()))},
+      {"bearing", Repeat::named, false,
+       "a roller bearing, named by the rolls; rolls whose Kzc are given need none", rows_of(bearing_rows())},
       oil_film_section(),
-      {"frame",                          Repeat::once,                                                   false,
-          "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together; what a "
+      {"frame", Repeat::once, false,
+       "masses already reduced to the moving point; stiffnesses of the whole stand, both sides together; what a "
        "drawing in [housing] or [screwdown] replaces, what K1, K2, K6, K7, M1, M2 and M6 of [given] stand for and "
        "what "
-       "estimate = true finds may be left out, and KEY_tolerance states the uncertainty of a value",    with_rows(with_tolerances(rows_of(frame_rows())),rows_of(estimate_rows()))},
+       "estimate = true finds may be left out, and KEY_tolerance states the uncertainty of a value",
+       with_rows(with_tolerances(rows_of(frame_rows())), rows_of(estimate_rows()))},
       {"housing", Repeat::once, false,
-          "mill housing of each side as drawn, a closed window frame; replaces masses and stiffnesses of posts and "
-       "beams",                                                      rows_of(housing_rows())                                                                                                                                         },
-      {"screwdown",                                              Repeat::once,                                                false,
-          "screw-down of each side as drawn; each part replaces a stiffness of the frame",                                                 rows_of(screwdown_rows())}
-  };
+       "mill housing of each side as drawn, a closed window frame; replaces masses and stiffnesses of posts and "
+       "beams",
+       rows_of(housing_rows())},
+      {"screwdown", Repeat::once, false,
+       "screw-down of each side as drawn; each part replaces a stiffness of the frame",
+       rows_of(screwdown_rows())}};
   for (const SectionRows &section : strip_sections())
     all.push_back(section);
   const SectionRows rest[] = {
       pass_section(true),
-      {"contact.upper", Repeat::once, false, "contact of the upper rolls, K3",                    rows_of(roll_contact_rows())    },
-      {"contact.lower", Repeat::once, false, "contact of the lower rolls, K5",                    rows_of(roll_contact_rows())    },
+      {"contact.upper", Repeat::once, false, "contact of the upper rolls, K3", rows_of(roll_contact_rows())},
+      {"contact.lower", Repeat::once, false, "contact of the lower rolls, K5", rows_of(roll_contact_rows())},
       bite_section(),
       dynamics_section(dynamics_rows()),
       frequency_response_section(),
       campbell_section(campbell_rows()),
       drive_order_section(),
-      {"stand",         Repeat::once, false, "the strip around the stand, for millstand chatter",
-              rows_of(stand_span_rows())                                                                                                 },
-      {"analysis",      Repeat::once, false, "how chatter is searched",                           rows_of(chatter_analysis_rows())},
+      {"stand", Repeat::once, false, "the strip around the stand, for millstand chatter",
+       rows_of(stand_span_rows())},
+      {"analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows())},
       monitoring_section(),
       plant_section(),
       given_section(stand_given_rows(), false),
-      published_section(stand_published_rows())
-  };
+      published_section(stand_published_rows())};
   all.insert(all.end(), std::begin(rest), std::end(rest));
   for (const SectionRows &section : four_high_advice_sections())
     all.push_back(section);
@@ -182,71 +183,71 @@ std::vector<SectionRows> four_high_sections()
 
 std::vector<TemplateNote> four_high_notes()
 {
-  return {
-      {"bearing",
-       "[bearing.trb]",                    {},
-       {"bore", "outside_diameter", "width", "rows", "roller_diameter", "roller_cone_angle", "cup_angle",
-        "profile"}},
-      {"bearing",
-       "[bearing.crb]",                    {{"type", "\"four-row cylindrical\""},
-        {"rollers_per_row", "32"},
-        {"roller_length", "\"110 mm\""},
-        {"roller_diameter", "\"75 mm\""}},
-       {}},
-      {"oil-film", "[bearing.oil]",        {},                                             {},true}, // the backup rolls run on rollers
-      {"housing",          "",                        {},                                                           {},true}, // [frame] says it in numbers
-      {"screwdown",      "",                            {},                                                                {},                        true},
-      {"strip.flow_stress",        "",                          {},         {"k"}},
-      {"strip.friction",        "",{},                                      {},                                                        true}, // [strip] says it in a number
-      drive_order_note(),
-      monitoring_note(),
-      plant_note(),
-      {"work_roll",        "",                             {{"estimate", "true"}},                                  {}},
-      {"backup_roll", "",{{"estimate", "true"}},{}     },
-      {"frame",        "",                                    {{"estimate", "true"}},                                                                                                 {"modulus"}},
-      {"pass", "",{{"synthetic", "true"}},{"synthetic_range"}}
-  };
+  return {{"bearing",
+           "[bearing.trb]",
+           {},
+           {"bore", "outside_diameter", "width", "rows", "roller_diameter", "roller_cone_angle", "cup_angle",
+            "profile"}},
+          {"bearing",
+           "[bearing.crb]",
+           {{"type", "\"four-row cylindrical\""},
+            {"rollers_per_row", "32"},
+            {"roller_length", "\"110 mm\""},
+            {"roller_diameter", "\"75 mm\""}},
+           {}},
+          {"oil-film", "[bearing.oil]", {}, {}, true},  // the backup rolls run on rollers
+          {"housing", "", {}, {}, true},                // [frame] says it in numbers
+          {"screwdown", "", {}, {}, true},
+          {"strip.flow_stress", "", {}, {"k"}},
+          {"strip.friction", "", {}, {}, true},  // [strip] says it in a number
+          drive_order_note(),
+          monitoring_note(),
+          plant_note(),
+          {"work_roll", "", {{"estimate", "true"}}, {}},
+          {"backup_roll", "", {{"estimate", "true"}}, {}},
+          {"frame", "", {{"estimate", "true"}}, {"modulus"}},
+          {"pass", "", {{"synthetic", "true"}}, {"synthetic_range"}}};
 }
 
 // In the order of a roll drawing, a bearing catalogue, the general arrangement and a pass schedule.
 std::vector<DrawingValue> four_high_drawing()
 {
   return {
-      {"work_roll",         "barrel_diameter",   "roll drawing: diameter of the barrel, as ground at present"               },
-      {"work_roll",         "barrel_length",     "roll drawing: length of the barrel, without chamfers"                     },
-      {"work_roll",         "neck_diameter",     "roll drawing: diameter of the seat of the bearing"                        },
-      {"work_roll",         "total_length",      "roll drawing: overall length"                                             },
-      {"work_roll",         "bearing_span",      "general arrangement of the roll set: between the centres of both bearings"},
-      {"work_roll",         "bearing",           "a name of your own for a section [bearing.NAME] below"                    },
-      {"backup_roll",       "barrel_diameter",   "roll drawing: diameter of the barrel, as ground at present"               },
-      {"backup_roll",       "barrel_length",     "roll drawing: length of the barrel, without chamfers"                     },
-      {"backup_roll",       "neck_diameter",     "roll drawing: diameter of the seat of the bearing"                        },
-      {"backup_roll",       "neck_length",       "roll drawing: from the end of the barrel to the end of the roll"          },
-      {"backup_roll",       "bearing_span",      "general arrangement of the roll set: between the centres of both bearings"},
-      {"backup_roll",       "bearing",           "a name of your own for a section [bearing.NAME] below"                    },
-      {"bearing",           "designation",       "bearing list or catalogue; it makes all but the name needless"            },
-      {"bearing",           "type",              "bearing list or catalogue"                                                },
-      {"bearing",           "bore",              "bearing catalogue: d"                                                     },
-      {"bearing",           "outside_diameter",  "bearing catalogue: D"                                                     },
-      {"bearing",           "width",             "bearing catalogue: B or T, over all rows"                                 },
-      {"bearing",           "rows",              "bearing catalogue"                                                        },
-      {"bearing",           "rollers_per_row",   "bearing drawing, or counted; estimated with a designation"                },
-      {"bearing",           "roller_length",     "bearing drawing: effective length; estimated with a designation"          },
-      {"bearing",           "roller_diameter",   "bearing drawing: mean diameter; estimated with a designation"             },
-      {"bearing",           "roller_cone_angle", "bearing drawing: included angle of the roller"                            },
-      {"bearing",           "cup_angle",         "bearing drawing: angle of the outer raceway"                              },
-      {"frame",             "modulus",
-       "calibration of the screw-down: slope of force over screw position with touching rolls"                              },
-      {"strip",             "width",             "pass schedule"                                                            },
-      {"strip",             "entry_thickness",   "pass schedule"                                                            },
-      {"strip",             "exit_thickness",    "pass schedule"                                                            },
-      {"strip",             "friction",          "force model of the mill: cold 0.03 .. 0.1 with oil, hot 0.2 .. 0.35"      },
-      {"strip.flow_stress", "law",               "force model of the mill"                                                  },
-      {"strip.flow_stress", "k",                 "force model of the mill: plane strain, 1.15 times the yield stress"       },
-      {"pass",              "name",              "pass schedule"                                                            },
-      {"pass",              "load",              "pass schedule or force meter: rolling force of both sides together"       },
-      {"pass",              "force",             "recorder of the force meters: a CSV file in the folder of this file"      },
-      {"pass",              "synthetic_range",   "in place of a record: smallest and largest rolling force"                 },
+      {"work_roll", "barrel_diameter", "roll drawing: diameter of the barrel, as ground at present"},
+      {"work_roll", "barrel_length", "roll drawing: length of the barrel, without chamfers"},
+      {"work_roll", "neck_diameter", "roll drawing: diameter of the seat of the bearing"},
+      {"work_roll", "total_length", "roll drawing: overall length"},
+      {"work_roll", "bearing_span", "general arrangement of the roll set: between the centres of both bearings"},
+      {"work_roll", "bearing", "a name of your own for a section [bearing.NAME] below"},
+      {"backup_roll", "barrel_diameter", "roll drawing: diameter of the barrel, as ground at present"},
+      {"backup_roll", "barrel_length", "roll drawing: length of the barrel, without chamfers"},
+      {"backup_roll", "neck_diameter", "roll drawing: diameter of the seat of the bearing"},
+      {"backup_roll", "neck_length", "roll drawing: from the end of the barrel to the end of the roll"},
+      {"backup_roll", "bearing_span", "general arrangement of the roll set: between the centres of both bearings"},
+      {"backup_roll", "bearing", "a name of your own for a section [bearing.NAME] below"},
+      {"bearing", "designation", "bearing list or catalogue; it makes all but the name needless"},
+      {"bearing", "type", "bearing list or catalogue"},
+      {"bearing", "bore", "bearing catalogue: d"},
+      {"bearing", "outside_diameter", "bearing catalogue: D"},
+      {"bearing", "width", "bearing catalogue: B or T, over all rows"},
+      {"bearing", "rows", "bearing catalogue"},
+      {"bearing", "rollers_per_row", "bearing drawing, or counted; estimated with a designation"},
+      {"bearing", "roller_length", "bearing drawing: effective length; estimated with a designation"},
+      {"bearing", "roller_diameter", "bearing drawing: mean diameter; estimated with a designation"},
+      {"bearing", "roller_cone_angle", "bearing drawing: included angle of the roller"},
+      {"bearing", "cup_angle", "bearing drawing: angle of the outer raceway"},
+      {"frame", "modulus",
+       "calibration of the screw-down: slope of force over screw position with touching rolls"},
+      {"strip", "width", "pass schedule"},
+      {"strip", "entry_thickness", "pass schedule"},
+      {"strip", "exit_thickness", "pass schedule"},
+      {"strip", "friction", "force model of the mill: cold 0.03 .. 0.1 with oil, hot 0.2 .. 0.35"},
+      {"strip.flow_stress", "law", "force model of the mill"},
+      {"strip.flow_stress", "k", "force model of the mill: plane strain, 1.15 times the yield stress"},
+      {"pass", "name", "pass schedule"},
+      {"pass", "load", "pass schedule or force meter: rolling force of both sides together"},
+      {"pass", "force", "recorder of the force meters: a CSV file in the folder of this file"},
+      {"pass", "synthetic_range", "in place of a record: smallest and largest rolling force"},
   };
 }
 }  // namespace

@@ -59,15 +59,12 @@ const CaseKind &case_kind(const TwoCylinders *)
     k.sections = {
         head_section(),
         steel_section(),
-        {"upper",         Repeat::once, true,  "the upper body",                       rows_of(upper_body_rows())  },
-        {"lower",         Repeat::once, true,  "the lower body",                       rows_of(lower_body_rows())  },
-        {"contact.line",  Repeat::once, false, "their contact in plane strain",        rows_of(line_contact_rows())},
+        {"upper", Repeat::once, true, "the upper body", rows_of(upper_body_rows())},
+        {"lower", Repeat::once, true, "the lower body", rows_of(lower_body_rows())},
+        {"contact.line", Repeat::once, false, "their contact in plane strain", rows_of(line_contact_rows())},
         {"contact.space", Repeat::once, false, "their contact in space, in its place",
-            rows_of(space_contact_rows())                                                                             }
-    };
-    k.notes = {
-        {"contact.space", "", {}, {}, true}
-    };
+         rows_of(space_contact_rows())}};
+    k.notes = {{"contact.space", "", {}, {}, true}};
     return k;
   }();
   return kind;

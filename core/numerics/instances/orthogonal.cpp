@@ -4,5 +4,5 @@
 namespace Eigen {
 MILL_REFLECTION_INSTANCES(template)
 MILL_ORTHOGONAL_INSTANCES(template)
-}
+}  // namespace Eigen
 #endif

@@ -5,13 +5,12 @@ namespace mill::fmu {
 const std::vector<LogCategory> &log_categories()
 {
   static const std::vector<LogCategory> all{
-      {"logEvents",        "changes of parameters and of mode"                           },
-      {"logStatusWarning", "calls that are carried out, with something to be noticed"    },
-      {"logStatusDiscard", "values and calls that are refused without harm"              },
-      {"logStatusError",   "calls that are wrong: out of order, unknown variables, files"},
-      {"logStatusFatal",   "failures after which the instance can only be freed"         },
-      {"logAll",           "all messages"                                                }
-  };
+      {"logEvents", "changes of parameters and of mode"},
+      {"logStatusWarning", "calls that are carried out, with something to be noticed"},
+      {"logStatusDiscard", "values and calls that are refused without harm"},
+      {"logStatusError", "calls that are wrong: out of order, unknown variables, files"},
+      {"logStatusFatal", "failures after which the instance can only be freed"},
+      {"logAll", "all messages"}};
   return all;
 }
 

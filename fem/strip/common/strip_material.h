@@ -52,9 +52,7 @@ struct RadauStage {
   double own, other, upstream;          ///< -, of the derivative
   double gathered_own, gathered_other;  ///< -, of the integral
 };
-constexpr std::array<RadauStage, 2> radau{
-    {{1.5, 0.5, -2, 1. / 3, 0}, {2.5, -4.5, 2, 1. / 4, 3. / 4}}
-};
+constexpr std::array<RadauStage, 2> radau{{{1.5, 0.5, -2, 1. / 3, 0}, {2.5, -4.5, 2, 1. / 4, 3. / 4}}};
 constexpr std::array<double, 2> radau_point{1. / 3, 1}, radau_weight{3. / 4, 1. / 4};
 
 /// One point alone: stress s with  s (c + S/(2 tau)) = e,  S = sqrt(gamma^2 + (g0 t)^2),  gamma = 2 S/(2 tau) |s|,

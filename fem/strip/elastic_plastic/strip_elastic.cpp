@@ -110,18 +110,11 @@ Solved solve_on_circle(const ElasticPass &pass, StripCourse &course)
   const double L = pass.arc_length, size = L / model.elements_along, end = size * model.finest;
   for (int attempt = 0; attempt < 3; ++attempt, before *= 1.2, behind *= 2) {
     Solved s = meshed(pass, nullptr, -before, behind, size,
-                      {
-                          {-L - size, -L + size, end    },
-                          {-size,     behind,    2 * end}
-    },
-                      model.elements_through);
+                      {{-L - size, -L + size, end}, {-size, behind, 2 * end}}, model.elements_through);
     lead_by_circle(s.grid, L);
     // The first levels on a mesh with half the lines, where they cost a fifth
     Solved coarse = meshed(pass, nullptr, -before, behind, 2 * size,
-                           {
-                               {-L - size, -L + size, 2 * end},
-                               {-size,     behind,    4 * end}
-    },
+                           {{-L - size, -L + size, 2 * end}, {-size, behind, 4 * end}},
                            std::max(2, model.elements_through / 2));
     ElasticContinuation first(pass, coarse.grid, coarse.roll, first_guess(pass, coarse.grid), course);
     bool begun = true;
@@ -165,12 +158,9 @@ Solved solve_on_elastic_roll(const ElasticPass &pass, const bite::ArcFlexibility
     const double size = (last - first) / model.elements_along, end = size * model.finest,
                  margin = 0.05 * (last - first);
     const double known  = (before + behind) / 36;  // the ends, to a coarse element
-    Solved fine         = meshed(pass, flexibility, first - margin, last + margin, size,
-                                 {
-                                     {first - known, first + known, end},
-                                     {last - known,  last + known,  end}
-    },
-                                 model.elements_through);
+    Solved fine =
+        meshed(pass, flexibility, first - margin, last + margin, size,
+               {{first - known, first + known, end}, {last - known, last + known, end}}, model.elements_through);
     {
       ElasticContinuation d(pass, fine.grid, fine.roll, interpolated(coarse.grid, c.u, fine.grid), course);
       d.fits = true;

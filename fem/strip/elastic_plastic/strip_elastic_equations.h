@@ -31,9 +31,9 @@ ElasticPass elastic_pass(const bite::RollBite &bite, const StripElasticModel &mo
 struct ElasticStage {
   double cutoff_strain_rate = 1;  ///< -, g0 over the mean rate of shear
   double cutoff_slip        = 1;  ///< -, d0 over ln(h1/h2)
-  double softness   = 1e-2;   ///< -, roll pressure times gap (over a hundredth of h1) that is taken as zero, (19.12)
-  double compliance = 0;      ///< -, share of the strip's elasticity that acts
-  double flattening = 0;      ///< -, share of the roll's flexibility that acts
+  double softness = 1e-2;  ///< -, roll pressure times gap (over a hundredth of h1) that is taken as zero, (19.12)
+  double compliance = 0;   ///< -, share of the strip's elasticity that acts
+  double flattening = 0;   ///< -, share of the roll's flexibility that acts
   bool held_shape   = true;   ///< rows stay; the roll presses from its geometric entry to the line of centres
   bool held_arc     = false;  ///< the roll's surface does not answer to pressure: for derivatives only
   int thinnest      = 0;      ///< spine whose thickness is the exit thickness, elastic roll only

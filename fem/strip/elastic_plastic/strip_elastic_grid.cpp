@@ -8,10 +8,7 @@ using Eigen::VectorXd;
 const GaussRows &gauss_rows()
 {
   static const double d = std::sqrt(0.15);
-  static const GaussRows rule{
-      {0.5 - d, 0.5,     0.5 + d},
-      {5. / 18, 8. / 18, 5. / 18}
-  };
+  static const GaussRows rule{{0.5 - d, 0.5, 0.5 + d}, {5. / 18, 8. / 18, 5. / 18}};
   return rule;
 }
 

@@ -9,12 +9,8 @@ namespace {
 using bite::Dual;
 
 // Integrals over an edge: N_i dN_k/dxi, and N_i.
-constexpr double turning[3][3] = {
-    {-0.5,    2. / 3,  -1. / 6},
-    {-2. / 3, 0,       2. / 3 },
-    {1. / 6,  -2. / 3, 0.5    }
-};
-constexpr double share[3] = {1. / 3, 4. / 3, 1. / 3};
+constexpr double turning[3][3] = {{-0.5, 2. / 3, -1. / 6}, {-2. / 3, 0, 2. / 3}, {1. / 6, -2. / 3, 0.5}};
+constexpr double share[3]      = {1. / 3, 4. / 3, 1. / 3};
 
 template <class T> T spine_place(const StripGrid &grid, const int i, const T &entry, const T &exit)
 {

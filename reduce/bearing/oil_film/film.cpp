@@ -99,18 +99,10 @@ template <class Visit> void Film::each_face(const Visit &visit) const
 {
   for (Eigen::Index i = 0; i < mesh.columns(); ++i) {
     for (Eigen::Index j = 0; j < mesh.rows(); ++j)
-      visit(Face{
-          {j, i      },
-          {j, next(i)},
-          rigid.around(j, i), around_factor(j, i), 6 * mesh.z_width[j], true
-      });
+      visit(Face{{j, i}, {j, next(i)}, rigid.around(j, i), around_factor(j, i), 6 * mesh.z_width[j], true});
     for (Eigen::Index j = 0; j <= mesh.rows(); ++j)
       if (along_factor(j, i) > 0)
-        visit(Face{
-            {j - 1, i},
-            {j,     i},
-            rigid.along(j, i), along_factor(j, i), 0, false
-        });
+        visit(Face{{j - 1, i}, {j, i}, rigid.along(j, i), along_factor(j, i), 0, false});
   }
 }
 

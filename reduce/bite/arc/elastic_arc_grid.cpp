@@ -27,13 +27,11 @@ std::vector<double> marched(const ArcEnds &e, const double wide)
   // Spacing wanted at a place, least of all wishes for that place.
   const struct {
     double at, spacing;
-  } fine[] = {
-      {e.entry,                   std::min(wide,  (e.last - e.entry) / 50)},
-      {e.last,                         std::min(wide,                                  (e.last - e.entry) / 50)},
-      {e.exit, std::min(wide,(e.exit - e.first) / 400)},
-      {e.first,            std::min(wide,                    (e.exit - e.first) / 80)},
-      {e.neutral,                   0.1 * wide        }
-  };
+  } fine[]           = {{e.entry, std::min(wide, (e.last - e.entry) / 50)},
+                        {e.last, std::min(wide, (e.last - e.entry) / 50)},
+                        {e.exit, std::min(wide, (e.exit - e.first) / 400)},
+                        {e.first, std::min(wide, (e.exit - e.first) / 80)},
+                        {e.neutral, 0.1 * wide}};
   const auto spacing = [&](const double x) {
     double d = wide;
     for (const auto &f : fine)

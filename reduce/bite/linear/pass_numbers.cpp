@@ -84,17 +84,16 @@ PassNumberName name_of(const PassNumber number)
   if (number == PassNumber::initial_thickness)
     return {"strip.initial_thickness", "thickness before the first stand", "m"};
   static const PassNumberName names[first_of_flow] = {
-      {"condition.entry_thickness", "entry thickness",              "m"  },
-      {"condition.exit_thickness",  "exit thickness",               "m"  },
-      {"condition.entry_tension",   "entry tension",                "Pa" },
-      {"condition.exit_tension",    "exit tension",                 "Pa" },
-      {"condition.width",           "strip width",                  "m"  },
-      {"condition.speed",           "roll speed",                   "m/s"},
-      {"work_roll.diameter",        "work roll diameter",           "m"  },
-      {"steel.youngs_modulus",      "Young's modulus of the rolls", "Pa" },
-      {"steel.poisson_ratio",       "Poisson's ratio of the rolls", "1"  },
-      {"strip.flow_stress",         "flow stress as a whole",       "1"  }
-  };
+      {"condition.entry_thickness", "entry thickness", "m"},
+      {"condition.exit_thickness", "exit thickness", "m"},
+      {"condition.entry_tension", "entry tension", "Pa"},
+      {"condition.exit_tension", "exit tension", "Pa"},
+      {"condition.width", "strip width", "m"},
+      {"condition.speed", "roll speed", "m/s"},
+      {"work_roll.diameter", "work roll diameter", "m"},
+      {"steel.youngs_modulus", "Young's modulus of the rolls", "Pa"},
+      {"steel.poisson_ratio", "Poisson's ratio of the rolls", "1"},
+      {"strip.flow_stress", "flow stress as a whole", "1"}};
   return names[int(number)];
 }
 }  // namespace mill::bite

@@ -157,11 +157,9 @@ BiteSlopes bite_slopes_at(const UnsteadyBite &u, const Moment &moment)
   for (int i = 0; i < 5; ++i)
     variables[i] = Number::variable(moment[i], i);
   const auto a = answer_at<Number>(u, variables);
-  return {
-      plain(a),
-      {a.contact.entry_speed.by, a.contact.exit_speed.by, a.force.by, a.contact.friction.by,
-           a.contact.neutral_position.by}
-  };
+  return {plain(a),
+          {a.contact.entry_speed.by, a.contact.exit_speed.by, a.force.by, a.contact.friction.by,
+           a.contact.neutral_position.by}};
 }
 
 std::array<double, 2> neutral_reserve(const UnsteadyBite &u, const Moment &moment)

@@ -42,7 +42,8 @@ struct BiteAnswer {
 };
 
 /// Bland and Ford's bite with moving gap (8.5)-(8.8), (8.15)-(8.21) at one moment, by the scheme.
-/// A tension beyond `tension_limit` of the flow stress is replaced by that, so that a solver may look across the edge.
+/// A tension beyond `tension_limit` of the flow stress is replaced by that, so that a solver may look across the
+/// edge.
 /// @throws SolverError  implicit scheme: film and speeds do not settle
 /// @throws InputError   strain outside a table
 /// Cost: 5 us, 12 points on each side of the neutral point.

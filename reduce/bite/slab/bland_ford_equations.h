@@ -16,8 +16,9 @@ template <class T> struct BlandFordContact {
   T friction;                                         ///< -, Coulomb's mu
   T film;                                             ///< m, film law only
   T entry_speed, exit_speed;                          ///< m/s, that follow from this neutral point
-  double free_neutral_angle = 0;  ///< rad, before it is kept inside the arc: shows that a neutral point does not exist
-  double balance            = 0;  ///< -, Lambda of (8.7)
+  double free_neutral_angle =
+      0;               ///< rad, before it is kept inside the arc: shows that a neutral point does not exist
+  double balance = 0;  ///< -, Lambda of (8.7)
 };
 
 /// Hardening and friction of a strip with constants that can be differentiated.

@@ -10,7 +10,8 @@ namespace mill::bite {
 /// Int. J. Mach. Tools Manuf. 40 (2000) 1; without its approximations, theory.md 8.8.
 BiteState solve_hu_ehmann(const RollBite &bite, Arc arc, int curve_points = 101);
 
-/// Force per width as published, N/m: h_c/R compared with one and x/R compared with B are left out of the friction.
+/// Force per width as published, N/m: h_c/R compared with one and x/R compared with B are left out of the
+/// friction.
 /// @param shear_yield    Pa, half the plane-strain flow stress
 /// @param exit_position  m, zero where the gap rests
 double published_hu_ehmann_force(double radius, double entry_thickness, double gap, double entry_tension,

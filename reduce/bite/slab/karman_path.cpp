@@ -10,10 +10,7 @@ BranchPath::BranchPath(const SliceInputs<double> &inputs, const int side, const 
     : in_(inputs), equation_(inputs, side), side_(side), span_(std::abs(far_end - start)),
       proposed_((far_end - start) / 3)
 {
-  PathNode node{
-      start, {f, 0, 0},
-       0, false
-  };
+  PathNode node{start, {f, 0, 0}, 0, false};
   if (side > 0)
     node.piece = inputs.pieces.size() - 1;
   equation_.piece           = node.piece;

@@ -25,8 +25,8 @@ template <class T> T &input(PassInputs<T> &in, const Input which)
   return *members[static_cast<int>(which)];
 }
 
-/// Of a bite on an arc of the given radius.  A roll speed that is not given is taken as 1 m/s: a theory without film
-/// and with a gap at rest gives speeds over that of the roll.
+/// Of a bite on an arc of the given radius.  A roll speed that is not given is taken as 1 m/s: a theory without
+/// film and with a gap at rest gives speeds over that of the roll.
 template <class T> PassInputs<T> pass_inputs(const RollBite &bite, const double radius)
 {
   const Strip &s = bite.strip;

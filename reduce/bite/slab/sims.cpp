@@ -90,11 +90,9 @@ SimsForce sims_force(const double radius, const double arm, const double h1, con
 std::vector<ForceFactor> fitted_force_factors(const double radius, const double h1, const double h2)
 {
   const double length = std::sqrt(radius * (h1 - h2));
-  return {
-      {"Ford-Alexander", M_PI / 4 + length / (2 * (h1 + h2)),         "formula quoted from memory, not looked up"},
-      {"Denton-Crane",   0.655 + 0.265 * length / std::sqrt(h1 * h2),
-       "formula quoted from memory, not looked up; its coefficients are uncertain"                               }
-  };
+  return {{"Ford-Alexander", M_PI / 4 + length / (2 * (h1 + h2)), "formula quoted from memory, not looked up"},
+          {"Denton-Crane", 0.655 + 0.265 * length / std::sqrt(h1 * h2),
+           "formula quoted from memory, not looked up; its coefficients are uncertain"}};
 }
 
 BiteState solve_sims(const RollBite &bite, const Arc arc, const int points)

@@ -23,8 +23,8 @@ struct SlabModel {
 std::string model_name(const SlabModel &model);
 
 /// Force, torque, pressure, film, flattened arc and every derivative of one pass by a slab theory.
-/// Where Strip::initial_thickness is not given the strain is measured from the entry thickness, and the derivative by
-/// the entry thickness takes that reference along.
+/// Where Strip::initial_thickness is not given the strain is measured from the entry thickness, and the derivative
+/// by the entry thickness takes that reference along.
 ///
 /// @param flexibility  of the roll's surface, for Arc::elastic only
 /// @throws InputError   what no roll can do with this strip (see bland_ford.h, hu_ehmann.h, karman.h), a friction

@@ -239,15 +239,10 @@ void tuned_section(Page &page, const json &document, const std::map<std::string,
       "In bold the tuning of least level, below it that of the closed form for one mode under white force." +
           of_six_masses(document));
   if (const auto found = tables.find("detuning"); found != tables.end() && found->second.columns.size() > 1)
-    page.figure(
-        {
-            curves_drawing(found->second, {"frequency of the damper off by", "%"        },
-             {"change of the level",            "%"        },
-                           {{-5, "-5 %"},                     {5, "+5 %"}}
-             )
-    },
-        "What is left when the damper is out of tune: its frequency drifts with temperature, mass and the "
-        "errors of the stand.");
+    page.figure({curves_drawing(found->second, {"frequency of the damper off by", "%"},
+                                {"change of the level", "%"}, {{-5, "-5 %"}, {5, "+5 %"}})},
+                "What is left when the damper is out of tune: its frequency drifts with temperature, mass and the "
+                "errors of the stand.");
 }
 
 void slope_section(Page &page, const json &document)

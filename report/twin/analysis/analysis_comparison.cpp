@@ -24,8 +24,7 @@ struct ComparedBand {
   double low, high;  // Hz
 };
 constexpr std::array<ComparedBand, 3> compared_bands{
-    {{"third-octave band", 125, 240}, {"fifth-octave band", 550, 650}, {"10 to 1000 Hz", 10, 1000}}
-};
+    {{"third-octave band", 125, 240}, {"fifth-octave band", 550, 650}, {"10 to 1000 Hz", 10, 1000}}};
 
 struct ComparedAnalysis {
   std::string folder;

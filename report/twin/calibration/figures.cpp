@@ -39,11 +39,9 @@ std::vector<std::string> response_drawings(const Table &response, const json &se
     plot.x      = {"frequency", "Hz", Scale::logarithmic};
     plot.y      = per_force ? Axis{"acceleration per bite force", "m/s²/kN", Scale::logarithmic}
                             : Axis{"acceleration", "m/s²/√Hz", Scale::logarithmic};
-    plot.lines  = {
-         {"measured (check records)", *frequency, scale * *measured, Pen::pale  },
-         {"case as it was",           *frequency, scale * *before,   Pen::dashed},
-         {"calibrated",               *frequency, scale * *after,    Pen::dark  }
-    };
+    plot.lines  = {{"measured (check records)", *frequency, scale * *measured, Pen::pale},
+                   {"case as it was", *frequency, scale * *before, Pen::dashed},
+                   {"calibrated", *frequency, scale * *after, Pen::dark}};
     drawings.push_back(svg_plot(plot));
   }
   return drawings;
@@ -60,11 +58,9 @@ std::string force_drawing(const Table &force)
   plot.height = 300;
   plot.x      = {"frequency", "Hz", Scale::logarithmic};
   plot.y      = {"force", "N/√Hz", Scale::logarithmic};
-  plot.lines  = {
-       {"estimate", *frequency, *density, Pen::dark  },
-       {"95 %",     *frequency, *low,     Pen::dotted},
-       {"",         *frequency, *high,    Pen::dotted}
-  };
+  plot.lines  = {{"estimate", *frequency, *density, Pen::dark},
+                 {"95 %", *frequency, *low, Pen::dotted},
+                 {"", *frequency, *high, Pen::dotted}};
   return svg_plot(plot);
 }
 
@@ -159,12 +155,10 @@ std::string level_drawing(const json &bands, const std::string &title)
   plot.height = 300;
   plot.x      = {"band", "Hz", Scale::logarithmic};
   plot.y      = {"level over its surroundings", "-"};
-  plot.lines  = {
-       {"twelfth octaves", column(x), column(ratio), Pen::dark,       true, true},
-       {"limits",             column(x),                      column(high),                            Pen::dotted                     },
-       {"",      column(x),               column(low),Pen::dotted}
-  };
-  plot.y.low = 0;
+  plot.lines  = {{"twelfth octaves", column(x), column(ratio), Pen::dark, true, true},
+                 {"limits", column(x), column(high), Pen::dotted},
+                 {"", column(x), column(low), Pen::dotted}};
+  plot.y.low  = 0;
   return svg_plot(plot);
 }
 
@@ -181,13 +175,11 @@ std::vector<std::string> profile_drawings(const Table &profiles)
     plot.y                  = {"deviance", "-"};
     const Eigen::VectorXd x = 100 * (profiles.columns[c].array().exp() - 1).matrix();
     const Eigen::VectorXd y = profiles.columns[c + 1].cwiseMin(60.0);
-    plot.lines              = {
-                     {"",                    x,                y,                    Pen::dark, true       },
-                     { "95 %: 3.84", Eigen::Vector2d(x[0], x[x.size() - 1]), Eigen::Vector2d(3.84,     3.84), Pen::dotted},
-                     { "second minimum: 9", Eigen::Vector2d(x[0], x[x.size() - 1]),    Eigen::Vector2d(9,        9),   Pen::pale}
-    };
-    plot.y.low  = 0;
-    plot.y.high = 60;
+    plot.lines              = {{"", x, y, Pen::dark, true},
+                               {"95 %: 3.84", Eigen::Vector2d(x[0], x[x.size() - 1]), Eigen::Vector2d(3.84, 3.84), Pen::dotted},
+                               {"second minimum: 9", Eigen::Vector2d(x[0], x[x.size() - 1]), Eigen::Vector2d(9, 9), Pen::pale}};
+    plot.y.low              = 0;
+    plot.y.high             = 60;
     drawings.push_back(svg_plot(plot));
   }
   return drawings;

@@ -46,14 +46,12 @@ std::vector<Check> stribeck_39()
 std::vector<Check> four_rows()
 {
   // load kN; no clearance: secant, tangent kN/mm, Q_max kN; 0.1 mm: secant, tangent, loaded rollers of a row
-  const double table[6][7] = {
-      {100,  1.554e4, 1.727e4, 2.79,  1.615e3, 1.180e4, 7 },
-      {250,  1.703e4, 1.893e4, 6.97,  3.457e3, 1.632e4, 11},
-      {500,  1.826e4, 2.029e4, 13.93, 5.770e3, 1.811e4, 11},
-      {1000, 1.957e4, 2.174e4, 27.86, 8.946e3, 2.067e4, 13},
-      {2000, 2.097e4, 2.330e4, 55.73, 1.274e4, 2.292e4, 15},
-      {4000, 2.248e4, 2.497e4, 111.5, 1.665e4, 2.489e4, 17}
-  };
+  const double table[6][7] = {{100, 1.554e4, 1.727e4, 2.79, 1.615e3, 1.180e4, 7},
+                              {250, 1.703e4, 1.893e4, 6.97, 3.457e3, 1.632e4, 11},
+                              {500, 1.826e4, 2.029e4, 13.93, 5.770e3, 1.811e4, 11},
+                              {1000, 1.957e4, 2.174e4, 27.86, 8.946e3, 2.067e4, 13},
+                              {2000, 2.097e4, 2.330e4, 55.73, 1.274e4, 2.292e4, 15},
+                              {4000, 2.248e4, 2.497e4, 111.5, 1.665e4, 2.489e4, 17}};
   std::vector<Check> checks;
   RollerBearing tight = bearing_266(), loose = tight;
   loose.radial_clearance = 0.1 * mm;
@@ -73,14 +71,8 @@ std::vector<Check> four_rows()
 
 std::vector<Check> four_rows_crown()
 {
-  const double table[6][3] = {
-      {100,  7.468e3, 1.154e4},
-      {250,  1.019e4, 1.517e4},
-      {500,  1.266e4, 1.795e4},
-      {1000, 1.536e4, 2.071e4},
-      {2000, 1.814e4, 2.312e4},
-      {4000, 2.071e4, 2.493e4}
-  };
+  const double table[6][3] = {{100, 7.468e3, 1.154e4},  {250, 1.019e4, 1.517e4},  {500, 1.266e4, 1.795e4},
+                              {1000, 1.536e4, 2.071e4}, {2000, 1.814e4, 2.312e4}, {4000, 2.071e4, 2.493e4}};
   std::vector<Check> checks;
   RollerBearing b = bearing_266();
   b.profile       = "iso";
@@ -103,10 +95,7 @@ std::vector<Check> four_rows_crown()
 std::vector<Check> interference()
 {
   std::vector<Check> checks;
-  const double table[2][3] = {
-      {-0.02, 2.59e4, 23},
-      {-0.05, 4.03e4, 39}
-  };
+  const double table[2][3] = {{-0.02, 2.59e4, 23}, {-0.05, 4.03e4, 39}};
   for (const auto &row : table) {
     RollerBearing b    = bearing_266();
     b.radial_clearance = row[0] * mm;
@@ -130,11 +119,7 @@ std::vector<Check> axial_row()
 {
   RollerBearing b          = bearing_266();
   b.rows                   = 1;
-  const double table[3][2] = {
-      {50,  2.166e3},
-      {200, 2.488e3},
-      {500, 2.727e3}
-  };
+  const double table[3][2] = {{50, 2.166e3}, {200, 2.488e3}, {500, 2.727e3}};
   std::vector<Check> checks;
   for (const auto &row : table) {
     const auto state = BearingAssembly(bearing::rigid_model(b)).solve(axial_drive(row[0] * kN));
@@ -147,11 +132,9 @@ std::vector<Check> axial_row()
 std::vector<Check> tilt_rows()
 {
   // load kN, tilt mrad, shares %
-  const double table[3][6] = {
-      {1000, 0.1, 17.3,  26.5, 23.4, 32.8 },
-      {1000, 0.5, -10.7, 30.8, 15.8, 64.1 },
-      {500,  0.5, -45.7, 36.4, 8.7,  100.6}
-  };
+  const double table[3][6] = {{1000, 0.1, 17.3, 26.5, 23.4, 32.8},
+                              {1000, 0.5, -10.7, 30.8, 15.8, 64.1},
+                              {500, 0.5, -45.7, 36.4, 8.7, 100.6}};
   std::vector<Check> checks;
   for (const auto &row : table) {
     const auto state = radial(bearing_266(), row[0] * kN, row[1] * 1e-3);
@@ -173,10 +156,7 @@ std::vector<Check> tilt_rows()
                                     "a bound of 15 % in the specification, in addition to its corrected shares"}));
   // The other arrangements in use, by the bisection mentioned, one lamina.
   const std::pair<const char *, std::array<double, 4>> others[] = {
-      {"-+-+", {16.4, 2.8, 48.3, 32.5} },
-      {"++--", {-11.2, 1.4, 46.5, 63.4}},
-      {"--++", {16.9, 32.5, 17.4, 33.1}}
-  };
+      {"-+-+", {16.4, 2.8, 48.3, 32.5}}, {"++--", {-11.2, 1.4, 46.5, 63.4}}, {"--++", {16.9, 32.5, 17.4, 33.1}}};
   for (const auto &[hands, shares] : others) {
     RollerBearing other = bearing_266();
     other.row_hands     = hands;
@@ -196,9 +176,9 @@ std::vector<Check> zhang_case_1()
   loading.prescribed = {false, false, false, false, false};
   const auto state   = BearingAssembly(std::move(model)).solve(loading);
   return {
-      {"greatest load on the cup",  "N", state.roller_load.maxCoeff(), 1304.8, 0.1, Judged::absolute},
-      {"greatest load on the cone", "N", state.inner_load.maxCoeff(),  1119.3, 0.1, Judged::absolute},
-      {"greatest load on the rib",  "N", state.rib_force.maxCoeff(),   198.9,  0.1, Judged::absolute},
+      {"greatest load on the cup", "N", state.roller_load.maxCoeff(), 1304.8, 0.1, Judged::absolute},
+      {"greatest load on the cone", "N", state.inner_load.maxCoeff(), 1119.3, 0.1, Judged::absolute},
+      {"greatest load on the rib", "N", state.rib_force.maxCoeff(), 198.9, 0.1, Judged::absolute},
   };
 }
 
@@ -214,12 +194,7 @@ std::vector<Check> kumar_convention()
   b.cup_angle       = 31.128 * degree;
   b.roller_law      = "palmgren";
   // load kN, axial tangent N/m 1e9: per contact; the published value, which reads the constant as the whole roller
-  const double table[4][3] = {
-      {4,  1.43, 2.80},
-      {20, 1.68, 3.29},
-      {40, 1.80, 3.53},
-      {98, 1.97, 3.86}
-  };
+  const double table[4][3] = {{4, 1.43, 2.80}, {20, 1.68, 3.29}, {40, 1.80, 3.53}, {98, 1.97, 3.86}};
   std::vector<Check> checks;
   for (const auto &row : table) {
     const auto state = BearingAssembly(bearing::rigid_model(b)).solve(axial_drive(row[0] * kN));
@@ -274,15 +249,14 @@ std::vector<Check> tangent_difference()
     return (Vector5() << x, y, z, mx, my).finished();
   };
   const std::vector<State> states{
-      {"radial load",                                      "iso",     "none", 0,      load(1e6, 0,    0,   0,    0),   false},
-      {"clearance, load off the roller, tilting moment",   "iso",     "iso",  100e-6, load(8e5, 3e5,  0,   2e3,  1e4), false},
-      {"axial load and moment",                            "iso",     "log",  0,      load(5e5, 0,    3e5, 0,    2e4), false},
-      {"elastic law, interference, all components",        "elastic", "iso",  -40e-6, load(1e6, 2e5,  1e5, -5e3, 1e4),
-       false                                                                                                                },
-      {"elastic rings, radial load",                       "iso",     "none", 0,      load(1e6, 0,    0,   0,    0),   true },
-      {"elastic rings and law, clearance, all components", "elastic", "log",  50e-6,  load(1e6, -3e5, 2e5, 4e3,  2e4),
-       true                                                                                                                 }
-  };
+      {"radial load", "iso", "none", 0, load(1e6, 0, 0, 0, 0), false},
+      {"clearance, load off the roller, tilting moment", "iso", "iso", 100e-6, load(8e5, 3e5, 0, 2e3, 1e4), false},
+      {"axial load and moment", "iso", "log", 0, load(5e5, 0, 3e5, 0, 2e4), false},
+      {"elastic law, interference, all components", "elastic", "iso", -40e-6, load(1e6, 2e5, 1e5, -5e3, 1e4),
+       false},
+      {"elastic rings, radial load", "iso", "none", 0, load(1e6, 0, 0, 0, 0), true},
+      {"elastic rings and law, clearance, all components", "elastic", "log", 50e-6, load(1e6, -3e5, 2e5, 4e3, 2e4),
+       true}};
   std::vector<Check> checks;
   for (const State &s : states) {
     RollerBearing b    = bearing_266();

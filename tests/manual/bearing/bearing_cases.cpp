@@ -39,13 +39,9 @@ std::vector<Check> elastic_roller_table()
 {
   // load kN, approach um, roller part um, half widths mm, peak pressures MPa (inner, outer)
   const double table[6][7] = {
-      {1,   2.00,   1.02,  0.058, 0.062, 328,  306 },
-      {5,   8.62,   4.44,  0.130, 0.139, 734,  685 },
-      {10,  16.08,  8.29,  0.184, 0.197, 1038, 969 },
-      {20,  29.82,  15.41, 0.260, 0.278, 1468, 1370},
-      {50,  66.82,  34.66, 0.411, 0.440, 2322, 2166},
-      {100, 121.98, 63.49, 0.581, 0.622, 3283, 3064}
-  };
+      {1, 2.00, 1.02, 0.058, 0.062, 328, 306},      {5, 8.62, 4.44, 0.130, 0.139, 734, 685},
+      {10, 16.08, 8.29, 0.184, 0.197, 1038, 969},   {20, 29.82, 15.41, 0.260, 0.278, 1468, 1370},
+      {50, 66.82, 34.66, 0.411, 0.440, 2322, 2166}, {100, 121.98, 63.49, 0.581, 0.622, 3283, 3064}};
   std::vector<Check> checks;
   const RollerBearing b        = bearing_266();
   const bearing::RollerLaw law = bearing::elastic_law(b, {12 * mm, 12 * mm});
@@ -70,13 +66,11 @@ std::vector<Check> elastic_roller_table()
 std::vector<Check> apex_closure_table()
 {
   // included cone deg, roller diameter mm, axis, cup, cone angle deg
-  const double table[5][5] = {
-      {2.5,  20,   19.84, 21.09, 18.59},
-      {2.5,  21.5, 18.41, 19.66, 17.16},
-      {2.5,  23,   17.17, 18.42, 15.92},
-      {1.25, 21.5, 9.08,  9.71,  8.46 },
-      {5.0,  21.5, 39.19, 41.69, 36.69}
-  };
+  const double table[5][5] = {{2.5, 20, 19.84, 21.09, 18.59},
+                              {2.5, 21.5, 18.41, 19.66, 17.16},
+                              {2.5, 23, 17.17, 18.42, 15.92},
+                              {1.25, 21.5, 9.08, 9.71, 8.46},
+                              {5.0, 21.5, 39.19, 41.69, 36.69}};
   std::vector<Check> checks;
   for (const auto &row : table) {
     const auto closure = bearing::apex_closure(311.15 * mm, row[1] * mm, row[0] * degree, 39);
@@ -98,17 +92,9 @@ std::vector<Check> fc_ratings()
         absolute(fmt::format("f_c at D cos a/D_pw = {:g}", g), "-", bearing::rating_factor(g), factor[i], 0.051));
   }
   // roller diameter mm, angle deg, C kN, C0 kN
-  const double table[9][4] = {
-      {20,   10,   1482, 4230},
-      {20,   13.5, 1464, 4180},
-      {20,   20,   1416, 4048},
-      {21.5, 10,   1624, 4524},
-      {21.5, 13.5, 1604, 4471},
-      {21.5, 20,   1552, 4331},
-      {23,   10,   1768, 4815},
-      {23,   13.5, 1747, 4759},
-      {23,   20,   1690, 4611}
-  };
+  const double table[9][4] = {{20, 10, 1482, 4230},   {20, 13.5, 1464, 4180},   {20, 20, 1416, 4048},
+                              {21.5, 10, 1624, 4524}, {21.5, 13.5, 1604, 4471}, {21.5, 20, 1552, 4331},
+                              {23, 10, 1768, 4815},   {23, 13.5, 1747, 4759},   {23, 20, 1690, 4611}};
   for (const auto &row : table) {
     RollerBearing b   = bearing_266();
     b.roller_diameter = row[0] * mm;

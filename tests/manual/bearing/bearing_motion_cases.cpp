@@ -55,11 +55,8 @@ std::vector<Check> period()
     const double k = 1e10 * std::pow(1e-5, 1 - n), A = 4e-5, r = 1 / (n + 1);
     const double T = 4 * std::sqrt(m * (n + 1) / (2 * k)) * std::pow(A, (1 - n) / 2) * std::sqrt(M_PI) * r *
                      std::tgamma(r) / std::tgamma(r + 0.5);
-    BearingOscillator o = on_power_law(k, n, 0);
-    o.start             = dynamics::BearingState{
-        {A, 0},
-        Vector2d::Zero()
-    };
+    BearingOscillator o    = on_power_law(k, n, 0);
+    o.start                = dynamics::BearingState{{A, 0}, Vector2d::Zero()};
     constexpr int quarters = 81;
     const auto motion      = simulate(o, quarters * T / 4 * (1 + 1e-9), 4 / T);
     // 20 1/4 periods after its start the mass passes the middle; its distance from there over its speed is how

@@ -40,16 +40,11 @@ std::vector<Check> raimondi_boyd()
 {
   // L/D, e, S, attitude deg, (R/c) f, Q / (R c N L), side flow over it
   const double table[][7] = {
-      {1,    0.2, 0.631,  74.02, 12.8, 3.59, 0.280},
-      {1,    0.6, 0.121,  50.58, 3.22, 4.33, 0.680},
-      {1,    0.9, 0.0188, 26.45, 1.05, 4.74, 0.919},
-      {0.5,  0.2, 2.03,   74.94, 40.9, 3.72, 0.318},
-      {0.5,  0.6, 0.319,  48.14, 8.10, 4.85, 0.730},
-      {0.5,  0.9, 0.0313, 23.66, 1.60, 5.69, 0.939},
-      {0.25, 0.2, 7.57,   75.18, 153,  3.76, 0.330},
-      {0.25, 0.6, 1.07,   46.72, 26.7, 4.99, 0.746},
-      {0.25, 0.9, 0.0736, 21.85, 3.50, 5.91, 0.945}
-  };
+      {1, 0.2, 0.631, 74.02, 12.8, 3.59, 0.280},    {1, 0.6, 0.121, 50.58, 3.22, 4.33, 0.680},
+      {1, 0.9, 0.0188, 26.45, 1.05, 4.74, 0.919},   {0.5, 0.2, 2.03, 74.94, 40.9, 3.72, 0.318},
+      {0.5, 0.6, 0.319, 48.14, 8.10, 4.85, 0.730},  {0.5, 0.9, 0.0313, 23.66, 1.60, 5.69, 0.939},
+      {0.25, 0.2, 7.57, 75.18, 153, 3.76, 0.330},   {0.25, 0.6, 1.07, 46.72, 26.7, 4.99, 0.746},
+      {0.25, 0.9, 0.0736, 21.85, 3.50, 5.91, 0.945}};
   std::vector<Check> checks;
   for (const auto &row : table) {
     const ChartPoint chart = chart_point(row[0], row[1], true);
@@ -121,18 +116,21 @@ std::vector<Check> parabola()
 std::vector<Case> oil_film_cases()
 {
   return {
-      {"oil-film-chart",         "benchmark",
+      {"oil-film-chart", "benchmark",
        "Full journal bearing, constant viscosity, film from the widest gap: Reynolds equation with rupture on two "
        "grids of 60 x 6 and 120 x 12 on half the length, extrapolated. The film with free ends is listed for "
-       "comparison.",                                                                                              "A. A. Raimondi, J. Boyd, ASLE Trans. 1 (1958) 159, part III, as tabulated in textbooks",
-       "1 %, 0.5 deg: the chart was computed on a coarser grid and is printed with three digits",                                                                                                                                                                                              raimondi_boyd},
+       "comparison.",
+       "A. A. Raimondi, J. Boyd, ASLE Trans. 1 (1958) 159, part III, as tabulated in textbooks",
+       "1 %, 0.5 deg: the chart was computed on a coarser grid and is printed with three digits", raimondi_boyd},
       {"oil-film-short-bearing", "verification",
-       "L/D 1/20, film with free ends, against the short bearing in closed form.",                                 "theory.md (29.13), F. W. Ocvirk",                                                        "1 %: finite L/D",                                                                short_bearing},
-      {"oil-film-long-bearing",  "verification",
-       "What length adds to the force of a long film that does not rupture, against the infinitely long one.",     "theory.md 29.5, A. Sommerfeld, Z. Math. Phys. 50 (1904) 97",                             "1e-3: two grids",                                                                long_bearing },
-      {"oil-film-parabola",      "verification",
-       "Film with free ends against one with a parabola along the bearing, which shares neither grid nor solver.", "theory.md (29.15)",                                                                      "3 %, 0.3 deg: at L/D 1, e 0.9 the pressure along the bearing is not a parabola",
-       parabola                                                                                                                                                                                                                                                                                             }
-  };
+       "L/D 1/20, film with free ends, against the short bearing in closed form.",
+       "theory.md (29.13), F. W. Ocvirk", "1 %: finite L/D", short_bearing},
+      {"oil-film-long-bearing", "verification",
+       "What length adds to the force of a long film that does not rupture, against the infinitely long one.",
+       "theory.md 29.5, A. Sommerfeld, Z. Math. Phys. 50 (1904) 97", "1e-3: two grids", long_bearing},
+      {"oil-film-parabola", "verification",
+       "Film with free ends against one with a parabola along the bearing, which shares neither grid nor solver.",
+       "theory.md (29.15)", "3 %, 0.3 deg: at L/D 1, e 0.9 the pressure along the bearing is not a parabola",
+       parabola}};
 }
 }  // namespace mill::verify

@@ -230,16 +230,11 @@ double plane_approach(const double radius, const double q)
 std::vector<Check> fe_2d_flat()
 {
   std::vector<Check> checks;
-  const std::vector<SeriesPoint> thin{
-      {4 * um,  135.1 * N_per_mm, 0.125 * mm},
-      {8 * um,  291.4 * N_per_mm, 0.183 * mm},
-      {20 * um, 814.1 * N_per_mm, 0.307 * mm}
-  };
+  const std::vector<SeriesPoint> thin{{4 * um, 135.1 * N_per_mm, 0.125 * mm},
+                                      {8 * um, 291.4 * N_per_mm, 0.183 * mm},
+                                      {20 * um, 814.1 * N_per_mm, 0.307 * mm}};
   const std::vector<SeriesPoint> thick{
-      {4 * um,  124.5 * N_per_mm, 0},
-      {8 * um,  266.7 * N_per_mm, 0},
-      {20 * um, 737.1 * N_per_mm, 0}
-  };
+      {4 * um, 124.5 * N_per_mm, 0}, {8 * um, 266.7 * N_per_mm, 0}, {20 * um, 737.1 * N_per_mm, 0}};
   check_series(checks, "t 12 mm", {0, 12 * mm, 48 * mm}, thin, 0.01);
   check_series(checks, "t 25 mm", {0, 25 * mm, 100 * mm}, thick, 0.01);
   // How much of the distance is the width, which the series does not say.
@@ -254,15 +249,9 @@ std::vector<Check> fe_2d_flat()
 std::vector<Check> fe_2d_races()
 {
   std::vector<Check> checks;
-  check_series(checks, "inner race R 144.8 mm",
-               {
-                   144.8 * mm, 12 * mm, 48 * mm
-  },
+  check_series(checks, "inner race R 144.8 mm", {144.8 * mm, 12 * mm, 48 * mm},
                {{8 * um, 289.0 * N_per_mm, 0.176 * mm}}, 0.01);
-  check_series(checks, "outer race R 166.3 mm",
-               {
-                   -166.3 * mm, 12 * mm, 48 * mm
-  },
+  check_series(checks, "outer race R 166.3 mm", {-166.3 * mm, 12 * mm, 48 * mm},
                {{8 * um, 293.6 * N_per_mm, 0.190 * mm}}, 0.01);
   return checks;
 }

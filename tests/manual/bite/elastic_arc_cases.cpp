@@ -21,10 +21,7 @@ std::vector<Check> elastic_arcs()
   const struct {
     int pass;
     double F, peak, exit, entry;
-  } table[] = {
-      {5, 7568.72, 733.3,  -1.160, 11.453},
-      {6, 7971.13, 1489.6, -1.862, 6.675 }
-  };
+  } table[] = {{5, 7568.72, 733.3, -1.160, 11.453}, {6, 7971.13, 1489.6, -1.862, 6.675}};
   for (const auto &row : table) {
     const std::string id = "B" + std::to_string(row.pass);
     for (const int points : {100, 200, 400}) {

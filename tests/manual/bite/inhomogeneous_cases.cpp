@@ -43,32 +43,28 @@ std::vector<Check> nine_passes(const Theory theory, const std::array<Row, 9> &ta
 
 std::vector<Check> homogeneous_passes()
 {
-  return nine_passes(Theory::karman, {
-                                         {{989.45598, 11779.8865, 0.34258, 0.06959, 57.2755},
-                                          {1372.68777, 16387.0759, 0.38903, 0.08972, 83.5589},
-                                          {6261.47865, 282405.0151, 0.33986, 0.02036, 75.9915},
-                                          {5352.92209, 142586.3458, 0.34304, 0.03728, 119.4673},
-                                          {6092.28122, 28673.8727, 0.30783, 0.03149, 696.2352},
-                                          {4573.24421, 12722.1963, 0.36187, 0.05608, 1090.0974},
-                                          {3078.70386, 15287.9808, 0.24923, 0.00659, 319.1529},
-                                          {7661.53871, 41756.0891, 0.31196, 0.03234, 811.8198},
-                                          {2952.39612, 67396.6971, 0.42109, 0.00665, 67.9387}}
-  });
+  return nine_passes(Theory::karman, {{{989.45598, 11779.8865, 0.34258, 0.06959, 57.2755},
+                                       {1372.68777, 16387.0759, 0.38903, 0.08972, 83.5589},
+                                       {6261.47865, 282405.0151, 0.33986, 0.02036, 75.9915},
+                                       {5352.92209, 142586.3458, 0.34304, 0.03728, 119.4673},
+                                       {6092.28122, 28673.8727, 0.30783, 0.03149, 696.2352},
+                                       {4573.24421, 12722.1963, 0.36187, 0.05608, 1090.0974},
+                                       {3078.70386, 15287.9808, 0.24923, 0.00659, 319.1529},
+                                       {7661.53871, 41756.0891, 0.31196, 0.03234, 811.8198},
+                                       {2952.39612, 67396.6971, 0.42109, 0.00665, 67.9387}}});
 }
 
 std::vector<Check> inhomogeneous_passes()
 {
-  return nine_passes(Theory::orowan, {
-                                         {{937.91693, 11189.5843, 0, 0.06932, 0},
-                                          {1235.50022, 14685.2908, 0, 0.09511, 0},
-                                          {5641.16406, 253877.3861, 0, 0.02000, 0},
-                                          {4896.26060, 130433.9537, 0, 0.03683, 0},
-                                          {6073.50784, 28574.6896, 0, 0.03148, 0},
-                                          {4561.02048, 12687.6208, 0, 0.05606, 0},
-                                          {3052.94726, 15151.1909, 0, 0.00658, 0},
-                                          {7634.72994, 41607.4348, 0, 0.03232, 0},
-                                          {2695.12937, 61398.7503, 0, 0.00658, 0}}
-  });
+  return nine_passes(Theory::orowan, {{{937.91693, 11189.5843, 0, 0.06932, 0},
+                                       {1235.50022, 14685.2908, 0, 0.09511, 0},
+                                       {5641.16406, 253877.3861, 0, 0.02000, 0},
+                                       {4896.26060, 130433.9537, 0, 0.03683, 0},
+                                       {6073.50784, 28574.6896, 0, 0.03148, 0},
+                                       {4561.02048, 12687.6208, 0, 0.05606, 0},
+                                       {3052.94726, 15151.1909, 0, 0.00658, 0},
+                                       {7634.72994, 41607.4348, 0, 0.03232, 0},
+                                       {2695.12937, 61398.7503, 0, 0.00658, 0}}});
 }
 
 std::vector<Check> parabolas()
@@ -164,15 +160,10 @@ std::vector<Check> derivatives()
     Input which;
     const char *name;
     double step;
-  } inputs[] = {
-      {Input::entry_thickness, "entry thickness", 1e-3}, // steps relative to the value that follows
-      {Input::exit_thickness,  "exit thickness",  1e-3},
-      {Input::friction,        "friction",        1e-3},
-      {Input::flow_stress,     "flow stress",     1e-3},
-      {Input::arc_radius,      "arc radius",      1e-3},
-      {Input::entry_tension,   "entry tension",   1e-3},
-      {Input::exit_tension,    "exit tension",    1e-3}
-  };
+  } inputs[] = {{Input::entry_thickness, "entry thickness", 1e-3},  // steps relative to the value that follows
+                {Input::exit_thickness, "exit thickness", 1e-3},   {Input::friction, "friction", 1e-3},
+                {Input::flow_stress, "flow stress", 1e-3},         {Input::arc_radius, "arc radius", 1e-3},
+                {Input::entry_tension, "entry tension", 1e-3},     {Input::exit_tension, "exit tension", 1e-3}};
   for (const Theory theory : {Theory::karman, Theory::orowan})
     for (const int i : {1, 3, 6}) {
       const RollBite b  = numbered(i);
@@ -205,16 +196,14 @@ std::vector<Check> derivatives()
 
 std::vector<Check> plastic_slopes()
 {
-  const std::array<std::array<double, 2>, 8> table = {
-      {{247.253, 226.009},
-       {401.560, 386.809},
-       {172.390, 151.743},
-       {320.766, 284.092},
-       {9468.07, 9431.78},
-       {26400.5, 26293.4},
-       {1516.19, 1501.13},
-       {8400.78, 8362.82}}
-  };
+  const std::array<std::array<double, 2>, 8> table = {{{247.253, 226.009},
+                                                       {401.560, 386.809},
+                                                       {172.390, 151.743},
+                                                       {320.766, 284.092},
+                                                       {9468.07, 9431.78},
+                                                       {26400.5, 26293.4},
+                                                       {1516.19, 1501.13},
+                                                       {8400.78, 8362.82}}};
   std::vector<Check> checks;
   for (int i = 1; i <= 8; ++i)
     for (const Theory theory : {Theory::karman, Theory::orowan}) {
@@ -234,11 +223,7 @@ std::vector<Check> following_slopes()
   const struct {
     int pass;
     double slope;
-  } table[] = {
-      {5, 11201.6},
-      {6, 68490.6},
-      {8, 9420.8 }
-  };
+  } table[] = {{5, 11201.6}, {6, 68490.6}, {8, 9420.8}};
   for (const auto &row : table) {
     const RollBite b  = numbered(row.pass);
     const BiteState s = solve_karman(b, Theory::karman, Arc::hitchcock, nullptr, without_curves());
@@ -279,13 +264,11 @@ std::vector<Check> flattened_passes()
   const struct {
     int pass;
     double F, ratio, F_orowan, ratio_orowan;
-  } table[] = {
-      {1, 995.0223,  1.00741, 942.7662,  1.00702},
-      {2, 1383.5089, 1.01031, 1244.6028, 1.00927},
-      {5, 7254.1308, 1.32427, 7226.5339, 1.32304},
-      {6, 8817.8860, 2.31391, 8751.2598, 2.30399},
-      {8, 9600.6612, 1.42917, 9556.3843, 1.42719}
-  };
+  } table[] = {{1, 995.0223, 1.00741, 942.7662, 1.00702},
+               {2, 1383.5089, 1.01031, 1244.6028, 1.00927},
+               {5, 7254.1308, 1.32427, 7226.5339, 1.32304},
+               {6, 8817.8860, 2.31391, 8751.2598, 2.30399},
+               {8, 9600.6612, 1.42917, 9556.3843, 1.42719}};
   std::vector<Check> checks;
   for (const auto &row : table)
     for (const Theory theory : {Theory::karman, Theory::orowan}) {
@@ -320,11 +303,9 @@ std::vector<Check> beyond_five()
   } catch (const SolverError &) {
     refused = 1;
   }
-  return {
-      {"R'/R above 5", "-",                                  s.flattened_radius / b.roll_radius, 5, 0,                                    Judged::at_least},
-      {"notes that say so",              "-",                                notes,                                                  1,               0},
-      {"no flattened radius at all: reported as an error",              "-", refused,                   1,             0                             }
-  };
+  return {{"R'/R above 5", "-", s.flattened_radius / b.roll_radius, 5, 0, Judged::at_least},
+          {"notes that say so", "-", notes, 1, 0},
+          {"no flattened radius at all: reported as an error", "-", refused, 1, 0}};
 }
 
 /// Full equation of slices on given arcs: working conditions of a cold tandem mill, passes of a cluster mill.
@@ -361,20 +342,18 @@ std::vector<Check> cluster_passes()
   const struct {
     const char *name;
     double h1, h2, T1, T2, mu, R, k, parabola, circle;
-  } table[] = {
-      {"pass 1, R",  0.26,  0.18,  38e3, 35e3, 0.05952415389897671,  0.0348,              1501051462.502769,  1118483.9400807833,
-       1119303.6875113235                                                                                                                           },
-      {"pass 1, R'", 0.26,  0.18,  38e3, 35e3, 0.05952415389897671,  0.05662388047537422, 1180364655.4941888,
-       1116501.7918000338,                                                                                                        1117126.5904804554},
-      {"pass 3, R",  0.145, 0.12,  31e3, 28e3, 0.057328662702298125, 0.0348,              3141593760.657045,  1501096.3501128773,
-       1501712.9530728548                                                                                                                           },
-      {"pass 3, R'", 0.145, 0.12,  31e3, 28e3, 0.057328662702298125, 0.1264755062756487,  1589191080.7441237,
-       1496517.7442188838,                                                                                                        1496803.1154753016},
-      {"pass 5, R",  0.105, 0.095, 22e3, 20e3, 0.052686855390355405, 0.0348,              4216465803.6354003, 1300818.0107525003,
-       1301130.3526350704                                                                                                                           },
-      {"pass 5, R'", 0.105, 0.095, 22e3, 20e3, 0.052686855390355405, 0.2328117935814443,  1532135384.1079879,
-       1298278.1505589874,                                                                                                        1298381.404513421 }
-  };
+  } table[] = {{"pass 1, R", 0.26, 0.18, 38e3, 35e3, 0.05952415389897671, 0.0348, 1501051462.502769,
+                1118483.9400807833, 1119303.6875113235},
+               {"pass 1, R'", 0.26, 0.18, 38e3, 35e3, 0.05952415389897671, 0.05662388047537422, 1180364655.4941888,
+                1116501.7918000338, 1117126.5904804554},
+               {"pass 3, R", 0.145, 0.12, 31e3, 28e3, 0.057328662702298125, 0.0348, 3141593760.657045,
+                1501096.3501128773, 1501712.9530728548},
+               {"pass 3, R'", 0.145, 0.12, 31e3, 28e3, 0.057328662702298125, 0.1264755062756487,
+                1589191080.7441237, 1496517.7442188838, 1496803.1154753016},
+               {"pass 5, R", 0.105, 0.095, 22e3, 20e3, 0.052686855390355405, 0.0348, 4216465803.6354003,
+                1300818.0107525003, 1301130.3526350704},
+               {"pass 5, R'", 0.105, 0.095, 22e3, 20e3, 0.052686855390355405, 0.2328117935814443,
+                1532135384.1079879, 1298278.1505589874, 1298381.404513421}};
   std::vector<Check> checks;
   for (const auto &row : table) {
     RollBite b                   = one_mm_wide({"cluster", 34.8, row.h1, row.h2, row.k / MPa, row.mu, 0, 0, 0, 0});

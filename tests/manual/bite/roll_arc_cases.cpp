@@ -129,10 +129,8 @@ std::vector<Check> against_half_plane()
   const VectorXd &x = roll.position;
   const MatrixXd &C = roll.result.flexibility.influence;
   std::vector<Check> checks;
-  for (const auto &[name, shape] : {
-           std::pair<const char *, double (*)(double)>{"elliptic hill", ellipse      },
-           {"friction hill", friction_hill}
-  }) {
+  for (const auto &[name, shape] :
+       {std::pair<const char *, double (*)(double)>{"elliptic hill", ellipse}, {"friction hill", friction_hill}}) {
     const VectorXd p = hill(x, shape), u = C * p, v = half_plane(x, p, radius);
     checks.push_back(at_most(std::string(name) + ": shape of the arc, largest difference / range", "-",
                              shape_difference(x, u, v), 0.02));
@@ -163,10 +161,8 @@ std::vector<Check> short_arc()
   const MatrixXd &C         = roll.result.flexibility.influence;
   const double E = roll_steel.youngs_modulus, nu = roll_steel.poisson_ratio;
   std::vector<Check> checks;
-  for (const auto &[name, shape] : {
-           std::pair<const char *, double (*)(double)>{"elliptic hill", ellipse      },
-           {"friction hill", friction_hill}
-  }) {
+  for (const auto &[name, shape] :
+       {std::pair<const char *, double (*)(double)>{"elliptic hill", ellipse}, {"friction hill", friction_hill}}) {
     const VectorXd p = hill(x, shape);
     checks.push_back(at_most(std::string(name) + ": shape of the arc, largest difference / range", "-",
                              shape_difference(x, C * p, half_plane(x, p, short_radius)), 0.002));
@@ -240,7 +236,7 @@ std::vector<Check> path_form()
       relative("flattening of one roll (8.12)", "kN/mm", flat / kN_per_mm, 9.6641e4, 1e-4),
       relative("plateau with 97 nodes / with 49", "-", fine.plateau / coarse.plateau, 0.5, 0.2),
       {"log2 of sum of forces over mean displacement, against (8.12)", "-", std::log2(fine.sum / flat), 0, 1,
-                                                                                         Judged::absolute},
+       Judged::absolute},
       relative("that sum, 97 nodes against 49", "kN/mm", fine.sum / kN_per_mm, coarse.sum / kN_per_mm, 0.02),
       reported("plateau, 49 nodes, compared with the published K4", "kN/mm", coarse.plateau / kN_per_mm, 1.911e5),
   };

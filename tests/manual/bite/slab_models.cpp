@@ -29,10 +29,7 @@ RollBite plain_bite(const double R, const double h1, const double h2, const doub
 RollBite film_bite(const int condition, const double roll_speed)
 {
   const double table[3][5] = {
-      {0.755, 0.568, 156, 197, 1.206},
-      {0.789, 0.577, 180, 189, 1.206},
-      {0.705, 0.506, 185, 175, 1.020}
-  };
+      {0.755, 0.568, 156, 197, 1.206}, {0.789, 0.577, 180, 189, 1.206}, {0.705, 0.506, 185, 175, 1.020}};
   const double *row         = table[condition - 1];
   RollBite b                = plain_bite(300, row[0], row[1], 84.6 * 9.80665, 0);
   b.roll                    = {2.1e11, 0.3, 7850};
@@ -62,27 +59,22 @@ BiteState solved(const RollBite &bite, const Arc arc)
 std::vector<Working> working_conditions()
 {
   const RollBite one = film_bite(1, 18.9), two = film_bite(2, 18.2);
-  return {
-      {"condition 1: ", one, solved(one)},
-      {"condition 2: ", two, solved(two)}
-  };
+  return {{"condition 1: ", one, solved(one)}, {"condition 2: ", two, solved(two)}};
 }
 
 RollBite cluster_bite(const int pass, const double flow_stress, const double mu)
 {
-  const double table[5][4] = {
-      {0.260, 0.180, 38, 35},
-      {0.180, 0.145, 31, 34},
-      {0.145, 0.120, 31, 28},
-      {0.120, 0.105, 23, 25},
-      {0.105, 0.095, 22, 20}
-  };
-  const double *row     = table[pass - 1];
-  RollBite b            = plain_bite(34.8, row[0], row[1], flow_stress * 1e-6, mu);
-  b.roll                = {2.1e11, 0.3, 7850};
-  b.strip.width         = 0.505;
-  b.strip.entry_tension = row[2] * 1e3 / (0.505 * row[0] * 1e-3);
-  b.strip.exit_tension  = row[3] * 1e3 / (0.505 * row[1] * 1e-3);
+  const double table[5][4] = {{0.260, 0.180, 38, 35},
+                              {0.180, 0.145, 31, 34},
+                              {0.145, 0.120, 31, 28},
+                              {0.120, 0.105, 23, 25},
+                              {0.105, 0.095, 22, 20}};
+  const double *row        = table[pass - 1];
+  RollBite b               = plain_bite(34.8, row[0], row[1], flow_stress * 1e-6, mu);
+  b.roll                   = {2.1e11, 0.3, 7850};
+  b.strip.width            = 0.505;
+  b.strip.entry_tension    = row[2] * 1e3 / (0.505 * row[0] * 1e-3);
+  b.strip.exit_tension     = row[3] * 1e3 / (0.505 * row[1] * 1e-3);
   return b;
 }
 

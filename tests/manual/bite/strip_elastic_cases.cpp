@@ -214,10 +214,8 @@ std::vector<Check> rigid_roll()
 std::vector<Check> elastic_roll()
 {
   std::vector<Check> checks;
-  const std::map<std::string, std::array<double, 2>> published{
-      {"B5", {7568.72, 11.453}},
-      {"B6", {7971.13, 6.675} }
-  };
+  const std::map<std::string, std::array<double, 2>> published{{"B5", {7568.72, 11.453}},
+                                                               {"B6", {7971.13, 6.675}}};
   for (const auto &[name, slab] : published) {
     const bite::RollBite b         = reference_pass(name);
     const fem::StripElastic &state = elastic_strip(name, bite::Arc::elastic);
@@ -259,18 +257,16 @@ std::vector<Check> temper_pass()
   const fem::StripElastic &state = elastic_strip("light", b, bite::Arc::rigid, 16, 3);
   const SlabOnArc with           = slab_on_circle(b, true);
   const double length            = state.flow.state.arc_length - state.flow.state.exit_position;
-  return {
-      relative("force per width against the slab with elastic ends", "N/mm", per_width(b, state) / 1e3,
-               with.force / 1e3, 0.05),
-      relative("contact behind the line of centres", "mm", -state.flow.state.exit_position * 1e3, with.exit * 1e3,
-               0.2),
-      {"elastic part of the contact", "-", (state.elastic_entry + state.elastic_exit) / length, 0.1, 0,
-         Judged::at_least},
-      reported("reduction of the strip over that of the gap", "-",
-               (b.strip.entry_thickness - state.flow.exit_thickness) /
-                   (b.strip.entry_thickness - b.strip.exit_thickness),
-               1)
-  };
+  return {relative("force per width against the slab with elastic ends", "N/mm", per_width(b, state) / 1e3,
+                   with.force / 1e3, 0.05),
+          relative("contact behind the line of centres", "mm", -state.flow.state.exit_position * 1e3,
+                   with.exit * 1e3, 0.2),
+          {"elastic part of the contact", "-", (state.elastic_entry + state.elastic_exit) / length, 0.1, 0,
+           Judged::at_least},
+          reported("reduction of the strip over that of the gap", "-",
+                   (b.strip.entry_thickness - state.flow.exit_thickness) /
+                       (b.strip.entry_thickness - b.strip.exit_thickness),
+                   1)};
 }
 
 std::vector<Check> balances()
@@ -313,18 +309,17 @@ std::vector<Check> strip_derivatives()
   };
   const double dh = b.strip.entry_thickness - b.strip.exit_thickness;
   const Shift shifts[]{
-      {"exit thickness",  bite::Input::exit_thickness,  1e-4 * dh,
-       [](bite::RollBite &q) -> double & { return q.strip.exit_thickness; }                                                   },
+      {"exit thickness", bite::Input::exit_thickness, 1e-4 * dh,
+       [](bite::RollBite &q) -> double & { return q.strip.exit_thickness; }},
       {"entry thickness", bite::Input::entry_thickness, 1e-4 * dh,
-       [](bite::RollBite &q) -> double & { return q.strip.entry_thickness; }                                                  },
-      {"entry tension",   bite::Input::entry_tension,   1e4,
-       [](bite::RollBite &q) -> double & { return q.strip.entry_tension; }                                                    },
-      {"exit tension",    bite::Input::exit_tension,    1e4,
-       [](bite::RollBite &q) -> double & { return q.strip.exit_tension; }                                                     },
-      {"friction",        bite::Input::friction,        1e-5,
-       [](bite::RollBite &q) -> double & { return q.strip.friction.coefficient; }                                             },
-      {"roll radius",     bite::Input::arc_radius,      1e-5,      [](bite::RollBite &q) -> double & { return q.roll_radius; }}
-  };
+       [](bite::RollBite &q) -> double & { return q.strip.entry_thickness; }},
+      {"entry tension", bite::Input::entry_tension, 1e4,
+       [](bite::RollBite &q) -> double & { return q.strip.entry_tension; }},
+      {"exit tension", bite::Input::exit_tension, 1e4,
+       [](bite::RollBite &q) -> double & { return q.strip.exit_tension; }},
+      {"friction", bite::Input::friction, 1e-5,
+       [](bite::RollBite &q) -> double & { return q.strip.friction.coefficient; }},
+      {"roll radius", bite::Input::arc_radius, 1e-5, [](bite::RollBite &q) -> double & { return q.roll_radius; }}};
   model.derivatives = false;
   std::vector<Check> checks;
   for (const Shift &shift : shifts) {

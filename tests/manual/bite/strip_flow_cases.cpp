@@ -247,10 +247,7 @@ std::vector<Check> against_slab()
     const char *name;
     double draft, friction;
   };
-  for (const Family &family : {
-           Family{"rough",      5, 0.25},
-           Family{"lubricated", 1, 0.08}
-  })
+  for (const Family &family : {Family{"rough", 5, 0.25}, Family{"lubricated", 1, 0.08}})
     for (const double ratio : {0.35, 0.5, 0.7, 1.0, 1.5, 2.5, 4.0, 6.0}) {
       const double radius = 420, draft = family.draft, arc = std::sqrt(draft * (radius - 0.25 * draft));
       const double mean = arc / ratio;

@@ -17,10 +17,7 @@ using bite::RollBite;
 std::vector<Check> constant_friction()
 {
   std::vector<Check> checks;
-  const double reference[2][2]{
-      {21.201916245263902, 10198672.751358245},
-      {19.738938604434455, 10235726.659873577}
-  };
+  const double reference[2][2]{{21.201916245263902, 10198672.751358245}, {19.738938604434455, 10235726.659873577}};
   for (const int condition : {1, 2}) {
     RollBite bite                   = film_bite(condition, 18.2);
     bite.strip.friction             = Friction{};
@@ -37,15 +34,10 @@ std::vector<Check> constant_friction()
 std::vector<Check> speed_trend()
 {
   const double reference[][3]{
-      {5,    22743469.452606227, 0.0770184639197065  },
-      {10,   12121328.554802494, 0.050967252767000204},
-      {15,   9538174.736191263,  0.03493853578237074 },
-      {18,   8776325.15939798,   0.028671670597620064},
-      {18.2, 8736293.890034175,  0.02832038583977992 },
-      {18.4, 8697337.256368782,  0.027976456267518646},
-      {20,   8420175.822830899,  0.02547199031830459 },
-      {25,   7834189.718455815,  0.01989372060158044 }
-  };
+      {5, 22743469.452606227, 0.0770184639197065},    {10, 12121328.554802494, 0.050967252767000204},
+      {15, 9538174.736191263, 0.03493853578237074},   {18, 8776325.15939798, 0.028671670597620064},
+      {18.2, 8736293.890034175, 0.02832038583977992}, {18.4, 8697337.256368782, 0.027976456267518646},
+      {20, 8420175.822830899, 0.02547199031830459},   {25, 7834189.718455815, 0.01989372060158044}};
   std::vector<Check> checks;
   for (const auto &[speed, force, mu] : reference) {
     const bite::BiteState state = working_point(film_bite(2, speed), speed, bite::Linearisation::sequential).state;
@@ -75,11 +67,9 @@ std::vector<Check> maps()
     double from, to;  // of the quantity of the bite
   };
   std::vector<Check> checks;
-  for (const auto &[quantity, from, to] : {
-           Axis{MapQuantity::reduction, 0.6, 1.4},
-           Axis{MapQuantity::tension,   0,   4.5},
-           Axis{MapQuantity::viscosity, 0.4, 2  }
-  }) {
+  for (const auto &[quantity, from, to] :
+       {Axis{MapQuantity::reduction, 0.6, 1.4}, Axis{MapQuantity::tension, 0, 4.5},
+        Axis{MapQuantity::viscosity, 0.4, 2}}) {
     const double base     = quantity_of(bite, quantity);
     Eigen::VectorXd value = base * Eigen::VectorXd::LinSpaced(9, from, to);
     value[4]              = base;

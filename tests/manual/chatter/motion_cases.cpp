@@ -44,10 +44,8 @@ double fluctuation(const ChatterHistory &h, const double from, const double to)
 
 std::vector<Check> friction_decay()
 {
-  const double reference[2][2] = {
-      {3.1513750516814076e-07, 4.793517235553412e-09},
-      {6.673949097429629e-07,  6.259468903574866e-07}
-  };
+  const double reference[2][2]  = {{3.1513750516814076e-07, 4.793517235553412e-09},
+                                   {6.673949097429629e-07, 6.259468903574866e-07}};
   const ChatterStandModel stand = chatter_stand("D");
   const double speeds[2]        = {17.4, 18.2};
   std::vector<Check> checks;
@@ -86,10 +84,8 @@ std::array<double, 2> distance(const VectorXd &a, const VectorXd &b)
 
 std::vector<Check> nonlinear_30_ms()
 {
-  const double reference[2][2] = {
-      {0.00033655349985413266, 0.0002730626571004458},
-      {0.003372669591788216,   0.0027349868271857587}
-  };
+  const double reference[2][2]  = {{0.00033655349985413266, 0.0002730626571004458},
+                                   {0.003372669591788216, 0.0027349868271857587}};
   const ChatterStandModel stand = chatter_stand("D");
   const WorkingPoint point      = condition_2(18.2);
   const char *names[2]          = {"displacements", "tensions"};

@@ -96,14 +96,13 @@ std::vector<Check> friction_slopes()
     double slope;
   };
   const Entry entries[]{
-      {"entry thickness",      "condition.entry_thickness", PassNumber::entry_thickness,    3.3966154858316253  },
-      {"exit thickness",       "condition.exit_thickness",  PassNumber::exit_thickness,     -2.5807052107436546 },
-      {"viscosity",            "oil.viscosity",             PassNumber::viscosity,          -1.116817632341523  },
-      {"pressure coefficient", "oil.pressure_viscosity",    PassNumber::pressure_viscosity, -1.1166977021501228 },
-      {"speed",                "condition.speed",           PassNumber::roll_speed,         -1.116817632341523  },
-      {"entry tension",        "condition.entry_tension",   PassNumber::entry_tension,      0.08610547091153528 },
-      {"exit tension",         "condition.exit_tension",    PassNumber::exit_tension,       0.018199304039760347}
-  };
+      {"entry thickness", "condition.entry_thickness", PassNumber::entry_thickness, 3.3966154858316253},
+      {"exit thickness", "condition.exit_thickness", PassNumber::exit_thickness, -2.5807052107436546},
+      {"viscosity", "oil.viscosity", PassNumber::viscosity, -1.116817632341523},
+      {"pressure coefficient", "oil.pressure_viscosity", PassNumber::pressure_viscosity, -1.1166977021501228},
+      {"speed", "condition.speed", PassNumber::roll_speed, -1.116817632341523},
+      {"entry tension", "condition.entry_tension", PassNumber::entry_tension, 0.08610547091153528},
+      {"exit tension", "condition.exit_tension", PassNumber::exit_tension, 0.018199304039760347}};
   std::vector<Check> checks;
   for (const auto &[name, key, number, slope] : entries) {
     const Scaled scaled = by_numbers({number});
@@ -134,23 +133,28 @@ std::vector<Check> speed_slopes()
   };
   const Entry entries[]{
       {{"entry thickness", "condition.entry_thickness", by_numbers({N::entry_thickness}), -0.16602937800493242},
-       0.051810714757689835,  -0.0012212389830991155},
+       0.051810714757689835,
+       -0.0012212389830991155},
       {{"exit thickness", "condition.exit_thickness", by_numbers({N::exit_thickness}), 0.20701029029527865},
        -0.003076065368341818,
-       0.04555357638046398                          },
+       0.04555357638046398},
       {{"viscosity", "oil.viscosity", by_numbers({N::viscosity}), -0.26938348159049597},
-       0.029304805721548366,  -0.02497783004111398  },
+       0.029304805721548366,
+       -0.02497783004111398},
       {{"pressure coefficient", "oil.pressure_viscosity", by_numbers({N::pressure_viscosity}),
         -0.26918493474558386},
-       0.02926566457765345,   -0.024966831811430445 },
+       0.02926566457765345,
+       -0.024966831811430445},
       {{"entry tension", "condition.entry_tension", by_numbers({N::entry_tension}), -0.1379753263749745},
-       0.013680143593747696,  -0.013931115364452573 },
+       0.013680143593747696,
+       -0.013931115364452573},
       {{"exit tension", "condition.exit_tension", by_numbers({N::exit_tension}), -0.04119458064401969},
-       0.0038862149958087677, -0.004342834011505703 },
+       0.0038862149958087677,
+       -0.004342834011505703},
       {{"both tensions", "condition.tensions", by_numbers({N::entry_tension, N::exit_tension}),
         -0.17916981441675772},
-       0.01783359747769886,   -0.018005129206224324 }
-  };
+       0.01783359747769886,
+       -0.018005129206224324}};
   const SensitivityTable table = table_of(bite::Linearisation::sequential, 0.1);
   std::vector<Check> checks;
   for (const Entry &e : entries) {
@@ -180,39 +184,40 @@ std::vector<Check> leverage()
 {
   using N = PassNumber;
   const SpeedEntry entries[]{
-      {"both distances",                         "stand.distances",        by_stand([](SixMasses &s,                        const double f) { s.distance *= f; }),
+      {"both distances", "stand.distances", by_stand([](SixMasses &s, const double f) { s.distance *= f; }),
        0.35104532063744015},
-      {"distance before",                                        "stand.entry_distance",
+      {"distance before", "stand.entry_distance",
        [](const double f) {
          Rolling r = condition_2();
          r.stand.entry_distance *= f;
          return r;
-       },                                  0.30339814521909236                                                                                                                                                         },
-      {"distance behind",                                        "stand.exit_distance",
+       },
+       0.30339814521909236},
+      {"distance behind", "stand.exit_distance",
        [](const double f) {
          Rolling r = condition_2();
          r.stand.exit_distance *= f;
          return r;
-       },                                   0.04765067167964185                                                                                                                                                         },
-      {"all dampings",                                        "stand.dampings",                                                   by_stand([](SixMasses &s,                                           const double f) {
+       },
+       0.04765067167964185},
+      {"all dampings", "stand.dampings", by_stand([](SixMasses &s, const double f) {
          for (double &c : s.damping)
            c *= f;
        }),
        0.03466160106732557},
-      {"damping c0",                      "stand.dampings[0]",                                              by_stand([](SixMasses &s,                                                                                  const double f) { s.damping[0] *= f; }),
+      {"damping c0", "stand.dampings[0]", by_stand([](SixMasses &s, const double f) { s.damping[0] *= f; }),
        0.00080561836274041},
-      {"damping c5", "stand.dampings[5]",                                                by_stand([](SixMasses &s,                                                                                               const double f) { s.damping[5] *= f; }),
+      {"damping c5", "stand.dampings[5]", by_stand([](SixMasses &s, const double f) { s.damping[5] *= f; }),
        0.014274246734670416},
-      {"mass m1",                "stand.masses[1]",by_stand([](SixMasses &s,                                                                                                const double f) { s.mass[1] *= f; }),
+      {"mass m1", "stand.masses[1]", by_stand([](SixMasses &s, const double f) { s.mass[1] *= f; }),
        -0.036920453829314394},
-      {"mass m4",        "stand.masses[4]",                                                       by_stand([](SixMasses &s,const double f) { s.mass[4] *= f; }),
+      {"mass m4", "stand.masses[4]", by_stand([](SixMasses &s, const double f) { s.mass[4] *= f; }),
        -0.2718625276001231},
-      {"mass m5",                                "stand.masses[5]",                                by_stand([](SixMasses &s, const double f) { s.mass[5] *= f; }),
+      {"mass m5", "stand.masses[5]", by_stand([](SixMasses &s, const double f) { s.mass[5] *= f; }),
        -0.021590319591820305},
-      {"modulus of the rolls",                                        "steel.youngs_modulus",                                                        by_numbers({N::youngs_modulus}),                                                       -0.1183857512510176                                    },
-      {"initial thickness",                    "strip.initial_thickness",                                            by_numbers({N::initial_thickness}),                                                                      0.06276838512974171                                             },
-      {"friction",                     "oil.friction",                                             by_numbers({N::mu0, N::mu1}),                    0.21829964995222606}
-  };
+      {"modulus of the rolls", "steel.youngs_modulus", by_numbers({N::youngs_modulus}), -0.1183857512510176},
+      {"initial thickness", "strip.initial_thickness", by_numbers({N::initial_thickness}), 0.06276838512974171},
+      {"friction", "oil.friction", by_numbers({N::mu0, N::mu1}), 0.21829964995222606}};
   const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
   std::vector<Check> checks;
   for (const auto &[name, key, scaled, slope] : entries) {
@@ -251,10 +256,9 @@ std::vector<Check> exact_slopes()
     return deviation;
   };
   const std::pair<const char *, bite::Linearisation> schemes[]{
-      {"in sequence",     bite::Linearisation::sequential     },
-      {"implicit",        bite::Linearisation::implicit       },
-      {"friction frozen", bite::Linearisation::frozen_friction}
-  };
+      {"in sequence", bite::Linearisation::sequential},
+      {"implicit", bite::Linearisation::implicit},
+      {"friction frozen", bite::Linearisation::frozen_friction}};
   for (const auto &[name, scheme] : schemes) {
     const SensitivityTable table = table_of(scheme, 0);
     checks.push_back(at_most(std::string(name) + ", inputs of the bite", "-", largest(table, scheme, true), 1e-7));
@@ -283,10 +287,9 @@ std::vector<Check> held_friction()
   };
   const SpeedEntry entries[]{
       {"entry thickness", "condition.entry_thickness", by_numbers({PassNumber::entry_thickness}),
-       -1.3473018881450243                                                                                            },
-      {"exit thickness",  "condition.exit_thickness",  by_numbers({PassNumber::exit_thickness}),  1.157509231027809   },
-      {"entry tension",   "condition.entry_tension",   by_numbers({PassNumber::entry_tension}),   -0.23872503042083879}
-  };
+       -1.3473018881450243},
+      {"exit thickness", "condition.exit_thickness", by_numbers({PassNumber::exit_thickness}), 1.157509231027809},
+      {"entry tension", "condition.entry_tension", by_numbers({PassNumber::entry_tension}), -0.23872503042083879}};
   const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
   std::vector<Check> checks;
   for (const auto &[name, key, scaled, slope] : entries) {

@@ -32,13 +32,9 @@ std::vector<Check> free_stand()
   const double undamped[6]  = {73.08991100380803, 93.71582595214466,  157.0149440772738,
                                322.9542385265556, 434.19561360316453, 435.5708713004121};
   const double damped[6][2] = {
-      {73.0933379262347,   0.003975394998533902},
-      {93.71898227102821,  0.004694940581181249},
-      {157.01139389485246, 0.009155923078555905},
-      {322.97983791783207, 0.009749438365972373},
-      {434.18507382127666, 0.021082455409048146},
-      {435.5216797104498,  0.020320000069342096}
-  };
+      {73.0933379262347, 0.003975394998533902},   {93.71898227102821, 0.004694940581181249},
+      {157.01139389485246, 0.009155923078555905}, {322.97983791783207, 0.009749438365972373},
+      {434.18507382127666, 0.021082455409048146}, {435.5216797104498, 0.020320000069342096}};
   const FreeModes modes = free_modes(chatter_stand("D").structure);
   std::vector<Check> checks;
   for (int k = 0; k < 6; ++k)
@@ -56,16 +52,14 @@ std::vector<Check> free_stand()
 // CH-11
 std::vector<Check> eigenvalues_of_stand_D()
 {
-  const double reference[8][2] = {
-      {-0.025396653634118138, 128.1173539217457 },
-      {-0.6320395412827722,   81.3912461770561  },
-      {-14.202182135051444,   165.03153754309324},
-      {-20.21951132650085,    324.42785427583857},
-      {-56.54735627050155,    434.76688154712724},
-      {-158.54057378263167,   0                 },
-      {-324.22536578420545,   0                 },
-      {-1432.7058666191647,   554.9612454560697 }
-  };
+  const double reference[8][2] = {{-0.025396653634118138, 128.1173539217457},
+                                  {-0.6320395412827722, 81.3912461770561},
+                                  {-14.202182135051444, 165.03153754309324},
+                                  {-20.21951132650085, 324.42785427583857},
+                                  {-56.54735627050155, 434.76688154712724},
+                                  {-158.54057378263167, 0},
+                                  {-324.22536578420545, 0},
+                                  {-1432.7058666191647, 554.9612454560697}};
   const Eigen::VectorXcd roots = eigenvalues(chatter_matrix(chatter_stand("D"), sequential(2, 18.2).by));
   std::vector<Check> checks;
   checks.push_back(absolute("critical mode, growth rate", "1/s", roots[0].real(), reference[0][0], 1e-4));
@@ -193,30 +187,36 @@ std::vector<Check> critical_speeds()
 {
   const Reference rows[] = {
       {"D, in sequence",
-       "D",                       Linearisation::sequential,
+       "D",
+       Linearisation::sequential,
        {18.646221249626493, 18.207252873709336},
-       {127.92992373205635, 128.11380277994402}                                                                 },
+       {127.92992373205635, 128.11380277994402}},
       {"D36, in sequence",
-       "D36",                     Linearisation::sequential,
+       "D36",
+       Linearisation::sequential,
        {18.637323657802973, 18.202792653365723},
-       {0, 131.85914626263505}                                                                                  },
+       {0, 131.85914626263505}},
       {"C, in sequence",
-       "C",                       Linearisation::sequential,
+       "C",
+       Linearisation::sequential,
        {18.70208596184084, 18.198251158906153},
-       {0, 81.33758371254967}                                                                                   },
+       {0, 81.33758371254967}},
       {"A, in sequence",
-       "A",                       Linearisation::sequential,
+       "A",
+       Linearisation::sequential,
        {18.669901880143016, 18.20004216035359},
-       {0, 100.51660990694417}                                                                                  },
+       {0, 100.51660990694417}},
       {"B, in sequence",
-       "B",                       Linearisation::sequential,
+       "B",
+       Linearisation::sequential,
        {18.664211124211583, 18.195786551768776},
-       {0, 105.79923439596521}                                                                                  },
-      {"D, implicit",        "D", Linearisation::implicit,        {19.49071588076472, 19.22846269597016}, {0, 0}},
+       {0, 105.79923439596521}},
+      {"D, implicit", "D", Linearisation::implicit, {19.49071588076472, 19.22846269597016}, {0, 0}},
       {"D, friction frozen",
-       "D",                       Linearisation::frozen_friction,
+       "D",
+       Linearisation::frozen_friction,
        {18.084856822880358, 17.589384110545772},
-       {0, 0}                                                                                                   },
+       {0, 0}},
   };
   std::vector<Check> checks;
   for (const Reference &r : rows)
@@ -251,11 +251,7 @@ std::vector<Check> routh()
 std::vector<Check> printed_signs()
 {
   const double reference[4][2] = {
-      {5,    441.9202271066167 },
-      {10,   282.6156280207774 },
-      {18.2, 222.85527668973415},
-      {30,   217.22478866829113}
-  };
+      {5, 441.9202271066167}, {10, 282.6156280207774}, {18.2, 222.85527668973415}, {30, 217.22478866829113}};
   std::vector<Check> checks;
   const ChatterStandModel stand = chatter_stand("D");
   for (const auto &[speed, growth] : reference) {
@@ -272,14 +268,8 @@ std::vector<Check> printed_signs()
 // CH-16
 std::vector<Check> damping_of_the_process()
 {
-  const double reference[6][2] = {
-      {5,    -267432187.53105628},
-      {10,   -34215094.51263139 },
-      {15,   -6191209.480902709 },
-      {18.2, 1351803.0163470246 },
-      {20,   4452412.31656958   },
-      {25,   11175389.73128753  }
-  };
+  const double reference[6][2] = {{5, -267432187.53105628},   {10, -34215094.51263139}, {15, -6191209.480902709},
+                                  {18.2, 1351803.0163470246}, {20, 4452412.31656958},   {25, 11175389.73128753}};
   std::vector<Check> checks;
   for (const auto &[speed, damping] : reference)
     checks.push_back(relative(fmt::format("Im K_p(i w)/w at {:g} m/s", speed), "MN s/m",
@@ -291,14 +281,12 @@ std::vector<Check> damping_of_the_process()
 // CH-24
 std::vector<Check> damping_scales()
 {
-  const double reference[6][3] = {
-      {0,   12.435734348603605, 12.230675081285158},
-      {1e4, 13.467114435254304, 13.22882515189292 },
-      {1e5, 18.646221249626493, 18.207252873709336},
-      {1e6, 24.391233658324303, 23.471044631448045},
-      {1e7, not_given,          not_given         },
-      {1e8, 21.95365502706575,  21.239077183647048}
-  };
+  const double reference[6][3] = {{0, 12.435734348603605, 12.230675081285158},
+                                  {1e4, 13.467114435254304, 13.22882515189292},
+                                  {1e5, 18.646221249626493, 18.207252873709336},
+                                  {1e6, 24.391233658324303, 23.471044631448045},
+                                  {1e7, not_given, not_given},
+                                  {1e8, 21.95365502706575, 21.239077183647048}};
   std::vector<Check> checks;
   for (const auto &row : reference)
     for (const int condition : {1, 2}) {

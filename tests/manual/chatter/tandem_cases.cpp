@@ -68,10 +68,7 @@ TandemLine tandem_of_two(const double distance = 4.95)
   second.strip.exit_thickness  = 0.44e-3;
   second.strip.entry_tension   = first.strip.exit_tension;
   second.strip.exit_tension    = 150e6;
-  line.stands                  = {
-                       {"first stand",  stand.structure, first },
-                       {"second stand", stand.structure, second}
-  };
+  line.stands         = {{"first stand", stand.structure, first}, {"second stand", stand.structure, second}};
   line.distance       = {distance};
   line.entry_distance = line.exit_distance = 4.95;
   return line;
@@ -87,23 +84,18 @@ std::vector<Check> one_stand()
   const ChatterStandModel alone = chatter_stand("D");
   const Eigen::VectorXcd known  = eigenvalues(chatter_matrix(alone, point.stands[0].by));
   const Roots here              = spectrum.roots(-1e5, 1e6), there(known.begin(), known.end());
-  return {
-      relative("roots", "-", double(here.size()), 14, 0),
-      at_most("largest distance to an eigenvalue of the stand", "-", apart(here, there), 1e-10),
-      at_most("and back", "-", apart(there, here), 1e-10),
-      {"growth",    "1/s", spectrum.rightmost().real(),              -0.0254,  5e-5, Judged::absolute},
-      {"frequency", "Hz",  spectrum.rightmost().imag() / (2 * M_PI), 128.1174, 5e-5, Judged::absolute}
-  };
+  return {relative("roots", "-", double(here.size()), 14, 0),
+          at_most("largest distance to an eigenvalue of the stand", "-", apart(here, there), 1e-10),
+          at_most("and back", "-", apart(there, here), 1e-10),
+          {"growth", "1/s", spectrum.rightmost().real(), -0.0254, 5e-5, Judged::absolute},
+          {"frequency", "Hz", spectrum.rightmost().imag() / (2 * M_PI), 128.1174, 5e-5, Judged::absolute}};
 }
 
 std::vector<Check> lambert_roots()
 {
   std::vector<Check> checks;
-  for (const auto &[a, b, delay] : {
-           std::array<double, 3>{1, 3,  0.5},
-            std::array<double, 3>{1, 3,  20 },
-            std::array<double, 3>{5, -2, 1  }
-  }) {
+  for (const auto &[a, b, delay] :
+       {std::array<double, 3>{1, 3, 0.5}, std::array<double, 3>{1, 3, 20}, std::array<double, 3>{5, -2, 1}}) {
     const double c = -3 / delay;
     Roots known;
     for (int k = -400; k <= 400; ++k)
@@ -229,12 +221,10 @@ std::vector<Check> collocation()
   const Roots known = right_of(collocated(system, 140), c, limit);
   const DelaySpectrum spectrum(system);
   const Roots all_roots = spectrum.roots(c, limit);
-  return {
-      relative("roots", "-", double(all_roots.size()), double(known.size()), 0),
-      at_most("largest distance to the collocated ones", "-",
-              std::max(apart(all_roots, known), apart(known, all_roots)), 1e-9),
-      {"growth", "1/s", spectrum.rightmost().real(), known[0].real(), 1e-6, Judged::absolute}
-  };
+  return {relative("roots", "-", double(all_roots.size()), double(known.size()), 0),
+          at_most("largest distance to the collocated ones", "-",
+                  std::max(apart(all_roots, known), apart(known, all_roots)), 1e-9),
+          {"growth", "1/s", spectrum.rightmost().real(), known[0].real(), 1e-6, Judged::absolute}};
 }
 
 std::vector<Check> counting()

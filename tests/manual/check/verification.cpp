@@ -114,12 +114,11 @@ double allowed_change(const Check &c)
 const std::vector<Kind> &kinds()
 {
   static const std::vector<Kind> all{
-      {"unit",         "a closed form or kernel in isolation"                                           },
-      {"verification", "the whole numerical chain against an exact reference or an independent method"  },
-      {"benchmark",    "a comparison with published numbers or with another program"                    },
-      {"regression",   "values computed beforehand by the program that belongs to the specification: another "
-                     "code of the same equations, no measurement and no publication"}
-  };
+      {"unit", "a closed form or kernel in isolation"},
+      {"verification", "the whole numerical chain against an exact reference or an independent method"},
+      {"benchmark", "a comparison with published numbers or with another program"},
+      {"regression", "values computed beforehand by the program that belongs to the specification: another "
+                     "code of the same equations, no measurement and no publication"}};
   return all;
 }
 }  // namespace mill::verify

@@ -119,9 +119,7 @@ std::vector<Check> line_forms()
 {
   std::vector<Check> checks;
   const reduce::CylinderPair demo{400 * mm, 1300 * mm, 1, steel};
-  const reduce::CylinderPair published{
-      420 * mm, 1450 * mm, 1, {210e9, 0.28, 7700}
-  };
+  const reduce::CylinderPair published{420 * mm, 1450 * mm, 1, {210e9, 0.28, 7700}};
   add_cylinders(checks, "200/650, 200 N/mm", demo, 200e3, {0.5810, 219.16, 8.074, 8.229, 26587});
   add_cylinders(checks, "200/650, 1000 N/mm", demo, 1000e3, {1.2991, 490.05, 35.931, 36.704, 30146});
   add_cylinders(checks, "200/650, 5000 N/mm", demo, 5000e3, {2.9049, 1095.78, 157.453, 161.321, 34804});
@@ -145,10 +143,8 @@ std::vector<Check> slip_forms()
   checks.push_back(printed("line: half width", "mm", line.half_width / mm, 0.742790, 1e-6));
   checks.push_back(printed("line: peak pressure", "MPa", line.peak_pressure / MPa, 857.066, 1e-3));
   // load ratio; line: c/b, traction in the middle and at the rim of stick; sphere: c/a, approach
-  const double references[2][6] = {
-      {0.25, 0.866025, 34.448, 128.560, 0.908560, 1.02776},
-      {0.5,  0.707107, 75.309, 181.811, 0.793701, 2.17921}
-  };
+  const double references[2][6] = {{0.25, 0.866025, 34.448, 128.560, 0.908560, 1.02776},
+                                   {0.5, 0.707107, 75.309, 181.811, 0.793701, 2.17921}};
   for (const auto &r : references) {
     const std::string where = r[0] == 0.25 ? "Q/(mu P) 0.25, " : "Q/(mu P) 0.5, ";
     const auto slip         = cattaneo_line(line, r[0]);

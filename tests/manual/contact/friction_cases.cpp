@@ -65,10 +65,8 @@ std::vector<Check> cattaneo()
     const char *name;
     double stick, middle, edge;
   };
-  for (const Row &r : {
-           Row{0.25, "Q/(mu P) 0.25: ", 0.866025, 34.448, 128.560},
-           Row{0.5,  "Q/(mu P) 0.5: ",  0.707107, 75.309, 181.811}
-  }) {
+  for (const Row &r : {Row{0.25, "Q/(mu P) 0.25: ", 0.866025, 34.448, 128.560},
+                       Row{0.5, "Q/(mu P) 0.5: ", 0.707107, 75.309, 181.811}}) {
     const Loading loading{Eigen::Vector2d(P, r.ratio * mu * P), {}};
     const FrictionState &s      = solver.advance(loading);
     const Eigen::VectorXd along = s.nodal.tail(n);
@@ -131,10 +129,8 @@ std::vector<Check> mindlin()
     const char *name;
     double stick, approach;
   };
-  for (const Row &r : {
-           Row{0.25, "Q/(mu P) 0.25: ", 0.908560, 1.02776},
-           Row{0.5,  "Q/(mu P) 0.5: ",  0.793701, 2.17921}
-  }) {
+  for (const Row &r :
+       {Row{0.25, "Q/(mu P) 0.25: ", 0.908560, 1.02776}, Row{0.5, "Q/(mu P) 0.5: ", 0.793701, 2.17921}}) {
     const FrictionState &s = solver.advance({Eigen::Vector2d(P / 4, r.ratio * mu * P / 4), {}});
     const StickEdge slip =
         stick_edge(s, contact.place.rowwise().norm(), along_motion(contact, s), mu, contact.area);
@@ -189,19 +185,13 @@ std::vector<Check> wedge()
     const char *name;
     double limit;
   };
-  for (const Row &r : {
-           Row{0,   "mu 0",   0.1     },
-           Row{0.1, "mu 0.1", 0.202020},
-           Row{0.2, "mu 0.2", 0.306122},
-           Row{0.3, "mu 0.3", 0.412371}
-  }) {
+  for (const Row &r : {Row{0, "mu 0", 0.1}, Row{0.1, "mu 0.1", 0.202020}, Row{0.2, "mu 0.2", 0.306122},
+                       Row{0.3, "mu 0.3", 0.412371}}) {
     p.mu.setConstant(r.mu);
     FrictionSolver solver(p);
     double push = 0;
     for (int step = 1; step <= 12; ++step) {
-      const FrictionState &state = solver.advance({
-          Eigen::Vector2d(step * 0.02 * mm, weight), {1, 0}
-      });
+      const FrictionState &state = solver.advance({Eigen::Vector2d(step * 0.02 * mm, weight), {1, 0}});
       residual                   = std::max(residual, state.residual);
       least_work                 = std::min(least_work, state.dissipated);
       push                       = state.resultant[0];
@@ -217,16 +207,18 @@ std::vector<Check> wedge()
 std::vector<Case> friction_cases()
 {
   return {
-      {"cattaneo-line",  "verification",
+      {"cattaneo-line", "verification",
        "Cylinder R 50 mm on a flat, steel on steel, plane strain, pressed with 1000 N/mm and then pushed sideways "
        "with Q = 0.25 and 0.5 mu P, mu 0.3, in two steps. 401 strips with pressure and shear (802 unknowns) on "
        "the "
        "half plane; semismooth Newton on the status of the strips. c by the zero of the least-squares line "
        "through "
-       "(mu p - t)^2 over x^2 where it sticks, the traction at c by the line through t^2 where it slips.", "C. Cattaneo (1938); K. L. Johnson, Contact Mechanics (1985), 7.2: c/b = (1 - Q/(mu P))^(1/2)",
+       "(mu p - t)^2 over x^2 where it sticks, the traction at c by the line through t^2 where it slips.",
+       "C. Cattaneo (1938); K. L. Johnson, Contact Mechanics (1985), 7.2: c/b = (1 - Q/(mu P))^(1/2)",
        "2 %: at Q = 0.25 mu P the slip zone is 0.13 b, 25 strips wide; its edge is known to half a strip of 186 "
        "on "
-       "b, tractions next to the kink to two strips. The tangent is exact for the discrete problem: 1e-6.", cattaneo},
+       "b, tractions next to the kink to two strips. The tangent is exact for the discrete problem: 1e-6.",
+       cattaneo},
       {"mindlin-sphere", "verification",
        "Sphere R 10 mm on a flat, steel on steel, pressed with 1000 N and then pushed sideways with Q = 0.25 and "
        "0.5 "
@@ -234,19 +226,23 @@ std::vector<Case> friction_cases()
        "components "
        "(about 1600 unknowns); shear along y and transverse slip are included. c/a by the zero of the "
        "least-squares "
-       "line through (mu p - t_x)^2 over r^2 where it sticks.",                                            "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259; Johnson (1985), 7.2: c/a = (1 - Q/(mu P))^(1/3)",
+       "line through (mu p - t_x)^2 over r^2 where it sticks.",
+       "R. D. Mindlin, J. Appl. Mech. 16 (1949) 259; Johnson (1985), 7.2: c/a = (1 - Q/(mu P))^(1/3)",
        "2 % on c/a, 1 % on approach and stiffness: squares of a/24 on the rim, and Mindlin's traction is along "
        "the "
        "load everywhere, while slip across it is not quite zero (of the order nu / (4 - 2 nu) of the slip). The "
-       "tangent is exact for the discrete problem: 1e-6.",                                                  mindlin },
-      {"cgs4-wedge",     "verification",
+       "tangent is exact for the discrete problem: 1e-6.",
+       mindlin},
+      {"cgs4-wedge", "verification",
        "Elastic block on a rigid incline of tan 0.1, pushed up by an imposed motion under its weight until it "
        "slides. "
        "40 strips with coupled normal and shear compliance (80 unknowns); the weight is an imposed resultant, the "
-       "push is the reaction to the motion.",                                                              "equilibrium of a sliding block, (tan a + mu)/(1 - mu tan a); NAFEMS CGS-4",
+       "push is the reaction to the motion.",
+       "equilibrium of a sliding block, (tan a + mu)/(1 - mu tan a); NAFEMS CGS-4",
        "0.01 %: the limit is a matter of equilibrium and exact for any discretisation; the reference is rounded "
        "to "
-       "six digits.",                                                                                       wedge   },
+       "six digits.",
+       wedge},
   };
 }
 }  // namespace mill::verify

@@ -55,11 +55,9 @@ HalfSpaceContact contact_of(const Paraboloid &p)
 {
   constexpr double reach = 1.15;  // semi-axes; the load goes up by 20 % for the tangent, and they by 6 %
   const auto hertz       = hertz_point(p.load, p.radius_x, p.radius_z, contact_modulus(p.bodies));
-  return {
-      p.bodies,
-      {reach * hertz.semi_x / p.n_x, p.n_x, Eigen::VectorXd::LinSpaced(p.n_z + 1, 0, reach * hertz.semi_y)},
-      gap_of(p)
-  };
+  return {p.bodies,
+          {reach * hertz.semi_x / p.n_x, p.n_x, Eigen::VectorXd::LinSpaced(p.n_z + 1, 0, reach * hertz.semi_y)},
+          gap_of(p)};
 }
 
 // Semi-axis along z by the pressures of the column next to x = 0.

@@ -189,10 +189,7 @@ std::vector<Check> cattaneo_line_section()
     double ratio, c, middle, edge;  // Q / (mu P), c / b, tau(0) and tau(c) in MPa
   };
   solver.advance({Vector2d(q, 0), {}});
-  for (const Load &load : {
-           Load{0.25, 0.866025, 34.448, 128.560},
-           Load{0.5,  0.707107, 75.309, 181.811}
-  }) {
+  for (const Load &load : {Load{0.25, 0.866025, 34.448, 128.560}, Load{0.5, 0.707107, 75.309, 181.811}}) {
     const auto &state = solver.advance({Vector2d(q, load.ratio * mu * q), {}});
     residual          = std::max(residual, state.residual);
     const VectorXd p  = state.nodal.head(n).cwiseQuotient(pair.coupling.weight),
@@ -245,8 +242,8 @@ std::vector<Check> cgs1_depth()
 std::vector<Check> line_200_650()
 {
   const std::vector<LineLoad> loads{
-      {200 * N_per_mm,  0.5810 * mm, 219.16 * MPa,  8.074 * um,   26587e6},
-      {1000 * N_per_mm, 1.2991 * mm, 490.05 * MPa,  35.931 * um,  30146e6},
+      {200 * N_per_mm, 0.5810 * mm, 219.16 * MPa, 8.074 * um, 26587e6},
+      {1000 * N_per_mm, 1.2991 * mm, 490.05 * MPa, 35.931 * um, 30146e6},
       {5000 * N_per_mm, 2.9049 * mm, 1095.78 * MPa, 157.453 * um, 34804e6},
   };
   return line_pair(200 * mm, 650 * mm, steel, loads, false);

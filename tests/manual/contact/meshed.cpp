@@ -51,10 +51,7 @@ fem::SectionBody disc_section(const double radius, const double smallest, const 
   size.far_growth          = 1.3;
   size.sector_elements     = 6;
   return fem::SectionBody(meshes::mesh_disc(radius, size, file.path), material, 2, fem::Section::plane_strain,
-                          {
-                              {"patch", {0, 0}, radius},
-                              {"rim",   {0, 0}, radius}
-  });
+                          {{"patch", {0, 0}, radius}, {"rim", {0, 0}, radius}});
 }
 
 Ellipse fitted_ellipse(const Eigen::VectorXd &x, const Eigen::VectorXd &pressure)

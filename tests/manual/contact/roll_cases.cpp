@@ -195,10 +195,8 @@ std::vector<Check> symmetry_identity()
   }
   const Eigen::VectorXd motion = (rigid.transpose() * rigid).ldlt().solve(rigid.transpose() * difference);
   const double spread          = condensed.maxCoeff() - condensed.minCoeff();
-  return {
-      {"displacements of contact line and axis, largest difference", "-",
-       (difference - rigid * motion).cwiseAbs().maxCoeff() / spread, 0, 1e-9, Judged::absolute}
-  };
+  return {{"displacements of contact line and axis, largest difference", "-",
+           (difference - rigid * motion).cwiseAbs().maxCoeff() / spread, 0, 1e-9, Judged::absolute}};
 }
 
 // ---- condensed-identity ---------------------------------------------------------------------------------------
@@ -223,11 +221,9 @@ std::vector<Check> condensed_identity()
   const auto full =
       fem::solve_full_contact(*upper.body, *lower.body, pair.problem.initial_gap, point.approach, true);
   const auto nodal = point.state.nodal;
-  return {
-      {"force at the same approach", "N",                             full.force, nodal.sum(), 1e-8            },
-      { "nodal forces, largest difference over the largest",                         "-",
-       (full.nodal - nodal).cwiseAbs().maxCoeff() / nodal.maxCoeff(),          0,        1e-6, Judged::absolute}
-  };
+  return {{"force at the same approach", "N", full.force, nodal.sum(), 1e-8},
+          {"nodal forces, largest difference over the largest", "-",
+           (full.nodal - nodal).cwiseAbs().maxCoeff() / nodal.maxCoeff(), 0, 1e-6, Judged::absolute}};
 }
 
 // ---- tangent-difference, complementarity ----------------------------------------------------------------------
@@ -389,39 +385,46 @@ std::vector<Case> roll_cases()
 {
   const std::string reduced = "rounding of two ways through the same equations, conditioning about 1e7";
   return {
-      {"symmetry-identity",  "verification",
+      {"symmetry-identity", "verification",
        "Roll with necks, trilinear hexahedra: flexibility recombined from four parities of an eighth against one "
        "solve "
        "of the whole roll (assembled from the eight mirror images), unlike loads everywhere, unequal bearing "
-       "loads.",                                                                               "identity, theory.md 2.2",                                                 reduced,                                                         symmetry_identity    },
+       "loads.",
+       "identity, theory.md 2.2", reduced, symmetry_identity},
       {"condensed-identity", "verification",
        "Two discs 400/1300 mm, 1000 N/mm: condensed contact against the contact solved on the full stiffness "
        "matrices, "
-       "factorised again for each active set.",                                                "identity; code_aster V6.04.193 compares the same to 1e-6",                reduced,                                                         condensed_identity   },
+       "factorised again for each active set.",
+       "identity; code_aster V6.04.193 compares the same to 1e-6", reduced, condensed_identity},
       {"tangent-difference", "verification",
        "Two rolls with necks, held in several ways, crowned, tilted, loaded off the middle: exact tangent against "
        "the "
-       "central difference of the program's own curve; residual of every solve.",              "identity, theory.md 2.4",                                                 "a step of 1e-7 of the load keeps seven digits of a difference",
-       tangent_difference                                                                                                                                                                                                                                       },
-      {"complementarity",    "verification",
+       "central difference of the program's own curve; residual of every solve.",
+       "identity, theory.md 2.4", "a step of 1e-7 of the load keeps seven digits of a difference",
+       tangent_difference},
+      {"complementarity", "verification",
        "Two rolls with necks, straight, crowned, hollow and with a crown that stays open: 20 loads each, residual "
        "of all "
-       "conditions and iterations of the active set.",                                         "Signorini's conditions, theory.md 9",                                     "rounding; iterations as wanted of a solver without tolerance",
-       complementarity                                                                                                                                                                                                                                          },
-      {"scale-invariance",   "verification",
-       "The same pair of rolls written in metres and in millimetres, and ten times as large.", "dimensional analysis",                                                    "rounding, conditioning about 1e5 of the contact problem",       roll_scale_invariance},
-      {"engine-agreement",   "verification",
+       "conditions and iterations of the active set.",
+       "Signorini's conditions, theory.md 9", "rounding; iterations as wanted of a solver without tolerance",
+       complementarity},
+      {"scale-invariance", "verification",
+       "The same pair of rolls written in metres and in millimetres, and ten times as large.",
+       "dimensional analysis", "rounding, conditioning about 1e5 of the contact problem", roll_scale_invariance},
+      {"engine-agreement", "verification",
        "Rolls 420/1450 mm with necks, 976.2 kN: hexahedra condensed onto the patch against a Fourier series "
        "around each "
        "roll with one unknown per station. Line loads are means over the stations, along the whole barrel; the "
        "program "
-       "has no third engine of coarse elements with a half-space correction.",                 "the Fourier solver, theory.md 11",                                        "meshes of both engines; targets of two independent engines",
-       engine_agreement                                                                                                                                                                                                                                         },
-      {"published-k",        "benchmark",
+       "has no third engine of coarse elements with a half-space correction.",
+       "the Fourier solver, theory.md 11", "meshes of both engines; targets of two independent engines",
+       engine_agreement},
+      {"published-k", "benchmark",
        "Rolls 420/1450 mm, barrel 1400 mm, 976.2 kN, E = 270 GPa: the ways of evaluating a contact stiffness "
        "compared with "
-       "the published K3 = 7.534e5 kN/mm; the plateau is compared with 7.534e5 N/mm.",         "published stand; line contact of K. L. Johnson, Contact Mechanics, 5.57",
-       "barrel ends and a mesh of four elements per half width against an infinitely long contact",                                                                                                                                        published_k          },
+       "the published K3 = 7.534e5 kN/mm; the plateau is compared with 7.534e5 N/mm.",
+       "published stand; line contact of K. L. Johnson, Contact Mechanics, 5.57",
+       "barrel ends and a mesh of four elements per half width against an infinitely long contact", published_k},
   };
 }
 }  // namespace mill::verify

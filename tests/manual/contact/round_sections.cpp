@@ -56,10 +56,7 @@ std::vector<Check> sphere_sphere()
   struct Crush {
     double total, radius, peak;  // m, m, Pa
   };
-  for (const Crush &crush : {
-           Crush{4 * mm,    10 * mm, 2798.33 * MPa},
-           Crush{0.04 * mm, 1 * mm,  279.833 * MPa}
-  }) {
+  for (const Crush &crush : {Crush{4 * mm, 10 * mm, 2798.33 * MPa}, Crush{0.04 * mm, 1 * mm, 279.833 * MPa}}) {
     const RoundContact c(crush.radius, 25 * mm, material, 40, 30);
     contact::ActiveSet solver(c.pair.problem);
     const contact::State state = solver.solve(prescribed(crush.total));
@@ -108,9 +105,9 @@ std::vector<Check> flat_punch()
       relative("approach", "um", state.motion[0] / um, 2.166667, 0.005),
       relative("dF/d(approach)", "N/mm", 1 / state.compliance(0, 0) / 1e3, 4615384.6, 0.005),
       relative("pressure in the middle", "MPa", pressure[centre] / MPa, 15.91549, 0.01),
-      {"largest deviation of the pressure for r < 0.9 a", "-", worst,                                                          0.01, 0, Judged::at_most},
-      {"nodes that touch / nodes",                        "-", (state.nodal.array() > 0).count() / double(state.nodal.size()), 1,    0,
-                                                                                 Judged::absolute                                                                                                                                },
+      {"largest deviation of the pressure for r < 0.9 a", "-", worst, 0.01, 0, Judged::at_most},
+      {"nodes that touch / nodes", "-", (state.nodal.array() > 0).count() / double(state.nodal.size()), 1, 0,
+       Judged::absolute},
   };
   add_identities(checks, solver, state);
   return checks;

@@ -35,11 +35,7 @@ std::vector<Check> conforming_cylinders()
   const auto ring = [&](const double r1, const double r2, const int n_radial, const int n_angle,
                         const std::string &path) {
     return fem::SectionBody(meshes::mesh_ring(meshes::even_lines(r1, r2, n_radial), n_angle, path), material, 2,
-                            Section::plane_strain,
-                            {
-                                {"inner", {0, 0}, r1},
-                                {"outer", {0, 0}, r2}
-    });
+                            Section::plane_strain, {{"inner", {0, 0}, r1}, {"outer", {0, 0}, r2}});
   };
   const auto outer = ring(0.6, 1, 6, 24, outer_file.path), inner = ring(0.2, 0.6, 6, 17, inner_file.path);
   const fem::CondensedSurface slave(outer.stiffness(), 2, held_quarter(outer), outer.surface("inner")),

@@ -172,11 +172,11 @@ std::vector<Check> ellipse_h3()
   }
   const Vector3d fit = basis.colPivHouseholderQr().solve(square);
   std::vector<Check> checks{
-      {"larger semi-axis",                    "mm",    std::sqrt(-fit[0] / fit[1]) / mm, 0.564600, 0.01 },
-      {"smaller semi-axis",                   "mm",    std::sqrt(-fit[0] / fit[2]) / mm, 0.356034, 0.01 },
-      {"peak pressure",                       "MPa",   std::sqrt(fit[0]) / MPa,          2375.252, 0.01 },
-      {"approach",                            "um",    state.motion[0] / um,             14.3073,  0.01 },
-      {"dF/d(approach), of the fitted curve", "kN/mm", 4 * tangent / 1e6,                104.841,  0.005},
+      {"larger semi-axis", "mm", std::sqrt(-fit[0] / fit[1]) / mm, 0.564600, 0.01},
+      {"smaller semi-axis", "mm", std::sqrt(-fit[0] / fit[2]) / mm, 0.356034, 0.01},
+      {"peak pressure", "MPa", std::sqrt(fit[0]) / MPa, 2375.252, 0.01},
+      {"approach", "um", state.motion[0] / um, 14.3073, 0.01},
+      {"dF/d(approach), of the fitted curve", "kN/mm", 4 * tangent / 1e6, 104.841, 0.005},
   };
   checks.push_back({"dF/d(approach), of the nodes that touch", "kN/mm", 4 / state.compliance(0, 0) / 1e6, 104.841,
                     0, Judged::reported});

@@ -126,10 +126,7 @@ void Deck::hold_mean(const Weights &weights, const int direction)
 void Deck::touch(const std::vector<Face> &slave, const std::vector<Face> &master, const double stiffness)
 {
   const int number = ++contacts_;
-  for (const auto &[name, faces] : {
-           std::pair{"SLAVE",  &slave },
-           std::pair{"MASTER", &master}
-  }) {
+  for (const auto &[name, faces] : {std::pair{"SLAVE", &slave}, std::pair{"MASTER", &master}}) {
     line(fmt::format("*SURFACE, NAME={}{}, TYPE=ELEMENT", name, number));
     for (const Face &face : *faces)
       line(fmt::format("{},S{}", face.element + 1, face.face));

@@ -37,10 +37,8 @@ constexpr double shoulder_order = 4 * 0.5445;
 std::vector<Check> rolls_free()
 {
   std::vector<Check> checks;
-  for (const auto &[name, roll] : {
-           std::pair{"work roll",   demo_work_roll  },
-           std::pair{"backup roll", demo_backup_roll}
-  }) {
+  for (const auto &[name, roll] :
+       {std::pair{"work roll", demo_work_roll}, std::pair{"backup roll", demo_backup_roll}}) {
     const RollPart part        = roll_part(name, roll, 4);
     const Eigen::VectorXd ours = fem::free_modes(*part.part, 2).frequency;
     Eigen::VectorXd result[2];

@@ -65,10 +65,7 @@ constexpr double approach = 35.931e-6, patch_half_width = 1.2991e-3, upper_radiu
 std::vector<Check> peer_line()
 {
   const double thickness = 1e-3;
-  const Cylinders pair{
-      lower_radius, upper_radius, patch_half_width, {0, thickness},
-         true
-  };
+  const Cylinders pair{lower_radius, upper_radius, patch_half_width, {0, thickness}, true};
   const Pressed coarse = press(pair, approach, {2, 1.7}), fine = press(pair, approach, {4, 1.3});
   const double per_width = 2e-3 / thickness;  // both halves, N/mm
   std::vector<Check> checks;

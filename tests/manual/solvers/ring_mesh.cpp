@@ -20,10 +20,7 @@ MeshFile mesh_ring(const std::vector<double> &radii, const int n_angle, const st
       grid.points.push_back({j == n_angle ? 0 : r * std::cos(theta), j == 0 ? 0 : r * std::sin(theta), 0});
   }
   grid.group = [](const int direction, const int side, const std::array<double, 3> &) -> std::string {
-    const char *names[2][2] = {
-        {"inner",      "outer"     },
-        {"symmetry.y", "symmetry.x"}
-    };
+    const char *names[2][2] = {{"inner", "outer"}, {"symmetry.y", "symmetry.x"}};
     return names[direction][side];
   };
   return write_grid(grid, path);

@@ -49,9 +49,7 @@ std::vector<Check> free_bar()
   const Eigen::VectorXd solid = fem::free_modes(*bar.part, 4).frequency;
   const Eigen::VectorXd exact = free_bar_frequencies(0.3, 1.8, demo_roll_steel, hutchinson, 4);
   BeamSetup beam;
-  beam.pieces = {
-      {0, 0.9, 0.3, 0.3}
-  };
+  beam.pieces       = {{0, 0.9, 0.3, 0.3}};
   beam.shear_factor = hutchinson;
   beam.per_piece    = 160;
   std::vector<Check> checks;
@@ -113,10 +111,8 @@ std::vector<Check> kept_modes()
   const RollPart roll = roll_part("backup roll", demo_backup_roll);
   const int n_y       = int(roll.interface.weights.cols());
   fem::WholeStand stand;
-  stand.bodies = {
-      {roll.part.get(), &roll.interface}
-  };
-  stand.mass = Eigen::MatrixXd::Zero(n_y, n_y);
+  stand.bodies = {{roll.part.get(), &roll.interface}};
+  stand.mass   = Eigen::MatrixXd::Zero(n_y, n_y);
   Connection bearings{"K_Zy", Eigen::MatrixXd::Zero(1, n_y), Eigen::VectorXd::Constant(1, demo_bearings)};
   bearings.rows(0, n_y - 1)  = 1;
   stand.connections          = {bearings};
@@ -190,10 +186,8 @@ std::vector<Check> assembly()
   const auto connections = rolls.connections();
   const int n_w = rolls.n_w, n_b = rolls.n_b, n_y = n_w + n_b + 1;
   fem::WholeStand stand;
-  stand.bodies = {
-      {rolls.work.part.get(),   &rolls.work.interface  },
-      {rolls.backup.part.get(), &rolls.backup.interface}
-  };
+  stand.bodies                 = {{rolls.work.part.get(), &rolls.work.interface},
+                                  {rolls.backup.part.get(), &rolls.backup.interface}};
   stand.n_lumps                = 1;
   stand.mass                   = Eigen::MatrixXd::Zero(n_y, n_y);
   stand.mass(n_y - 1, n_y - 1) = TwoRolls::chock_mass;

@@ -134,10 +134,8 @@ std::vector<Check> slender_frame()
 {
   std::vector<Check> checks;
   std::vector<double> away;
-  for (const auto &[share, name] : {
-           std::pair{1.0, "span 14 beam heights"},
-           std::pair{0.5, "span 28 beam heights"}
-  }) {
+  for (const auto &[share, name] :
+       {std::pair{1.0, "span 14 beam heights"}, std::pair{0.5, "span 28 beam heights"}}) {
     const MillHousing h = slender(share);
     const auto s        = solved(h, {2, 2, 0});
     const auto f = reduce::housing_frame(h), rigid = reduce::housing_frame(h, {1}),
@@ -201,7 +199,7 @@ std::vector<Check> demo()
       at_most("opening of the window over a frame as long as its axes", "-",
               (s.u_screw - s.u_seat) / (axes.u_screw - axes.u_seat), 1),
       {"opening of the window over a frame with rigid corners", "-",
-                                                                (s.u_screw - s.u_seat) / (rigid.u_screw - rigid.u_seat), 1, 0, Judged::at_least},
+       (s.u_screw - s.u_seat) / (rigid.u_screw - rigid.u_seat), 1, 0, Judged::at_least},
       at_most("estimated error of the largest of the four", "-", *std::max_element(s.error.begin(), s.error.end()),
               0.01),
       reported("upper posts K_LZ, compared with the fitted value", "N/m", 1 / s.flexibility[fem::upper_post],

@@ -26,12 +26,7 @@ double uniform_beam_ratio(const double half_load)
   const BeamSection section{1, infinite};
   const SteppedBeam beam{1, 1, half_load, section, section};
   const auto shape = [&](double x) { return deflection(beam, x); };
-  return equivalent_mass(shape,
-                         {
-                             {0,         half_load, 1},
-                             {half_load, 1,         1}
-  },
-                         {}, deflection(beam, 0));
+  return equivalent_mass(shape, {{0, half_load, 1}, {half_load, 1, 1}}, {}, deflection(beam, 0));
 }
 
 std::vector<Check> uniform_beam()
@@ -85,11 +80,10 @@ double supported_roll_frequency(const int elements)
   const Roll &roll     = stand.backup_roll;
   const auto per_meter = [&](const double d) { return stand.steel.density * M_PI / 4 * d * d; };
   const double h = roll.barrel_length / 2, a = roll.bearing_span / 2;
-  const SymmetricBeam beam = symmetric_beam({
-      {h,     elements, round_section(roll.barrel_diameter, stand.steel), per_meter(roll.barrel_diameter)},
-      {a - h, elements, round_section(roll.neck_diameter,   stand.steel), per_meter(roll.neck_diameter)  }
-  });
-  const Eigen::Index n     = beam.z.size() - 1;  // the last node is held
+  const SymmetricBeam beam = symmetric_beam(
+      {{h, elements, round_section(roll.barrel_diameter, stand.steel), per_meter(roll.barrel_diameter)},
+       {a - h, elements, round_section(roll.neck_diameter, stand.steel), per_meter(roll.neck_diameter)}});
+  const Eigen::Index n = beam.z.size() - 1;  // the last node is held
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(
       beam.K.topLeftCorner(n, n), Eigen::MatrixXd(beam.mass.head(n).asDiagonal()), Eigen::EigenvaluesOnly);
   return std::sqrt(modes.eigenvalues()[0]) / (2 * M_PI);
@@ -103,10 +97,8 @@ double rayleigh_frequency(const double flexibility)
   const auto per_meter   = [&](const double d) { return stand.steel.density * M_PI / 4 * d * d; };
   const double mass =
       2 * equivalent_mass(shape,
-                          {
-                              {0,                beam.half_barrel, per_meter(stand.backup_roll.barrel_diameter)},
-                              {beam.half_barrel, beam.half_span,   per_meter(stand.backup_roll.neck_diameter)  }
-  },
+                          {{0, beam.half_barrel, per_meter(stand.backup_roll.barrel_diameter)},
+                           {beam.half_barrel, beam.half_span, per_meter(stand.backup_roll.neck_diameter)}},
                           {}, flexibility);
   return std::sqrt(1 / (flexibility * mass)) / (2 * M_PI);
 }

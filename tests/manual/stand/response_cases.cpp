@@ -147,12 +147,9 @@ std::vector<Check> components()
 
   std::vector<std::pair<std::string, Eigen::VectorXd>> seen{
       {"upper backup roll, mean of the barrel", full.barrel(0)},
-      {"upper work roll, mean of the barrel",   full.barrel(1)},
-      {"lower work roll, mean of the barrel",   full.barrel(2)}
-  };
-  std::vector<std::pair<std::string, Eigen::VectorXd>> pushed{
-      {"bite", reduced.b}
-  };
+      {"upper work roll, mean of the barrel", full.barrel(1)},
+      {"lower work roll, mean of the barrel", full.barrel(2)}};
+  std::vector<std::pair<std::string, Eigen::VectorXd>> pushed{{"bite", reduced.b}};
   for (const StandPoint &point : reduced.points)
     if (point.name == "upper backup chock" || point.name == "lower work-roll chock") {
       seen.emplace_back(point.name, point.row);
@@ -220,18 +217,22 @@ std::vector<Check> components()
 std::vector<Case> response_cases()
 {
   return {
-      {"frf-six-mass",   "verification",
+      {"frf-six-mass", "verification",
        "PL-4: accelerance of the six masses of the demo stand, every mass for a force on every mass and in the "
        "bite, "
        "1 % damping in every mode, with and without a damper in the gap: solution of the damped system, its "
-       "damping made by a matrix square root, against the sum over the modes.",          "Sum of modes in closed form, "
-       "theory (32.3); no mode enters the solution.",       "1e-10 of the peak, as asked: both ways are exact but for rounding.", six_masses},
+       "damping made by a matrix square root, against the sum over the modes.",
+       "Sum of modes in closed form, "
+       "theory (32.3); no mode enters the solution.",
+       "1e-10 of the peak, as asked: both ways are exact but for rounding.", six_masses},
       {"frf-components", "verification",
        "PL-5: accelerance of the demo stand of component modes kept for 1 kHz, 15 to 1000 Hz, for forces in the "
        "bite "
-       "and at two chocks, against the same stand with all four rolls on their meshes.", "Full finite elements on the same meshes joined by the same springs: their modes by Lanczos and the static "
-       "remainder of all others, theory (32.12).", "1 % of the peak, as asked. The reference is to be ten times as sure, judged by "
-       "leaving out six of its modes.",                                components}
-  };
+       "and at two chocks, against the same stand with all four rolls on their meshes.",
+       "Full finite elements on the same meshes joined by the same springs: their modes by Lanczos and the static "
+       "remainder of all others, theory (32.12).",
+       "1 % of the peak, as asked. The reference is to be ten times as sure, judged by "
+       "leaving out six of its modes.",
+       components}};
 }
 }  // namespace mill::verify

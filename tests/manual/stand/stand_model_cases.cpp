@@ -102,13 +102,11 @@ std::vector<Check> beam_static()
   const Eigen::VectorXd first  = coarse.modes.frequency.head(12) - fine.modes.frequency.head(12),
                         second = fine.modes.frequency.head(12) - finest.modes.frequency.head(12);
   const double order           = std::log2((first.cwiseAbs().sum()) / (second.cwiseAbs().sum()));
-  return {
-      relative("upper work roll, strip 1.4 m", "m/N", y3, 2.8031735328530114e-10, 1e-4),
-      relative("lower work roll, strip 1.4 m", "m/N", y4, -2.0372182106632797e-10, 1e-4),
-      relative("upper work roll / series springs", "-", y3 / 2.80975903840692e-10, 1, 4e-3),
-      relative("lower work roll / series springs", "-", y4 / -2.043798716219677e-10, 1, 4e-3),
-      {"order of convergence, 12, 24, 48 elements", "-", order, 2, 0.1, Judged::absolute}
-  };
+  return {relative("upper work roll, strip 1.4 m", "m/N", y3, 2.8031735328530114e-10, 1e-4),
+          relative("lower work roll, strip 1.4 m", "m/N", y4, -2.0372182106632797e-10, 1e-4),
+          relative("upper work roll / series springs", "-", y3 / 2.80975903840692e-10, 1, 4e-3),
+          relative("lower work roll / series springs", "-", y4 / -2.043798716219677e-10, 1, 4e-3),
+          {"order of convergence, 12, 24, 48 elements", "-", order, 2, 0.1, Judged::absolute}};
 }
 
 std::vector<Check> beam_against_chain()

@@ -32,9 +32,7 @@ Stack chain_of(const ChainCase &c, const double bearing)
     roll.mass = c.density * M_PI * roll.radius * roll.radius * c.length;
   for (Contact &contact : stack.contacts) {
     const auto body = [&](const int roll) {
-      return ContactBody{
-          stack.rolls[std::size_t(roll)].radius, {2.07e11, 0.29, c.density}
-      };
+      return ContactBody{stack.rolls[std::size_t(roll)].radius, {2.07e11, 0.29, c.density}};
     };
     const ContactLaw law = c.law == "power" ? palmgren_law(c.length, 3.84e-5)
                                             : line_law(c.law == "log" ? LineForm::foeppl : LineForm::johnson,
@@ -115,11 +113,7 @@ TEST(ZMillRollers, RefitsOverTheirAngle)
       z.k_r           = k_r;
       Stack stack     = stack_of(z);
       const auto all  = modes(stack, settle(stack).u);
-      const auto mode = identified(stack,
-                                   {
-                                       {shape, parsed_shape(stack, shape)}
-      },
-                                   all)[0];
+      const auto mode = identified(stack, {{shape, parsed_shape(stack, shape)}}, all)[0];
       return all[std::size_t(mode)].frequency;
     };
     // Mean of the two tangential modes over the stiffness, halved intervals.

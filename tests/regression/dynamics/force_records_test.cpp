@@ -51,9 +51,7 @@ TEST_F(ForceRecords, CommittedRecordsEqualTheGeneratedOnes)
 TEST_F(ForceRecords, HaveThePublishedRangesToTheLastDigit)
 {
   const std::pair<const char *, std::pair<const char *, const char *>> passes[] = {
-      {"pass-1.csv", {"972.8980", "979.5370"}},
-      {"pass-2.csv", {"733.7050", "742.2800"}}
-  };
+      {"pass-1.csv", {"972.8980", "979.5370"}}, {"pass-2.csv", {"733.7050", "742.2800"}}};
   for (const auto &[name, range] : passes) {
     std::ifstream file(std::string(MILLSTAND_SOURCE_DIR "/cases/data/") + name);
     std::string line, low = "999.9999", high = "000.0000";

@@ -32,22 +32,20 @@ std::vector<Variant> variants()
   const double line    = reference("regression.R1.system").at("K")[2];  // N/m, tangent of a line contact at 976 kN
   const double modulus = 2.1 / 2.7;  // -, steel against the published roll modulus
   const double density = 1.0195;     // -, 7850/7700, entered in the reference with five digits
-  return {
-      {"as_published",                        {}                                                                      },
-      {"roll_modulus_2.1e5_MPa",              {{"K3", K[2] * modulus}, {"K4", K[3] * modulus}, {"K5", K[4] * modulus}}},
-      {"K3_K5_line_contact",                  {{"K3", line}, {"K5", line}}                                            },
-      {"K4_plastic_slope",                    {{"K4", 3e8}}                                                           },
-      {"K4_zero",                             {{"K4", 0}}                                                             },
-      {"K3_K5_line_contact_K4_plastic_slope", {{"K3", line}, {"K5", line}, {"K4", 3e8}}                               },
-      {"K3_K5_line_contact_K4_zero",          {{"K3", line}, {"K5", line}, {"K4", 0}}                                 },
-      {"M3_M4_exchanged",                     {{"M3", M[3]}, {"M4", M[2]}}                                            },
-      {"M3_M4_both_3094.684",                 {{"M3", 3094.684}}                                                      },
-      {"M3_M4_both_1888.705",                 {{"M4", 1888.705}}                                                      },
-      {"M2_equal_M5_42200.563",               {{"M2", 42200.563}}                                                     },
-      {"M6_equal_M1_9321.943",                {{"M6", 9321.943}}                                                      },
-      {"density_7850",
-       {{"M2", M[1] * density}, {"M3", M[2] * density}, {"M4", M[3] * density}, {"M5", M[4] * density}}               }
-  };
+  return {{"as_published", {}},
+          {"roll_modulus_2.1e5_MPa", {{"K3", K[2] * modulus}, {"K4", K[3] * modulus}, {"K5", K[4] * modulus}}},
+          {"K3_K5_line_contact", {{"K3", line}, {"K5", line}}},
+          {"K4_plastic_slope", {{"K4", 3e8}}},
+          {"K4_zero", {{"K4", 0}}},
+          {"K3_K5_line_contact_K4_plastic_slope", {{"K3", line}, {"K5", line}, {"K4", 3e8}}},
+          {"K3_K5_line_contact_K4_zero", {{"K3", line}, {"K5", line}, {"K4", 0}}},
+          {"M3_M4_exchanged", {{"M3", M[3]}, {"M4", M[2]}}},
+          {"M3_M4_both_3094.684", {{"M3", 3094.684}}},
+          {"M3_M4_both_1888.705", {{"M4", 1888.705}}},
+          {"M2_equal_M5_42200.563", {{"M2", 42200.563}}},
+          {"M6_equal_M1_9321.943", {{"M6", 9321.943}}},
+          {"density_7850",
+           {{"M2", M[1] * density}, {"M3", M[2] * density}, {"M4", M[3] * density}, {"M5", M[4] * density}}}};
 }
 }  // namespace
 

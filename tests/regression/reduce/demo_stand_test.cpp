@@ -91,12 +91,7 @@ double K_Zy(const double force)
 
 double K3(const double force)
 {
-  return line_contact(
-             {
-                 0.420, 1.450, 1.4, {2.1e11, 0.28, 7700}
-  },
-             force)
-      .tangent;
+  return line_contact({0.420, 1.450, 1.4, {2.1e11, 0.28, 7700}}, force).tangent;
 }
 
 ChainInputs inputs_at(const double force, const double K3_error = not_given,

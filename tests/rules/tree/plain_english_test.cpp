@@ -20,15 +20,15 @@ struct OddPhrase {
   const char *instead;
 };
 const OddPhrase odd_phrases[]{
-    {"is no ",   R"(\bis no (?!longer\b|more\b))", "\"is not a ..\", \"must be one of ..\", \"no .. is given\""},
-    {"none of",  R"(\bnone of\b)",                 "\"not one of\", \"no ..\""                                 },
-    {"obody",    R"(\b[Nn]obody\b)",               "\"no one\", \"not known\", \"not given\""                  },
-    {"told",     R"(\btold\b)",                    "\"identified\", \"distinguishable\", \"reported\""         },
-    {"beside",   R"(\bstands? beside\b)",          "\"compared with\", \"given together with\""                },
-    {"there",    R"(\bstands? there\b)",           "\"appears\", \"is given\""                                 },
-    {"anew",     R"(\banew\b)",                    "\"again\", \"recomputed\""                                 },
-    {"by slope", R"(\bby slope\b)",                "\"linear estimate\""                                       },
-    {"counts",   R"(\bcounts\b)",                  "\"is included\", \"decides\", \"is measured from\""        },
+    {"is no ", R"(\bis no (?!longer\b|more\b))", "\"is not a ..\", \"must be one of ..\", \"no .. is given\""},
+    {"none of", R"(\bnone of\b)", "\"not one of\", \"no ..\""},
+    {"obody", R"(\b[Nn]obody\b)", "\"no one\", \"not known\", \"not given\""},
+    {"told", R"(\btold\b)", "\"identified\", \"distinguishable\", \"reported\""},
+    {"beside", R"(\bstands? beside\b)", "\"compared with\", \"given together with\""},
+    {"there", R"(\bstands? there\b)", "\"appears\", \"is given\""},
+    {"anew", R"(\banew\b)", "\"again\", \"recomputed\""},
+    {"by slope", R"(\bby slope\b)", "\"linear estimate\""},
+    {"counts", R"(\bcounts\b)", "\"is included\", \"decides\", \"is measured from\""},
 };
 
 // Rooms whose text is plain, and those inside them that are not yet.

@@ -15,16 +15,14 @@ namespace {
 const fs::path root = MILLSTAND_SOURCE_DIR;
 // The rooms of the product, each with those that it may include.
 const std::set<std::string> below_app{"core", "reduce", "meshes", "fem", "dynamics", "report", "twin"};
-const std::map<std::string, std::set<std::string>> rooms{
-    {"core",     std::set<std::string>()},
-    {"reduce",   {"core"}               },
-    {"meshes",   {"core"}               },
-    {"fem",      {"core", "reduce"}     },
-    {"dynamics", {"core", "reduce"}     },
-    {"report",   {"core"}               },
-    {"twin",     {"core", "dynamics"}   },
-    {"app",      below_app              }
-};
+const std::map<std::string, std::set<std::string>> rooms{{"core", std::set<std::string>()},
+                                                         {"reduce", {"core"}},
+                                                         {"meshes", {"core"}},
+                                                         {"fem", {"core", "reduce"}},
+                                                         {"dynamics", {"core", "reduce"}},
+                                                         {"report", {"core"}},
+                                                         {"twin", {"core", "dynamics"}},
+                                                         {"app", below_app}};
 
 std::vector<std::string> names_of(const std::map<std::string, std::set<std::string>> &map)
 {
@@ -153,29 +151,27 @@ TEST(Layers, NoFolderIncludesItselfByWayOfOthers)
 TEST(Layers, ThirdPartyStaysBehindItsFolder)
 {
   // library -> folders whose sources may include it, those below them too; headers may include Eigen only.
-  const std::map<std::string, std::set<std::string>> owners{
-      {"deal.II/",            {"fem/dealii"}                   },
-      {"gmsh.h",              {"meshes/gmsh", "tests/manual"}  },
-      {"toml++/",             {"core"}                         },
-      {"cholmod",             {"core"}                         },
-      {"metis.h",             {"core"}                         },
-      {"tbb/",                {"core"}                         },
-      {"suitesparse/umfpack", {"fem"}                          },
-      {"nlohmann/",           {"core", "report", "app", "twin"}},
-      {"CLI/",                {"app"}                          },
-      {"spdlog/",             {"app"}                          },
-      {"mpi.h",               {"fem"}                          },
-      {"Spectra/",            {"fem"}                          },
-      {"boost/",              {"dynamics", "twin/live"}        },
-      {"cvode/",              {"dynamics"}                     },
-      {"arkode/",             {"dynamics"}                     },
-      {"nvector/",            {"dynamics"}                     },
-      {"sunlinsol",           {"dynamics"}                     },
-      {"sunmatrix",           {"dynamics"}                     },
-      {"zip.h",               {"dynamics/fmu"}                 },
-      {"unzip.h",             {"dynamics/fmu"}                 },
-      {"mosquitto.h",         {"twin/live"}                    }
-  };
+  const std::map<std::string, std::set<std::string>> owners{{"deal.II/", {"fem/dealii"}},
+                                                            {"gmsh.h", {"meshes/gmsh", "tests/manual"}},
+                                                            {"toml++/", {"core"}},
+                                                            {"cholmod", {"core"}},
+                                                            {"metis.h", {"core"}},
+                                                            {"tbb/", {"core"}},
+                                                            {"suitesparse/umfpack", {"fem"}},
+                                                            {"nlohmann/", {"core", "report", "app", "twin"}},
+                                                            {"CLI/", {"app"}},
+                                                            {"spdlog/", {"app"}},
+                                                            {"mpi.h", {"fem"}},
+                                                            {"Spectra/", {"fem"}},
+                                                            {"boost/", {"dynamics", "twin/live"}},
+                                                            {"cvode/", {"dynamics"}},
+                                                            {"arkode/", {"dynamics"}},
+                                                            {"nvector/", {"dynamics"}},
+                                                            {"sunlinsol", {"dynamics"}},
+                                                            {"sunmatrix", {"dynamics"}},
+                                                            {"zip.h", {"dynamics/fmu"}},
+                                                            {"unzip.h", {"dynamics/fmu"}},
+                                                            {"mosquitto.h", {"twin/live"}}};
   for (const Source &source : sources(stages))
     for (const std::string &include : includes(source))
       for (const auto &[library, folders] : owners)

@@ -99,11 +99,9 @@ Texts texts_of(const BearingCase &spec)
   BearingQuestion q = question_of(spec);
   q.cage_angle      = 0;
   q.loads           = {spec.load.loads[0], spec.load.loads[1]};
-  return {
-      {"rollers",              roller_inputs(q.bearing, largest_roller_load(q))},
-      {"rings",                ring_inputs(q.bearing) },
-      {"bearings", bearing_inputs_text(q, largest_roller_load(q))                       }
-  };
+  return {{"rollers", roller_inputs(q.bearing, largest_roller_load(q))},
+          {"rings", ring_inputs(q.bearing)},
+          {"bearings", bearing_inputs_text(q, largest_roller_load(q))}};
 }
 
 Texts texts_of(const BiteCase &spec)
@@ -173,7 +171,7 @@ std::vector<std::string> of(const std::string &section, const std::string &rows)
   return keys_in(section, rows);
 }
 
-const std::vector<std::string> head{"schema",       "kind",    "title", "confirmed", "bearing.another.*",
+const std::vector<std::string> head{"schema",       "kind",     "title",  "confirmed", "bearing.another.*",
                                     "monitoring.*", "advice.*", "plant.*"};
 // Of a pass what is neither its load nor a number of the bite.  What was measured moves the strip, where a fit is
 // asked, and the strip is seen.
@@ -261,12 +259,11 @@ BaseCase drawn_stand()
           "roller_diameter = \"70 mm\"\nbore = \"950 mm\"\noutside_diameter = \"1200 mm\"\nwidth = \"600 mm\"\n";
   const std::string file = testing::TempDir() + "cache-keys-" + std::to_string(getpid()) + ".toml";
   write_atomically(file, text);
-  return {
-      file,
-      {"bearing.trb.roller_total_length=34 mm", "bearing.crb.bore=960 mm", "bearing.crb.outside_diameter=1200 mm",
-        "work_roll.end_chamfer_length=50 mm", "backup_roll.end_chamfer_length=50 mm", "bite.arc=elastic",
-        every_friction, every_flow_stress("28 MPa")}
-  };
+  return {file,
+          {"bearing.trb.roller_total_length=34 mm", "bearing.crb.bore=960 mm",
+           "bearing.crb.outside_diameter=1200 mm", "work_roll.end_chamfer_length=50 mm",
+           "backup_roll.end_chamfer_length=50 mm", "bite.arc=elastic", every_friction,
+           every_flow_stress("28 MPa")}};
 }
 
 // Keys that do not belong to a roller and its raceways.  Loads enter in steps of a factor of two, so that
@@ -334,18 +331,16 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsListedAsNotEntering)
                      of("backup_roll", profile + seat);
   const auto housing =
       vibration + std::vector<std::string>{"work_roll.*", "backup_roll.*"} + of("dynamics", "elements_per_radius");
-  expect_followed(base, {
-                            {"rolls",            roll_mesh                 },
-                            {"Fourier solver",   second                    },
-                            {"rollers",          bearing + of("bearing.trb", beside_a_roller)},
-                            {"rings",                  bearing + of("bearing.trb",                                      beside_the_rings)},
-                            {"bite", bite},
-                            {"contacts",              contacts                                                  },
-                            {"bearings",bearings},
-                            {"bite sections",              sections                                                                   },
-                            {"components of the rolls",rolls},
-                            {"component of the housing",                 housing                                                                                       }
-  });
+  expect_followed(base, {{"rolls", roll_mesh},
+                         {"Fourier solver", second},
+                         {"rollers", bearing + of("bearing.trb", beside_a_roller)},
+                         {"rings", bearing + of("bearing.trb", beside_the_rings)},
+                         {"bite", bite},
+                         {"contacts", contacts},
+                         {"bearings", bearings},
+                         {"bite sections", sections},
+                         {"components of the rolls", rolls},
+                         {"component of the housing", housing}});
   std::filesystem::remove(base.file);
 }
 
@@ -358,17 +353,12 @@ TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsListedAsNotEntering)
       "shape length crown_radius profile profile_length profile_drop profile_load profile_table";
   const auto in_space =
       std::vector<std::string>{"contact.space.*"} + of("upper", of_a_face) + of("lower", of_a_face);
-  expect_followed(
-      {
-          "cases/two-cylinders.toml", {}
-  },
-      {{"rolls",
-        head + of("steel", no_inertia) + of("contact.line", "length at samples" + beside_the_mesh) + in_space}});
+  expect_followed({"cases/two-cylinders.toml", {}},
+                  {{"rolls", head + of("steel", no_inertia) +
+                                 of("contact.line", "length at samples" + beside_the_mesh) + in_space}});
   // Without a tangential load friction has no effect, and says so.
   expect_followed(
-      {
-          "cases/two-cylinders.toml", {"contact.line.friction=0.2", "contact.line.tangential_load=100 N/mm"}
-  },
+      {"cases/two-cylinders.toml", {"contact.line.friction=0.2", "contact.line.tangential_load=100 N/mm"}},
       {{"rolls",
         head + of("steel", no_inertia) + of("contact.line", "length at samples" + beside_the_mesh) + in_space}});
   // [model] says law and rings of the bearing again.
@@ -378,9 +368,7 @@ TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsListedAsNotEntering)
          "bearing axial cage_angle samples radial loads axial_displacement moment speed tilt_across speeds") +
       of("model", "slices");
   expect_followed(
-      {
-          "cases/bearing-266.toml", {"bearing.trb.roller_total_length=34 mm"}
-  },
+      {"cases/bearing-266.toml", {"bearing.trb.roller_total_length=34 mm"}},
       {{"rollers", bearing + of("bearing.trb", beside_a_roller) + of("model", "rings")},
        {"rings", bearing + of("bearing.trb", beside_the_rings) + of("model", "roller_law") + of("load", "tilt")},
        {"bearings", head + std::vector<std::string>{"dynamics.*", "published.*"} +
@@ -389,11 +377,7 @@ TEST(CacheKeys, EveryRowOfTheOtherKindsEntersOrIsListedAsNotEntering)
   const auto bite = head + records + of("pass.#", "load") + of("steel", no_inertia) +
                     std::vector<std::string>{"published.*"} +
                     of("bite", "method theory samples path_trim fit fit_for");
-  expect_followed(
-      {
-          "cases/cold-strip.toml", {every_friction, every_flow_stress("1180 MPa")}
-  },
-      {{"bite", bite}});
+  expect_followed({"cases/cold-strip.toml", {every_friction, every_flow_stress("1180 MPa")}}, {{"bite", bite}});
 }
 
 TEST(CacheKeys, AChangedOilIsAnotherBite)

@@ -271,10 +271,8 @@ TEST(RunSummary, HasAtMostTwentyFiveLines)
 
 TEST(Completion, KnowsVerbsOptionsAndKinds)
 {
-  const std::map<std::string, std::vector<std::string>> options{
-      {"new", {"--output", "--from"}},
-      {"run", {"--fresh"}           }
-  };
+  const std::map<std::string, std::vector<std::string>> options{{"new", {"--output", "--from"}},
+                                                                {"run", {"--fresh"}}};
   const std::string bash = completion_script("bash", options);
   EXPECT_NE(bash.find("compgen -W \"new run --help --version\""), std::string::npos) << bash;
   EXPECT_NE(bash.find("new) options=\"--output --from\" ;;"), std::string::npos) << bash;

@@ -18,12 +18,7 @@ BiteState solved(const RollBite &bite)
 // Springs of a frame and two contacts of rolls.
 double stretch(const double F)
 {
-  return F / 5e9 + 2 * reduce::line_contact(
-                           {
-                               0.42, 1.45, 1.4, {2.1e11, 0.28, 7700}
-  },
-                           F)
-                           .approach;
+  return F / 5e9 + 2 * reduce::line_contact({0.42, 1.45, 1.4, {2.1e11, 0.28, 7700}}, F).approach;
 }
 
 double rolled(RollBite bite, const double screw)
@@ -42,12 +37,7 @@ TEST(Gauge, DerivativesAgreeWithDifferencesOfTheCoupledSolution)
   const RollBite bite   = demo_pass();
   const BiteState state = solved(bite);
   const double S        = bite.strip.exit_thickness - stretch(state.force);
-  const double contact  = reduce::line_contact(
-                              {
-                                  0.42, 1.45, 1.4, {2.1e11, 0.28, 7700}
-  },
-                              state.force)
-                             .tangent;
+  const double contact  = reduce::line_contact({0.42, 1.45, 1.4, {2.1e11, 0.28, 7700}}, state.force).tangent;
   const reduce::GaugeCoupling gauge{1 / (1 / 5e9 + 2 / contact), -by(state.force_by, Input::exit_thickness)};
   const auto differences = within(1e-6, "central differences of a solution to 1e-15");
   const double d         = 1e-7;

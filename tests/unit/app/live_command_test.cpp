@@ -175,7 +175,8 @@ TEST(LiveCommand, RefusesWhatCannotBeRun)
             "--speed belongs to a record that is played (--input FILE.csv); other sources set their own pace");
   options      = input(file);
   options.keep = "24h";
-  EXPECT_EQ(refused(options), "--keep sets how much of a recording is kept; name the folder of the recording with --record");
+  EXPECT_EQ(refused(options),
+            "--keep sets how much of a recording is kept; name the folder of the recording with --record");
   EXPECT_EQ(refused(input(file), stand, {}, "2 mm/s"),
             "--limit \"2 mm/s\": an acceleration above zero is needed, for example --limit \"2 g\"");
   options          = input(file);
@@ -348,19 +349,12 @@ TEST(LiveCommand, GoesOnFromItsStateOrSaysWhyNot)
   state["run"]["alarms"][0]["acknowledged"] = true;
   nlohmann::json springs                    = nlohmann::json::array();
   for (const Parameter &K : lumped_model_of(read_case(stand)).K)
-    springs.push_back({
-        {"value",    K.value   },
-        {"error",    0.01      },
-        {"measured", true      },
-        {"method",   "made"    },
-        {"at",       "976.2 kN"}
-    });
-  state["adopted"] = {
-      {"file",    "calibrated-20260105T100000Z.toml"              },
-      {"source",  "six masses of calibrated-20260105T100000Z.toml"},
-      {"damping", 0.02                                            },
-      {"springs", springs                                         }
-  };
+    springs.push_back(
+        {{"value", K.value}, {"error", 0.01}, {"measured", true}, {"method", "made"}, {"at", "976.2 kN"}});
+  state["adopted"] = {{"file", "calibrated-20260105T100000Z.toml"},
+                      {"source", "six masses of calibrated-20260105T100000Z.toml"},
+                      {"damping", 0.02},
+                      {"springs", springs}};
   write(state.dump());
   const Outcome again = millstand(command + " --set \"monitoring.limit=3 g\"");  // the same twin
   ASSERT_EQ(again.exit_code, 0) << again.err;

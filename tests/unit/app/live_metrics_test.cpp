@@ -23,17 +23,12 @@ std::unique_ptr<live::Comparison> loud_comparison()
   const Case the_case = read_case("cases/published-1400.toml");
   const auto model    = live_model(the_case);
   live::ComparisonSetup setup;
-  setup.rate     = 1000;
-  setup.channels = {
-      {"force",           "N"   },
-      {"upper_work_roll", "m/s2"}
-  };
-  setup.places = live::places_of(live::tuned(model, {}));
-  setup.modes  = modes_at_load(the_case, model, {});
-  setup.chain  = model.chain;
-  setup.bands  = {
-       {"third octave", 150}
-  };
+  setup.rate      = 1000;
+  setup.channels  = {{"force", "N"}, {"upper_work_roll", "m/s2"}};
+  setup.places    = live::places_of(live::tuned(model, {}));
+  setup.modes     = modes_at_load(the_case, model, {});
+  setup.chain     = model.chain;
+  setup.bands     = {{"third octave", 150}};
   setup.limit     = 10;
   auto comparison = std::make_unique<live::Comparison>(setup);
   for (int b = 0; b < 100; ++b) {

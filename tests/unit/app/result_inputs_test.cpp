@@ -53,18 +53,20 @@ TEST(ResultInputs, ProfilesTiltAndOilAreInputsOfTheirSprings)
                             R"(viscosity = "0.005 Pa s", pressure_viscosity = "2e-8 1/Pa"})";
   const std::vector<std::string> oiled{film, "pass.0.speed=2 m/s", "pass.1.speed=2 m/s"};
   const std::vector<Wanted> all{
-      {{"backup_roll.crown_table" + table},                                         "backup_roll.crown_table",       "K3", "K3.tangent" },
-      {{"work_roll.thermal_crown_table" + table},                                   "work_roll.thermal_crown_table", "K5", "K5.tangent" },
-      {{"contact.upper.tilt=0.02 mrad"},                                            "contact.upper.tilt",            "K3", "K3.tangent" },
+      {{"backup_roll.crown_table" + table}, "backup_roll.crown_table", "K3", "K3.tangent"},
+      {{"work_roll.thermal_crown_table" + table}, "work_roll.thermal_crown_table", "K5", "K5.tangent"},
+      {{"contact.upper.tilt=0.02 mrad"}, "contact.upper.tilt", "K3", "K3.tangent"},
       {{"work_roll.end_chamfer_length=50 mm", "work_roll.end_chamfer_depth=20 um"},
-       "work_roll.end_chamfer_depth",                                                                                "K3",
-       "K3.secant"                                                                                                                      },
-      {{"work_roll.axial_shift=100 mm"},                                            "work_roll.axial_shift",         "K5", "K5.tangent" },
+       "work_roll.end_chamfer_depth",
+       "K3",
+       "K3.secant"},
+      {{"work_roll.axial_shift=100 mm"}, "work_roll.axial_shift", "K5", "K5.tangent"},
       {{R"(strip.friction={law = "coulomb", coefficient = 0.2})"},
-       "strip.friction.coefficient",                                                                                 "K4",
-       "K4.combined"                                                                                                                    },
-      {oiled,                                                                       "strip.friction.viscosity",      "K4", "K4.combined"},
-      {oiled,                                                                       "strip.friction.mu1",            "K4", "K4.combined"},
+       "strip.friction.coefficient",
+       "K4",
+       "K4.combined"},
+      {oiled, "strip.friction.viscosity", "K4", "K4.combined"},
+      {oiled, "strip.friction.mu1", "K4", "K4.combined"},
   };
   for (const Wanted &w : all) {
     SCOPED_TRACE(w.key);

@@ -51,17 +51,8 @@ TEST(Trace, BackupRollDiameterHasTheSlopesOfTheTable)
   EXPECT_EQ(t.key.shown, "1450 mm");
   EXPECT_EQ(t.per, "%");
   const std::pair<const char *, double> table[] = {
-      {"K3",   -0.06},
-      {"K5",   -0.06},
-      {"K_ZW", 1.63 },
-      {"K2",   0.25 },
-      {"K6",   0.70 },
-      {"M2",   0.72 },
-      {"M5",   0.99 },
-      {"M3",   0.03 },
-      {"f1",   -0.29},
-      {"f2",   -0.37},
-      {"f3",   0.06 },
+      {"K3", -0.06}, {"K5", -0.06}, {"K_ZW", 1.63}, {"K2", 0.25},  {"K6", 0.70}, {"M2", 0.72},
+      {"M5", 0.99},  {"M3", 0.03},  {"f1", -0.29},  {"f2", -0.37}, {"f3", 0.06},
   };
   for (const auto &[result, slope] : table)
     EXPECT_TRUE(near(line(t, result).slope, slope, digits())) << result;
@@ -249,10 +240,8 @@ TEST(Trace, AMissingValueLeavesTheElasticityEmptyAndIsExplained)
   t.lines[1].slope = t.lines[1].slope_up = t.lines[1].slope_down = std::nan("");
   t.lines[1].result.parameter.value                              = std::nan("");
   t.run_folder                                                   = "out/earlier";
-  t.run                                                          = {
-                                                               {"contact.line.peak_pressure", 4.9e8}
-  };
-  const std::string text = trace_text(t);
+  t.run                                                          = {{"contact.line.peak_pressure", 4.9e8}};
+  const std::string text                                         = trace_text(t);
   EXPECT_EQ(text.find("nan"), std::string::npos) << text;
   EXPECT_NE(text.find("No elasticity, because the result has no value for this key or for the changed key: "
                       "contact.line.peak_pressure.\n"),

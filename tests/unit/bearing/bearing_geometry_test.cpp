@@ -22,13 +22,11 @@ TEST(BearingGeometry, ApexClosesAtTheReferenceAngles)
     EXPECT_TRUE(near(closed.cup_angle / degree, row[2], angle));
     EXPECT_TRUE(near(closed.cone_angle / degree, row[3], angle));
   }
-  const double printed[5][5] = {
-      {2.5,  20,   19.84, 21.09, 18.59}, // included cone deg, D_we mm, axis, cup, cone deg
-      {2.5,  23,   17.17, 18.42, 15.92},
-      {1.25, 21.5, 9.08,  9.71,  8.46 },
-      {5.0,  21.5, 39.19, 41.69, 36.69},
-      {2.5,  21.5, 18.41, 19.66, 17.16}
-  };
+  const double printed[5][5] = {{2.5, 20, 19.84, 21.09, 18.59},  // included cone deg, D_we mm, axis, cup, cone deg
+                                {2.5, 23, 17.17, 18.42, 15.92},
+                                {1.25, 21.5, 9.08, 9.71, 8.46},
+                                {5.0, 21.5, 39.19, 41.69, 36.69},
+                                {2.5, 21.5, 18.41, 19.66, 17.16}};
   for (const auto &row : printed) {
     const ApexClosure closed = apex_closure(0.31115, row[1] * 1e-3, row[0] * degree, 39);
     EXPECT_TRUE(

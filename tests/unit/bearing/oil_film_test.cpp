@@ -69,15 +69,10 @@ OilFilmBearing backup_bearing()
   b.diameter  = 0.95;
   b.length    = 0.7;
   b.clearance = 0.4e-3;
-  b.viscosity = {
-      {313.15, 0.40 },
-      {373.15, 0.027}
-  };
+  b.viscosity = {{313.15, 0.40}, {373.15, 0.027}};
   return b;
 }
-const OilFilmLoad five_meganewton{
-    5e6, 6.9, {0, 0}
-};
+const OilFilmLoad five_meganewton{5e6, 6.9, {0, 0}};
 
 // How far a stiffness over the load is from turning with the line of centres: K (-sin a, cos a) e = (0, 1).
 Eigen::Vector2d misses_turn(const Eigen::Matrix2d &stiffness, const double attitude, const double e)
@@ -190,10 +185,8 @@ TEST(OilFilm, StiffnessIsTheSlopeOfTheForces)
   std::vector<FilmProblem> problems(5, of_length(0.8));
   problems[1].compliance         = 2e-3;
   problems[2].pressure_viscosity = 0.01;
-  problems[3].grooves            = {
-                 {-M_PI / 2, 0.5, 0.8, 0.3}
-  };
-  problems[4].tilt = {0.1, 0.05};
+  problems[3].grooves            = {{-M_PI / 2, 0.5, 0.8, 0.3}};
+  problems[4].tilt               = {0.1, 0.05};
   for (FilmProblem &p : problems) {
     p.displacement = {0.6, 0.3};
     Film film(p, film_grid(p, {90, 6, 2}));
@@ -251,10 +244,7 @@ TEST(OilFilm, GrooveKeepsItsPressure)
 {
   FilmProblem p  = of_length(1);
   p.displacement = {0.6, 0.3};
-  p.grooves      = {
-           {-M_PI / 2, 0.5, 0.8, 0.25},
-           {M_PI / 2,  0.5, 0.8, 0.25}
-  };
+  p.grooves      = {{-M_PI / 2, 0.5, 0.8, 0.25}, {M_PI / 2, 0.5, 0.8, 0.25}};
   const Film film(p, film_grid(p, {60, 6, 2}));
   int held = 0;
   for (Eigen::Index i = 0; i < film.grid().columns(); ++i)
@@ -290,15 +280,9 @@ TEST(OilFilm, CarriesItsLoadAndBalancesItsHeat)
 TEST(OilFilm, StiffnessIsThatBetweenTwoLoads)
 {
   OilFilmBearing b = backup_bearing();
-  b.viscosity      = {
-           {313.15, 0.25}
-  };
+  b.viscosity      = {{313.15, 0.25}};
   const auto place = [&](const double load) {
-    const OilFilmState s = solve_oil_film(b,
-                                          {
-                                              load, 6.9, {0, 0}
-    })
-                               .at;
+    const OilFilmState s = solve_oil_film(b, {load, 6.9, {0, 0}}).at;
     return Eigen::Vector2d(b.clearance * s.eccentricity *
                            Eigen::Vector2d(std::cos(s.attitude), std::sin(s.attitude)));
   };
@@ -311,10 +295,8 @@ TEST(OilFilm, StiffnessIsThatBetweenTwoLoads)
 // Stiff layers add their compliance to that of the film.
 TEST(OilFilm, ElasticBushIsInSeries)
 {
-  OilFilmBearing b = backup_bearing();
-  b.viscosity      = {
-           {313.15, 0.25}
-  };
+  OilFilmBearing b         = backup_bearing();
+  b.viscosity              = {{313.15, 0.25}};
   const OilFilmState rigid = solve_oil_film(b, five_meganewton).at;
   b.bush_thickness         = 2e-3;
   b.sleeve_thickness       = 40e-3;
@@ -339,19 +321,12 @@ TEST(OilFilm, LeastSpeedIsThatAtWhichAFilmCarries)
   EXPECT_TRUE(near(least_carrying_film(b), 8e-6, within(1e-12, "2 % of the clearance")));
   load.speed = 0;
   EXPECT_THROW(solve_oil_film(b, load), InputError);
-  EXPECT_THROW(solve_oil_film(b,
-                              {
-                                  0, 1, {0, 0}
-  }),
-               InputError);
+  EXPECT_THROW(solve_oil_film(b, {0, 1, {0, 0}}), InputError);
 }
 
 TEST(OilFilm, ViscosityFollowsWalther)
 {
-  const std::vector<std::array<double, 2>> points{
-      {313.15, 0.40 },
-      {373.15, 0.027}
-  };
+  const std::vector<std::array<double, 2>> points{{313.15, 0.40}, {373.15, 0.027}};
   for (const auto &[temperature, viscosity] : points)
     EXPECT_TRUE(near(oil_viscosity(points, 880, temperature), viscosity, within(1e-12, "a point")));
   const auto lglg = [](const double mu) { return std::log10(std::log10(1e6 * mu / 880 + 0.7)); };
@@ -360,13 +335,7 @@ TEST(OilFilm, ViscosityFollowsWalther)
   EXPECT_EQ(oil_viscosity({points[0]}, 880, 350), 0.40);
   EXPECT_THROW(oil_viscosity({}, 880, 350), InputError);
   EXPECT_THROW(oil_viscosity({points[0], points[0]}, 880, 350), InputError);
-  EXPECT_THROW(oil_viscosity(
-                   {
-                       {300, 1e-4},
-                       {350, 1e-5}
-  },
-                   880, 350),
-               InputError);
+  EXPECT_THROW(oil_viscosity({{300, 1e-4}, {350, 1e-5}}, 880, 350), InputError);
 }
 
 TEST(OilFilm, ClosedFormsRefuseAnInvalidEccentricity)

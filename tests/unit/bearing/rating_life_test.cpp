@@ -94,14 +94,8 @@ TEST(RatingLife, UnloadedBearingHasInfiniteLife)
 // Evaluated apart from the program.
 TEST(RatingLife, FactorOfOilAndDirt)
 {
-  const double table[6][4] = {
-      {0.1, 0.3, 0.5, 0.1      },
-      {0.2, 0.5, 0.2, 0.1242163},
-      {0.5, 0.3, 0.3, 0.189713 },
-      {1,   0.3, 0.5, 0.5204537},
-      {2,   0.5, 0.5, 1.186006 },
-      {4,   0.8, 0.3, 1.679205 }
-  };
+  const double table[6][4] = {{0.1, 0.3, 0.5, 0.1},     {0.2, 0.5, 0.2, 0.1242163}, {0.5, 0.3, 0.3, 0.189713},
+                              {1, 0.3, 0.5, 0.5204537}, {2, 0.5, 0.5, 1.186006},    {4, 0.8, 0.3, 1.679205}};
   for (const auto &row : table)
     EXPECT_TRUE(near(life_factor(row[0], row[1], row[2]), row[3], within(1e-5, "printed digits")));
   // The branches of the standard meet.

@@ -76,24 +76,13 @@ TEST(RollerProfile, ThreeParameterEndsAtItsDropAndStartsStraight)
 TEST(RollerProfile, TableIsLinearAndMirroredWithoutNegativeX)
 {
   RollerBearing b = with_profile("table");
-  b.profile_table = {
-      {0,     0     },
-      {10e-3, 2 * um},
-      {17e-3, 9 * um}
-  };
+  b.profile_table = {{0, 0}, {10e-3, 2 * um}, {17e-3, 9 * um}};
   EXPECT_TRUE(near(drop(b, 5e-3), 1 * um, within(1e-12, "half way")));
   EXPECT_TRUE(near(drop(b, -13.5e-3), 5.5 * um, within(1e-12, "mirrored")));
-  b.profile_table = {
-      {-17e-3, 4 * um},
-      {0,      0     },
-      {17e-3,  9 * um}
-  };
+  b.profile_table = {{-17e-3, 4 * um}, {0, 0}, {17e-3, 9 * um}};
   EXPECT_TRUE(near(drop(b, -8.5e-3), 2 * um, within(1e-12, "its own side")));
   EXPECT_TRUE(near(drop(b, 8.5e-3), 4.5 * um, within(1e-12, "its own side")));
-  b.profile_table = {
-      {5e-3,  1 * um},
-      {17e-3, 9 * um}
-  };
+  b.profile_table = {{5e-3, 1 * um}, {17e-3, 9 * um}};
   EXPECT_TRUE(near(drop(b, 2e-3), 1 * um, within(1e-12, "level up to the first point")));
 }
 
@@ -130,15 +119,9 @@ TEST(RollerProfile, RefusesWhatIsMissing)
   EXPECT_TRUE(refused(b, "above 0"));
   EXPECT_TRUE(refused(with_profile("table"), "profile_table"));
   b               = with_profile("table");
-  b.profile_table = {
-      {0,    0     },
-      {5e-3, 1 * um}
-  };
+  b.profile_table = {{0, 0}, {5e-3, 1 * um}};
   EXPECT_TRUE(refused(b, "ends before the roller does"));
-  b.profile_table = {
-      {0, 0     },
-      {0, 1 * um}
-  };
+  b.profile_table = {{0, 0}, {0, 1 * um}};
   EXPECT_TRUE(refused(b, "must increase"));
   b                 = with_profile("lundberg");
   b.roller_diameter = not_given;

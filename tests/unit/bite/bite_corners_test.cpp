@@ -97,12 +97,7 @@ TEST(BiteCorners, OfEveryRow)
                    one_of({0, 1e-6, 1}) * k * MPa,
                    {}};
     if (law.law == FlowStressLaw::table)
-      law.table = {
-          {0,    law.k    },
-          {1e-6, law.k    },
-          {0.3,  3 * law.k},
-          {20,   3 * law.k}
-      };
+      law.table = {{0, law.k}, {1e-6, law.k}, {0.3, 3 * law.k}, {20, 3 * law.k}};
     const double exit = std::max(0.005, entry * one_of({0.5, 0.9, 0.999999, 0.1, 0.01, 1e-3}));
     RollBite b =
         pass(entry, exit, one_of({5, 50, 210, 725, 1500}), law, one_of({0, 1e-9, 1e-3, 0.05, 0.2, 0.5, 1}),

@@ -62,31 +62,23 @@ TEST(FlowStress, Laws)
   EXPECT_TRUE(
       near(flow_stress(law("reduction-power"), e), 700e6 * std::pow(0.01 + 1 - std::exp(-0.3), 0.2), formula));
   FlowStress table = law("table");
-  table.table      = {
-           {0,   300e6},
-           {0.2, 400e6},
-           {1,   480e6}
-  };
+  table.table      = {{0, 300e6}, {0.2, 400e6}, {1, 480e6}};
   EXPECT_TRUE(near(flow_stress(table, 0.1), 350e6, formula));
   EXPECT_TRUE(near(flow_stress(table, 0.6), 440e6, formula));
   EXPECT_THROW(flow_stress(table, 1.1), InputError);
   EXPECT_THROW(flow_stress(law("hensel"), e), InputError);
-  table.table = {
-      {0, 300e6}
-  };
+  table.table = {{0, 300e6}};
   EXPECT_THROW(flow_stress(table, 0), InputError);
 }
 
 // Bland-Ford closed form, rigid roll, parabolic arc: N per mm of width from an independent program.
 TEST(Bite, BlandFordForcesOfFivePasses)
 {
-  const double table[5][6] = {
-      {210, 8,   5,   28,  0.2,  963.08384 },
-      {420, 120, 100, 60,  0.35, 6114.60500},
-      {300, 40,  30,  80,  0.30, 5238.51951},
-      {100, 10,  9,   300, 0.10, 3068.63610},
-      {250, 2.0, 1.5, 600, 0.06, 7612.47475}
-  };
+  const double table[5][6] = {{210, 8, 5, 28, 0.2, 963.08384},
+                              {420, 120, 100, 60, 0.35, 6114.60500},
+                              {300, 40, 30, 80, 0.30, 5238.51951},
+                              {100, 10, 9, 300, 0.10, 3068.63610},
+                              {250, 2.0, 1.5, 600, 0.06, 7612.47475}};
   for (const auto &p : table)
     EXPECT_TRUE(near(solve_bite(constant_pass(p[0], p[1], p[2], p[3], p[4])).force, p[5] * 1e3,
                      within(1e-8, "printed with nine digits")));
@@ -108,12 +100,11 @@ TEST(Bite, BlandFordLiesBelowTheSlabEquation)
 TEST(Bite, ColdPassesWithHardeningTensionAndFlattening)
 {
   const double table[2][11] = {
-  // h_e mm, h_d mm, sigma_e, sigma_d MPa, mu, F N, R' m, x_e m, x_n m, k_fe Pa, k_fd Pa
+      // h_e mm, h_d mm, sigma_e, sigma_d MPa, mu, F N, R' m, x_e m, x_n m, k_fe Pa, k_fd Pa
       {0.755, 0.568, 156, 197, 0.023968189622223662, 8257344.925615327, 0.5424180615984966, 0.010071354304110191,
        0.0032894652627086063, 763017137.5198973, 781358287.9541008},
-      {0.789, 0.577, 180, 189, 0.02832038583977992,  8736293.890034175, 0.5262338200786073, 0.01056227105582245,
-       0.003224610191225185,  759569726.7752361, 780498377.6549077}
-  };
+      {0.789, 0.577, 180, 189, 0.02832038583977992, 8736293.890034175, 0.5262338200786073, 0.01056227105582245,
+       0.003224610191225185, 759569726.7752361, 780498377.6549077}};
   for (const auto &c : table) {
     RollBite bite                = constant_pass(300, c[0], c[1], 829.64259, c[4]);
     bite.roll                    = {2.1e11, 0.3, 7850};
@@ -225,10 +216,7 @@ TEST(FlowStress, SmallStrains)
 TEST(FlowStress, CarriedBeyondATable)
 {
   FlowStress table = law("table");
-  table.table      = {
-           {0.1, 300e6},
-           {0.2, 400e6}
-  };
+  table.table      = {{0.1, 300e6}, {0.2, 400e6}};
   EXPECT_EQ(carried_flow_stress(table, 0.05), 300e6);
   EXPECT_EQ(carried_flow_stress(table, 0.9), 400e6);
   EXPECT_TRUE(near(carried_flow_stress(table, 0.15), 350e6, within(1e-14, "straight line")));
@@ -269,29 +257,14 @@ TEST(Bite, TableIsIntegratedAcrossItsKinks)
   ludwik.strip.flow_stress.n    = 1;
   RollBite table                = ludwik;
   table.strip.flow_stress.law   = FlowStressLaw::table;
-  table.strip.flow_stress.table = {
-      {0,    28e6  },
-      {0.1,  30e6  },
-      {0.31, 34.2e6},
-      {1,    48e6  }
-  };
+  table.strip.flow_stress.table = {{0, 28e6}, {0.1, 30e6}, {0.31, 34.2e6}, {1, 48e6}};
   EXPECT_TRUE(near(solve_bite(table).force, solve_bite(ludwik).force, within(1e-13, "same law")));
   EXPECT_TRUE(near(slab_stiffness(table, solve_bite(table)).plastic_slope,
                    slab_stiffness(ludwik, solve_bite(ludwik)).plastic_slope, within(1e-12, "same law")));
   // A real kink: halving the pieces on either side of it must not change anything.
-  table.strip.flow_stress.table = {
-      {0,   28e6},
-      {0.2, 60e6},
-      {1,   62e6}
-  };
+  table.strip.flow_stress.table = {{0, 28e6}, {0.2, 60e6}, {1, 62e6}};
   RollBite finer                = table;
-  finer.strip.flow_stress.table = {
-      {0,   28e6   },
-      {0.1, 44e6   },
-      {0.2, 60e6   },
-      {0.3, 60.25e6},
-      {1,   62e6   }
-  };
+  finer.strip.flow_stress.table = {{0, 28e6}, {0.1, 44e6}, {0.2, 60e6}, {0.3, 60.25e6}, {1, 62e6}};
   EXPECT_TRUE(near(solve_bite(table).force, solve_bite(finer).force, within(1e-13, "same polygon")));
 }
 

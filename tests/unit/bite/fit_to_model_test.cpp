@@ -63,9 +63,7 @@ TEST(FitToModel, FindsTheFrictionThatTheModelWasComputedWith)
       const auto model       = [&](const Eigen::VectorXd &x) {
         ++calls;
         const double force = bland_ford_force(pass, guess * std::exp(x[0]));
-        return std::vector<Eigen::Vector3d>{
-            {force, not_given, not_given}
-        };
+        return std::vector<Eigen::Vector3d>{{force, not_given, not_given}};
       };
       const bite::FitPoint best = fit_to_model(answer.problem, answer.best, model);
       EXPECT_TRUE(near(guess * std::exp(best.x[0]), truth,
@@ -81,9 +79,7 @@ TEST(FitToModel, RefusesAForceThatTheModelNeverReaches)
   // A model that jumps over the measured force settles nowhere.
   const auto model = [&](const Eigen::VectorXd &x) {
     const double force = bland_ford_force(thick, guess * std::exp(x[0]));
-    return std::vector<Eigen::Vector3d>{
-        {x[0] < 0.3 ? 0.8 * force : 1.3 * force, not_given, not_given}
-    };
+    return std::vector<Eigen::Vector3d>{{x[0] < 0.3 ? 0.8 * force : 1.3 * force, not_given, not_given}};
   };
   try {
     fit_to_model(answer.problem, answer.best, model);

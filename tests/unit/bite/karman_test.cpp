@@ -124,14 +124,13 @@ TEST(Karman, LimitOfTheFrictionInAPartOfTheArc)
 TEST(Karman, EveryFlowStressLaw)
 {
   const std::vector<FlowStress> laws = {
-      {FlowStressLaw::constant,        600e6, 0,     0,   0,     {}                                                     },
-      {FlowStressLaw::swift,           760e6, 0.01,  0.2, 0,     {}                                                     },
-      {FlowStressLaw::ludwik,          400e6, 0,     0.5, 400e6, {}                                                     },
-      {FlowStressLaw::voce,            250e6, 0,     6,   450e6, {}                                                     },
-      {FlowStressLaw::power,           900e6, 0,     0.3, 0,     {}                                                     },
-      {FlowStressLaw::reduction_power, 850e6, 0.008, 0.3, 0,     {}                                                     },
-      {FlowStressLaw::table,           0,     0,     0,   0,     {{0, 400e6}, {0.1, 600e6}, {0.15, 640e6}, {0.4, 700e6}}}
-  };
+      {FlowStressLaw::constant, 600e6, 0, 0, 0, {}},
+      {FlowStressLaw::swift, 760e6, 0.01, 0.2, 0, {}},
+      {FlowStressLaw::ludwik, 400e6, 0, 0.5, 400e6, {}},
+      {FlowStressLaw::voce, 250e6, 0, 6, 450e6, {}},
+      {FlowStressLaw::power, 900e6, 0, 0.3, 0, {}},
+      {FlowStressLaw::reduction_power, 850e6, 0.008, 0.3, 0, {}},
+      {FlowStressLaw::table, 0, 0, 0, 0, {{0, 400e6}, {0.1, 600e6}, {0.15, 640e6}, {0.4, 700e6}}}};
   for (const FlowStress &law : laws)
     for (const Theory theory : {Theory::karman, Theory::orowan})
       for (const Arc arc : {Arc::rigid, Arc::hitchcock}) {
@@ -151,9 +150,7 @@ TEST(Karman, TableOfOneLevelIsTheConstant)
 {
   RollBite bite          = demo_pass();
   const double constant  = solve(bite).force;
-  bite.strip.flow_stress = {
-      FlowStressLaw::table, 0, 0, 0, 0, {{0, 28e6}, {0.2, 28e6}, {1, 28e6}}
-  };
+  bite.strip.flow_stress = {FlowStressLaw::table, 0, 0, 0, 0, {{0, 28e6}, {0.2, 28e6}, {1, 28e6}}};
   EXPECT_TRUE(near(solve(bite).force, constant, within(1e-11, "same law")));
 }
 

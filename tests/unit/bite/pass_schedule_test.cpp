@@ -260,32 +260,21 @@ TEST(Hardening, RefusesMoreUnknownsThanData)
 {
   EXPECT_EQ(
       refusal([] {
-        fit_hardening({
-            {"1", 0.4, 1e9}
-        });
+        fit_hardening({{"1", 0.4, 1e9}});
       }),
       "a hardening law of two constants cannot be found from 1 pass with a force: more unknowns than data; fit "
       "the flow stress of the pass instead");
   EXPECT_EQ(refusal([] {
-              fit_hardening({
-                  {"1", 0.4, 1e9},
-                  {"2", 0.4, 1e9}
-              });
+              fit_hardening({{"1", 0.4, 1e9}, {"2", 0.4, 1e9}});
             }),
             "a hardening law needs passes of different strain; all have 0.4");
   EXPECT_EQ(
       refusal([] {
-        fit_hardening({
-            {"1", 0.4, 1e9},
-            {"2", 0,   1e9}
-        });
+        fit_hardening({{"1", 0.4, 1e9}, {"2", 0, 1e9}});
       }),
       "pass \"2\": strain 0 against the strip before hardening; the law Y ln(h0/h_out)^n needs an exit thinner "
       "than h0");
-  const HardeningFit two = fit_hardening({
-      {"1", 0.4, 1.0e9},
-      {"2", 0.8, 1.2e9}
-  });
+  const HardeningFit two = fit_hardening({{"1", 0.4, 1.0e9}, {"2", 0.8, 1.2e9}});
   EXPECT_TRUE(std::isnan(two.n_deviation)) << "two data leave no freedom";
   EXPECT_TRUE(near(two.flow_stress(0.8), 1.2e9, within(1e-13, "a line through two points")));
 }

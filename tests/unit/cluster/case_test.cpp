@@ -109,7 +109,8 @@ TEST(ClusterCaseFile, RefusesVariantsWithUnknownOrMissingNumbers)
     return "";
   };
   EXPECT_EQ(refusal("variant.0.unknowns=[\"contact.W-R.stiffness\"]"),
-            "variant.0.unknowns = [\"contact.W-R.stiffness\"] names 'contact.W-R.stiffness', which is not a given number of the stack; for example support.E.stiffness, contact.W-I.stiffness of a spring");
+            "variant.0.unknowns = [\"contact.W-R.stiffness\"] names 'contact.W-R.stiffness', which is not a given "
+            "number of the stack; for example support.E.stiffness, contact.W-I.stiffness of a spring");
   EXPECT_EQ(
       refusal("variant.0.modes=[\"E vertical\"]"),
       "variant.0.unknowns = [\"support.E.stiffness\", \"support.R.stiffness\"] are 2 numbers for 1 frequencies; a "

@@ -11,9 +11,7 @@ const Tolerance closed_form = within(1e-9, "closed form");
 
 ContactBody body(const double radius)
 {
-  return {
-      radius, {2.07e11, 0.29, 7801}
-  };
+  return {radius, {2.07e11, 0.29, 7801}};
 }
 }  // namespace
 
@@ -83,10 +81,8 @@ TEST(ContactLaws, SpringGoesThroughItsLoad)
 
 TEST(BearingLaws, AgreeWithTheReferenceVectors)
 {
-  for (const auto &[q, name] : {
-           std::pair{2. / 3, "vector.bearing.ball"  },
-           std::pair{0.9,    "vector.bearing.roller"}
-  }) {
+  for (const auto &[q, name] :
+       {std::pair{2. / 3, "vector.bearing.ball"}, std::pair{0.9, "vector.bearing.roller"}}) {
     const auto values    = reference_vector(name, "cluster");
     const BearingLaw law = {1e-8, q};
     const double d       = 1e-8 * std::pow(5000, q);

@@ -44,9 +44,7 @@ OneContact one_contact(const double exponent)
   c.free_length = 0.2;
   c.law         = power_law_through(1e9, 1e4, exponent);
   o.stack.contacts.push_back(c);
-  o.stack.loads.push_back({
-      1, {0, -1e4}
-  });
+  o.stack.loads.push_back({1, {0, -1e4}});
   o.rest = settle(o.stack).u;
   return o;
 }
@@ -84,11 +82,7 @@ TEST(ClusterMotion, NonlinearHistoryIsThatOfTheReference)
   add_viscous_damping(stack, rest, 2500, 0.2);
   MotionOptions options;
   options.duration = 0.012;
-  const auto h     = move(stack, rest,
-                          {
-                              {0, {0, 880}, 2500}
-  },
-                          options);
+  const auto h     = move(stack, rest, {{0, {0, 880}, 2500}}, options);
   const auto v     = velocity_amplitudes(h, 2500);
   const auto ref   = reference("time_domain.C", "cluster");
   for (int i = 0; i < 2; ++i) {

@@ -25,12 +25,8 @@ TEST(Continuation, AgreesWithTheActiveSetAtEverySample)
     const bool prescribed = seed % 2;
     Loading from{Eigen::Vector2d(0.4, -0.05), {}}, to{Eigen::Vector2d(4., 0.8), {}};
     if (prescribed) {
-      from = {
-          Eigen::Vector2d(0.1, 0.2), {1, 1}
-      };
-      to = {
-          Eigen::Vector2d(1.5, -0.3), {1, 1}
-      };
+      from = {Eigen::Vector2d(0.1, 0.2), {1, 1}};
+      to   = {Eigen::Vector2d(1.5, -0.3), {1, 1}};
     }
     ActiveSet solver(p);
     const Path path = follow(solver, from, to);
@@ -121,9 +117,7 @@ TEST(Continuation, FindsTheSetWithoutExchange)
     const auto p      = rough(60, 3, seed);
     const double far  = p.G.rightCols(2).cwiseAbs().maxCoeff();
     const double side = seed % 2 ? 0.6 : -0.3;
-    Loading loading{
-        Eigen::Vector3d(2, 2 * side * far, 0.2), {0, 0, char(seed % 3 == 0)}
-    };
+    Loading loading{Eigen::Vector3d(2, 2 * side * far, 0.2), {0, 0, char(seed % 3 == 0)}};
     ActiveSet solver(p);
     const State exact = solver.solve(loading);
     std::vector<char> set(60, 0);
@@ -145,12 +139,7 @@ TEST(Continuation, ReportsWhereABodyTipsOver)
     EXPECT_EQ(e.report.what, "contact: the path ends before its end");
     EXPECT_FALSE(e.report.remedy.empty());
   }
-  EXPECT_THROW(follow(solver,
-                      {
-                          Eigen::Vector2d(1, 0), {}
-  },
-                      {Eigen::Vector2d(1, 0), {1, 0}}),
-               mill::InputError);
+  EXPECT_THROW(follow(solver, {Eigen::Vector2d(1, 0), {}}, {Eigen::Vector2d(1, 0), {1, 0}}), mill::InputError);
   const Path path = follow(solver, {Eigen::Vector2d(1, 0), {}}, {Eigen::Vector2d(1, 0.5 * edge), {}});
   EXPECT_THROW(sample(path, 1.5), mill::InputError);
 }

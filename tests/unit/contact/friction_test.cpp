@@ -68,9 +68,7 @@ TEST(Friction, WithoutFrictionItIsTheNormalContact)
   const int n  = 101;
   const auto p = cylinder(n, 0);
   FrictionSolver solver(p);
-  const auto s = solver.advance({
-      Eigen::Vector2d(1e6, 3e-6), {0, 1}
-  });
+  const auto s = solver.advance({Eigen::Vector2d(1e6, 3e-6), {0, 1}});
   const State exact =
       ActiveSet({p.C.topLeftCorner(n, n), Eigen::MatrixXd::Ones(n, 1), {}, p.initial_gap}).solve({one(1e6), {}});
   EXPECT_TRUE(near(s.nodal.head(n), exact.nodal, within(1e-12, "same equations", exact.nodal.maxCoeff())));
@@ -115,34 +113,24 @@ TEST(Friction, OneNodeByHand)
   // Springs 1 N/m in both directions, mu 0.5.
   const FrictionProblem p{Eigen::MatrixXd::Identity(2, 2), Eigen::MatrixXd::Identity(2, 2), {}, one(0.), one(0.5)};
   FrictionSolver solver(p);
-  auto s = solver.advance({
-      Eigen::Vector2d(2, 0.4), {1, 1}
-  });
+  auto s = solver.advance({Eigen::Vector2d(2, 0.4), {1, 1}});
   EXPECT_EQ(s.status[0], Status::stick);
   EXPECT_TRUE(near(s.nodal, Eigen::Vector2d(2, 0.4), within(1e-14, "two springs")));
-  s = solver.advance({
-      Eigen::Vector2d(2, 3), {1, 1}
-  });
+  s = solver.advance({Eigen::Vector2d(2, 3), {1, 1}});
   EXPECT_EQ(s.status[0], Status::slip);
   EXPECT_TRUE(near(s.nodal, Eigen::Vector2d(2, 1), within(1e-14, "mu p")));
   EXPECT_TRUE(near(s.slip[0], 2., within(1e-14, "3 m less the spring")));
   EXPECT_TRUE(near(s.dissipated, 2., within(1e-14, "1 N along 2 m")));
   EXPECT_TRUE(near(s.stiffness(1, 0), 0.5, within(1e-14, "mu times the normal stiffness")));
   EXPECT_EQ(s.stiffness(1, 1), 0);
-  s = solver.advance({
-      Eigen::Vector2d(2, 1.5), {1, 1}
-  });  // back by 1.5: the spring turns over, no slip yet
+  s = solver.advance({Eigen::Vector2d(2, 1.5), {1, 1}});  // back by 1.5: the spring turns over, no slip yet
   EXPECT_EQ(s.status[0], Status::stick);
   EXPECT_TRUE(near(s.nodal[1], -0.5, within(1e-14, "1 - 1.5")));
   EXPECT_TRUE(near(s.slip[0], 2., within(1e-14, "kept")));
-  s = solver.advance({
-      Eigen::Vector2d(2, 0), {1, 1}
-  });
+  s = solver.advance({Eigen::Vector2d(2, 0), {1, 1}});
   EXPECT_TRUE(near(s.nodal[1], -1., within(1e-14, "- mu p")));
   EXPECT_TRUE(near(s.slip[0], 1., within(1e-14, "slipped back by 1")));
-  s = solver.advance({
-      Eigen::Vector2d(-1, 0), {1, 1}
-  });
+  s = solver.advance({Eigen::Vector2d(-1, 0), {1, 1}});
   EXPECT_EQ(s.status[0], Status::open);
   EXPECT_EQ(s.nodal.norm(), 0);
 }
@@ -201,9 +189,7 @@ TEST(Friction, ConditionsHoldAndNoWorkIsGained)
 TEST(Friction, SwitchedOffItChangesTheAnswer)
 {
   const auto with = coupled(20, 1, 0.3, 7), without = coupled(20, 1, 0, 7);
-  const Loading loading{
-      Eigen::Vector2d(1., 0.4), {1, 1}
-  };
+  const Loading loading{Eigen::Vector2d(1., 0.4), {1, 1}};
   FrictionSolver a(with), b(without);
   const auto rough_one = a.advance(loading), smooth = b.advance(loading);
   EXPECT_GT(std::abs(rough_one.resultant[1]), 0.05 * rough_one.resultant[0]);
@@ -280,9 +266,7 @@ TEST(Friction, ReportsSlidingOfTheWholeContact)
     EXPECT_EQ(e.report.what, "friction: the bodies slide");
   }
   EXPECT_EQ(solver.state().motion[1], good);  // stays where it was
-  const auto s = solver.advance({
-      Eigen::Vector2d(1e6, 1e-3), {0, 1}
-  });
+  const auto s = solver.advance({Eigen::Vector2d(1e6, 1e-3), {0, 1}});
   EXPECT_TRUE(near(s.resultant[1], 0.3e6, within(1e-12, "mu P while it slides")));
 }
 

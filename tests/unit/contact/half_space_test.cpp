@@ -94,21 +94,9 @@ std::string at(const Rectangle &r, const double x, const double y)
 
 TEST(KernelIntegrals, AgreeWithQuadratureInsideOnTheEdgeAndNear)
 {
-  for (const Rectangle r : {
-           Rectangle{1, 1  },
-           Rectangle{1, 30 },
-           Rectangle{5, 0.2}
-  })
-    for (const auto &[fx, fy] : {
-             std::pair{0.,   0.  },
-             {0.3,  -0.7},
-             {1.,   0.4 },
-             {1.,   1.  },
-             {-1.,  1.  },
-             {2.5,  0.1 },
-             {-3.9, 3.9 },
-             {0.,   2.  }
-    }) {
+  for (const Rectangle r : {Rectangle{1, 1}, Rectangle{1, 30}, Rectangle{5, 0.2}})
+    for (const auto &[fx, fy] :
+         {std::pair{0., 0.}, {0.3, -0.7}, {1., 0.4}, {1., 1.}, {-1., 1.}, {2.5, 0.1}, {-3.9, 3.9}, {0., 2.}}) {
       const double x = fx * r.half_x, y = fy * r.half_y;
       expect_equal(kernel_integrals(r, x, y), by_quadrature(r, x, y), 1e-12, at(r, x, y));
     }
@@ -117,18 +105,9 @@ TEST(KernelIntegrals, AgreeWithQuadratureInsideOnTheEdgeAndNear)
 TEST(KernelIntegrals, LoseNoDigitsFarAway)
 {
   // The sum over 3 x 7 parts has 21 other centres, and each part is seven times as far.
-  for (const Rectangle r : {
-           Rectangle{1, 1  },
-           Rectangle{1, 100}
-  })
-    for (const auto &[x, y] : {
-             std::pair{1e3,  0.  },
-             {0.5,  1e3 },
-             {1e3,  -2e3},
-             {4.1,  0.2 },
-             {30.,  300.},
-             {-1e6, 1e6 }
-    }) {
+  for (const Rectangle r : {Rectangle{1, 1}, Rectangle{1, 100}})
+    for (const auto &[x, y] :
+         {std::pair{1e3, 0.}, {0.5, 1e3}, {1e3, -2e3}, {4.1, 0.2}, {30., 300.}, {-1e6, 1e6}}) {
       KernelIntegrals parts{};
       const Rectangle part{r.half_x / 3, r.half_y / 7};
       for (int i = -1; i <= 1; ++i)
@@ -154,11 +133,7 @@ TEST(KernelIntegrals, BecomeThePointLoadWithTheRightQuadrupole)
 TEST(KernelIntegrals, DoNotJumpWhereTheFormulaChanges)
 {
   const Rectangle r{1, 2};
-  for (const auto &[x, y] : {
-           std::pair{4.,  0.3},
-           {0.3, 8. },
-           {4.,  8. }
-  }) {
+  for (const auto &[x, y] : {std::pair{4., 0.3}, {0.3, 8.}, {4., 8.}}) {
     const double e = 1e-14;
     expect_equal(kernel_integrals(r, x * (1 - e), y * (1 - e)), kernel_integrals(r, x * (1 + e), y * (1 + e)),
                  1e-12, at(r, x, y));
@@ -243,20 +218,11 @@ TEST(MeanPotential, OfASquareOnItselfIsTheKnownOne)
 
 TEST(MeanPotential, IsTheMeanOfTheKernelAndSymmetric)
 {
-  for (const auto &[a, b] : {
-           std::pair{Rectangle{1, 1},  Rectangle{1, 1}   },
-           {Rectangle{1, 20}, Rectangle{1, 3}   },
-           {Rectangle{1, 3},  Rectangle{0.5, 40}}
-  })
-    for (const auto &[fx, fy] : {
-             std::pair{1.05, 0.  },
-             {3.,   1.5 },
-             {0.,   1.05},
-             {6.,   0.  },
-             {0.,   4.  },
-             {50.,  0.3 },
-             {50.,  50. }
-    }) {
+  for (const auto &[a, b] : {std::pair{Rectangle{1, 1}, Rectangle{1, 1}},
+                             {Rectangle{1, 20}, Rectangle{1, 3}},
+                             {Rectangle{1, 3}, Rectangle{0.5, 40}}})
+    for (const auto &[fx, fy] :
+         {std::pair{1.05, 0.}, {3., 1.5}, {0., 1.05}, {6., 0.}, {0., 4.}, {50., 0.3}, {50., 50.}}) {
       const double x = fx * (a.half_x + b.half_x), y = fy * (a.half_y + b.half_y);
       // In 40 x 40 parts, so that the points near the edge of the other rectangle are dense.
       double mean = 0;
@@ -328,10 +294,7 @@ const GapShape sphere = [](const double x, const double z) { return (x * x + z *
 HalfSpaceContact small_sphere(const int n)
 {
   const double a = hertz_point(1000, 0.01, 0.01, contact_modulus(pair)).semi_x;
-  return {
-      pair, {1.2 * a / n, n, Eigen::VectorXd::LinSpaced(n + 1, 0, 1.2 * a)},
-       sphere
-  };
+  return {pair, {1.2 * a / n, n, Eigen::VectorXd::LinSpaced(n + 1, 0, 1.2 * a)}, sphere};
 }
 }  // namespace
 

@@ -26,12 +26,7 @@ HalfPlanePair planes(const std::array<LineBody, 2> &bodies)
 TEST(LineBodies, TwoSteelRollsByJohnson)
 {
   // contact.md 8.4
-  const auto line = line_bodies(
-      {
-          LineBody{0.2,  steel, 0},
-          LineBody{0.65, steel, 0}
-  },
-      1e6);
+  const auto line = line_bodies({LineBody{0.2, steel, 0}, LineBody{0.65, steel, 0}}, 1e6);
   EXPECT_TRUE(near(line.half_width, 1.2991e-3, printed));
   EXPECT_TRUE(near(line.peak_pressure, 490.05e6, printed));
   EXPECT_TRUE(near(line.approach, 35.931e-6, printed));
@@ -42,12 +37,7 @@ TEST(LineBodies, DiscBetweenRigidPlates)
 {
   // contact.md 8.4: both plates together, one contact is half of it.
   const auto one = [](const double R, const double q) {
-    return line_bodies(
-        {
-            LineBody{R,        steel,            0},
-            LineBody{infinite, rigid_material(), 0}
-    },
-        q);
+    return line_bodies({LineBody{R, steel, 0}, LineBody{infinite, rigid_material(), 0}}, q);
   };
   EXPECT_TRUE(near(2 * one(0.010, 500e3).approach, 13.7495e-6, printed));
   EXPECT_TRUE(near(one(0.010, 500e3).half_width, 0.166093e-3, printed));
@@ -59,12 +49,7 @@ TEST(LineBodies, AnElasticPlaneGivesWayToItsDepth)
 {
   // Johnson (1985), eq. 5.56, as printed there: q (1 - nu^2)/(pi E) [2 ln(2 d/b) - nu/(1 - nu)].
   const double q = 2e5, d = 0.1, nu = bronze.poisson_ratio;
-  const auto line = line_bodies(
-      {
-          LineBody{0.05,     rigid_material(), 0},
-          LineBody{infinite, bronze,           d}
-  },
-      q);
+  const auto line = line_bodies({LineBody{0.05, rigid_material(), 0}, LineBody{infinite, bronze, d}}, q);
   const double expected =
       q * (1 - nu * nu) / (M_PI * bronze.youngs_modulus) * (2 * std::log(2 * d / line.half_width) - nu / (1 - nu));
   EXPECT_TRUE(near(line.approach, expected, within(1e-13, "the same formula in another order")));
@@ -72,10 +57,7 @@ TEST(LineBodies, AnElasticPlaneGivesWayToItsDepth)
 
 TEST(LineBodies, TheTangentIsTheSlopeOfTheApproach)
 {
-  const std::array<LineBody, 2> bodies{
-      LineBody{0.02,     steel,  0   },
-      LineBody{infinite, bronze, 0.05}
-  };
+  const std::array<LineBody, 2> bodies{LineBody{0.02, steel, 0}, LineBody{infinite, bronze, 0.05}};
   const double q = 3e5, h = 1e-4 * q;
   const double slope = 2 * h / (line_bodies(bodies, q + h).approach - line_bodies(bodies, q - h).approach);
   EXPECT_TRUE(near(line_bodies(bodies, q).tangent, slope, within(1e-7, "third order of a step of 1e-4")));
@@ -83,11 +65,10 @@ TEST(LineBodies, TheTangentIsTheSlopeOfTheApproach)
 
 TEST(LineBodies, HalfPlanesMeetTheClosedForm)
 {
-  for (const auto &bodies : {
-           std::array<LineBody, 2>{LineBody{0.02, steel, 0},  LineBody{infinite, bronze, 0.05}       },
-           std::array<LineBody, 2>{LineBody{0.05, bronze, 0}, LineBody{0.3, steel, 0}                },
-           std::array<LineBody, 2>{LineBody{0.01, steel, 0},  LineBody{infinite, rigid_material(), 0}}
-  }) {
+  for (const auto &bodies :
+       {std::array<LineBody, 2>{LineBody{0.02, steel, 0}, LineBody{infinite, bronze, 0.05}},
+        std::array<LineBody, 2>{LineBody{0.05, bronze, 0}, LineBody{0.3, steel, 0}},
+        std::array<LineBody, 2>{LineBody{0.01, steel, 0}, LineBody{infinite, rigid_material(), 0}}}) {
     const auto closed = line_bodies(bodies, 3e5);
     const auto s      = half_plane_contact(planes(bodies), 3e5, 161);
     EXPECT_TRUE(near(s.half_width, closed.half_width, within(2e-3, "read by a fit, 64 strips on it")));
@@ -105,12 +86,7 @@ TEST(LineBodies, ReportInvalidInput)
   EXPECT_THROW(line_bodies({cylinder, plane}, 1e5), InputError);  // no depth
   EXPECT_THROW(line_bodies({plane, plane}, 1e5), InputError);
   EXPECT_THROW(line_bodies({cylinder, cylinder}, 0), InputError);
-  EXPECT_THROW(line_bodies(
-                   {
-                       LineBody{0.1, rigid_material(), 0},
-                       LineBody{0.1, rigid_material(), 0}
-  },
-                   1e5),
+  EXPECT_THROW(line_bodies({LineBody{0.1, rigid_material(), 0}, LineBody{0.1, rigid_material(), 0}}, 1e5),
                InputError);
 }
 

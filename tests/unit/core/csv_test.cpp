@@ -162,11 +162,7 @@ TEST_F(Csv, ATableComesBackWithAllDigits)
   const unsigned seed = 77;
   std::mt19937_64 random(seed);
   std::normal_distribution<double> normal(0, 1e6);
-  Table table{
-      {"load",               "ratio"             },
-      {"N",                  ""                  },
-      {Eigen::VectorXd(500), Eigen::VectorXd(500)}
-  };
+  Table table{{"load", "ratio"}, {"N", ""}, {Eigen::VectorXd(500), Eigen::VectorXd(500)}};
   for (int i = 0; i < 500; ++i) {
     table.columns[0][i] = normal(random);
     table.columns[1][i] = normal(random) * 1e-20;

@@ -96,10 +96,7 @@ TEST_F(DetailedModels, TheCaseThatNamesThemIsReadBack)
   const Case origin     = read_case(write("chain.toml", template_of("lumped")), {"dynamics.modal_damping=2 %"});
   files.frequency_limit = 800;
   files.gap_damper      = 1.5e5;
-  files.modes           = {
-                {1, 37.8     },
-                {2, 1000. / 3}
-  };
+  files.modes           = {{1, 37.8}, {2, 1000. / 3}};
   for (std::string *path : {&files.mass, &files.stiffness, &files.force, &files.readings, &files.names})
     *path = fs::path(*path).filename().string();
   const Case back    = read_case(write("detailed.toml", detailed_model_toml(files, origin, folder.string())));

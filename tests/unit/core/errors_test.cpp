@@ -28,40 +28,24 @@ protected:
 
 TEST_F(Rendered, AProblemShowsItsLineTheLineAboveAndACaret)
 {
-  EXPECT_EQ(render({
-                {file, 2, 19},
-                "too large", {  }
-  }),
-            file + ":2:19: error: too large\n"
-                   "    1 | [work_roll]\n"
-                   ">   2 | barrel_diameter = \"420 mm\"\n"
-                   "      |                   ^");
+  EXPECT_EQ(render({{file, 2, 19}, "too large", {}}), file + ":2:19: error: too large\n"
+                                                             "    1 | [work_roll]\n"
+                                                             ">   2 | barrel_diameter = \"420 mm\"\n"
+                                                             "      |                   ^");
 }
 
 TEST_F(Rendered, AProblemInTheFirstLineShowsThatLine)
 {
-  EXPECT_EQ(render(
-                {
-                    {file, 1, 1},
-                    "what", { }
-  },
-                "warning"),
-            file + ":1:1: warning: what\n"
-                   ">   1 | [work_roll]\n"
-                   "      | ^");
+  EXPECT_EQ(render({{file, 1, 1}, "what", {}}, "warning"), file + ":1:1: warning: what\n"
+                                                                  ">   1 | [work_roll]\n"
+                                                                  "      | ^");
 }
 
 TEST_F(Rendered, ATabStaysATabAndColumnsCountCharacters)
 {
-  const std::string tab = render({
-      {file, 5, 20},
-      "x", {  }
-  });
+  const std::string tab = render({{file, 5, 20}, "x", {}});
   EXPECT_NE(tab.find("      | \t                  ^"), std::string::npos) << tab;
-  const std::string utf8 = render({
-      {file, 6, 7},
-      "x", { }
-  });
+  const std::string utf8 = render({{file, 6, 7}, "x", {}});
   EXPECT_NE(utf8.find("      |       ^"), std::string::npos) << utf8;
 }
 
@@ -79,37 +63,23 @@ TEST_F(Rendered, AContradictionShowsBothPlacesWithTheirSections)
 
 TEST_F(Rendered, WithoutAReadableFileOnlyTheMessageIsShown)
 {
-  EXPECT_EQ(render({
-                {"no-such-file.toml", 3, 4},
-                "what", { }
-  }),
-            "no-such-file.toml:3:4: error: what");
+  EXPECT_EQ(render({{"no-such-file.toml", 3, 4}, "what", {}}), "no-such-file.toml:3:4: error: what");
   EXPECT_EQ(render({{"--set a.b=c"}, "what", {}}), "--set a.b=c: error: what");
   EXPECT_EQ(render({{}, "what", {}}), "error: what");
-  EXPECT_EQ(render({
-                {file, 99, 1},
-                "what", { }
-  }),
-            file + ":99:1: error: what");
+  EXPECT_EQ(render({{file, 99, 1}, "what", {}}), file + ":99:1: error: what");
 }
 
 TEST_F(Rendered, ALongLineIsCut)
 {
   write_atomically(file, std::string(5000, 'x'));
-  const std::string text = render({
-      {file,  1, 4000},
-      "what", {    }
-  });
+  const std::string text = render({{file, 1, 4000}, "what", {}});
   EXPECT_LT(text.size(), 500u);
   EXPECT_NE(text.find(" ..."), std::string::npos);
 }
 
 TEST_F(Rendered, ALongListIsCutAndStatesTheRemainingNumber)
 {
-  std::vector<Problem> problems(200, Problem{
-                                         {file, 2, 1},
-                                         "wrong", {{file, 1, 1}  }
-  });
+  std::vector<Problem> problems(200, Problem{{file, 2, 1}, "wrong", {{file, 1, 1}}});
   const std::string text = render_list(problems);
   EXPECT_EQ(text.substr(0, text.find('\n')), file + ":2:1: error: wrong");
   EXPECT_NE(text.find("\nand 150 more errors; mend these and check again\n"), std::string::npos);
@@ -128,12 +98,10 @@ TEST_F(Rendered, AMessageOfAMillionLettersIsCut)
 
 TEST(Errors, ProblemsAreSortedByPlace)
 {
-  const InputError error(std::vector<Problem>{
-      {{"b", 1, 1}, "fourth", {}},
-      {{"a", 9, 1}, "third",  {}},
-      {{"a", 2, 5}, "second", {}},
-      {{"a", 2, 1}, "first",  {}}
-  });
+  const InputError error(std::vector<Problem>{{{"b", 1, 1}, "fourth", {}},
+                                              {{"a", 9, 1}, "third", {}},
+                                              {{"a", 2, 5}, "second", {}},
+                                              {{"a", 2, 1}, "first", {}}});
   ASSERT_EQ(error.problems.size(), 4u);
   EXPECT_EQ(error.problems[0].message, "first");
   EXPECT_EQ(error.problems[1].message, "second");

@@ -23,16 +23,16 @@ struct Sample {
 };
 
 const std::vector<Field<Sample>> rows{
-    {"length", &Sample::length, "mm",         {200, 2500}, required, "420 mm",                                  "a length"},
-    {"ratio",  &Sample::ratio,  "1",          {0, 0.5},    0.25,     "0.25",                                    "a ratio" },
-    {"free",   &Sample::free,   "kN",         {1, 10},     absent,   "5 kN",                                    "a force" },
-    {"count",  &Sample::count,  "count",      {1, 8},      4,        "4",                                       "a count" },
-    {"flag",   &Sample::flag,   "flag",       {},          0,        "true",                                    "a flag"  },
-    {"word",   &Sample::word,   "none | iso", {},          "none",   "iso",                                     "a choice"},
-    {"text",   &Sample::text,   "text",       {},          "",       "abc",                                     "a text"  },
-    {"path",   &Sample::path,   "path",       {},          absent,   "a.csv",                                   "a file"  },
-    {"loads",  &Sample::loads,  "kN",         {1, 100},    absent,   R"(["1 kN", "2 kN"])",                     "a pair"  },
-    {"table",  &Sample::table,  "mm, um",     {-9, 9},     absent,   R"([["0 mm", "1 um"], ["1 mm", "2 um"]])", "a table" },
+    {"length", &Sample::length, "mm", {200, 2500}, required, "420 mm", "a length"},
+    {"ratio", &Sample::ratio, "1", {0, 0.5}, 0.25, "0.25", "a ratio"},
+    {"free", &Sample::free, "kN", {1, 10}, absent, "5 kN", "a force"},
+    {"count", &Sample::count, "count", {1, 8}, 4, "4", "a count"},
+    {"flag", &Sample::flag, "flag", {}, 0, "true", "a flag"},
+    {"word", &Sample::word, "none | iso", {}, "none", "iso", "a choice"},
+    {"text", &Sample::text, "text", {}, "", "abc", "a text"},
+    {"path", &Sample::path, "path", {}, absent, "a.csv", "a file"},
+    {"loads", &Sample::loads, "kN", {1, 100}, absent, R"(["1 kN", "2 kN"])", "a pair"},
+    {"table", &Sample::table, "mm, um", {-9, 9}, absent, R"([["0 mm", "1 um"], ["1 mm", "2 um"]])", "a table"},
 };
 
 template <class T> void expect_struct_defaults(const std::vector<Field<T>> &fields)

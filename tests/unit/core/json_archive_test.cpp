@@ -57,13 +57,8 @@ Outer sample()
   outer.vector = Eigen::Vector3d(0.1, -INFINITY, 1e300);
   outer.matrix.resize(2, 3);
   outer.matrix << 1, 2, 3, 4, NAN, 6;
-  outer.list = {
-      {"a", 1},
-      {"b", 2}
-  };
-  outer.map = {
-      {"key", {"c", 3}}
-  };
+  outer.list    = {{"a", 1}, {"b", 2}};
+  outer.map     = {{"key", {"c", 3}}};
   outer.present = Inner{"d \"quoted\"", 4};
   outer.pair    = {0.1, 0.2};
   return outer;

@@ -57,10 +57,7 @@ TEST(MatFile, MatricesAndTextsComeBack)
 {
   Eigen::MatrixXd K(2, 3);
   K << 1, 2, 3, -4.5, 1e300, 1. / 3;
-  Bytes file{
-      mat_file({{"K", K, {}}, {"names", {}, {"upper frame", "", "x"}}}
-      )
-  };
+  Bytes file{mat_file({{"K", K, {}}, {"names", {}, {"upper frame", "", "x"}}})};
   EXPECT_EQ(file.data.substr(0, 19), "MATLAB 5.0 MAT-file");
   file.position = 124;
   EXPECT_EQ(file.take<std::uint16_t>(), 0x0100);
@@ -98,9 +95,5 @@ TEST(MatFile, MatricesAndTextsComeBack)
 TEST(MatFile, ANameThatMatlabDoesNotAcceptIsAProgrammingError)
 {
   for (const char *name : {"", "1K", "a-b", "upper frame"})
-    EXPECT_THROW(mat_file({
-                     {name, Eigen::MatrixXd::Zero(1, 1), {}}
-    }),
-                 std::logic_error)
-        << name;
+    EXPECT_THROW(mat_file({{name, Eigen::MatrixXd::Zero(1, 1), {}}}), std::logic_error) << name;
 }

@@ -45,10 +45,8 @@ TEST_F(MonitoringSection, NamesZonesAndBands)
        "severity = [\"2.3 mm/s\", \"4.5 mm/s\"]\nthird_octave = [\"100 Hz\", \"300 Hz\"]\nlimit = \"2 "
        "g\"\nbaseline = \"before\"\n");
   const Monitoring m = monitoring_of(path);
-  EXPECT_EQ(m.channels(), (std::map<std::string, std::string>{
-                              {"AI_07",   "upper_work_roll"},
-                              {"Kraft 1", "force"          }
-  }));
+  EXPECT_EQ(m.channels(),
+            (std::map<std::string, std::string>{{"AI_07", "upper_work_roll"}, {"Kraft 1", "force"}}));
   ASSERT_EQ(m.zones().size(), 2u);
   EXPECT_DOUBLE_EQ(m.zones()[1], 4.5e-3);
   EXPECT_EQ(m.third_octave, (std::array<double, 2>{100, 300}));

@@ -7,11 +7,7 @@ using namespace mill;
 TEST(OperatingPoint, QuantitiesAreShownInTheirUnitAndKeptInSI)
 {
   const OperatingPoint point("pass 1, {} -> {}, {}",
-                             {
-                                 {8e-3,    "mm", ".4g"},
-                                 {5e-3,    "mm", ".4g"},
-                                 {989.5e3, "kN", ".1f"}
-  });
+                             {{8e-3, "mm", ".4g"}, {5e-3, "mm", ".4g"}, {989.5e3, "kN", ".1f"}});
   EXPECT_EQ(point.text(), "pass 1, 8 mm -> 5 mm, 989.5 kN");
   ASSERT_EQ(point.values().size(), 3U);
   EXPECT_EQ(point.values()[0].value, 8e-3);
@@ -23,9 +19,7 @@ TEST(OperatingPoint, QuantitiesAreShownInTheirUnitAndKeptInSI)
 TEST(OperatingPoint, PartsAreAddedAtTheEnd)
 {
   OperatingPoint point = at_force(1e6);
-  point.add(", tilted by {}", {
-                                  {1e-3, "mrad"}
-  });
+  point.add(", tilted by {}", {{1e-3, "mrad"}});
   EXPECT_EQ(point.text(), "1000.0 kN, tilted by 1 mrad");
   EXPECT_EQ(point.values().back().unit, "rad");
 }

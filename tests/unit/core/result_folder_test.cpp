@@ -26,10 +26,7 @@ const std::vector<std::string> new_files{"results.json",       "report.html",   
 
 std::map<std::string, std::string> expected(const std::string &run, const std::vector<std::string> &files)
 {
-  std::map<std::string, std::string> texts{
-      {"mine.txt",    "mine"},
-      {"notes/a.txt", "mine"}
-  };
+  std::map<std::string, std::string> texts{{"mine.txt", "mine"}, {"notes/a.txt", "mine"}};
   for (const std::string &file : files)
     texts[file] = run;
   return texts;

@@ -22,9 +22,7 @@ TEST(ResultNames, NamesAreSplitIntoPartsAndSubjects)
 TEST(Checks, ChecksAreFoundByTheirId)
 {
   const std::vector<Check> checks{
-      check(CheckId::johnson_secant, 2, "upper end"), {"Foeppl (3.8)", 3, ""},
-         check(CheckId::published_model, 4)
-  };
+      check(CheckId::johnson_secant, 2, "upper end"), {"Foeppl (3.8)", 3, ""}, check(CheckId::published_model, 4)};
   ASSERT_TRUE(find_check(checks, CheckId::johnson_secant));
   EXPECT_EQ(find_check(checks, CheckId::johnson_secant)->note, "upper end");
   EXPECT_EQ(value_beside(checks, CheckId::published_model), 4);

@@ -17,9 +17,7 @@ Results sample()
   k3.at             = at_force(976.2e3);
   k3.error_estimate = 0.004;
   k3.inputs         = {"work_roll.barrel_diameter", "backup_roll.barrel_diameter"};
-  k3.checks         = {
-              {"Hertz line contact", 4.0192e10, "infinitely long"}
-  };
+  k3.checks         = {{"Hertz line contact", 4.0192e10, "infinitely long"}};
   results.add("K3.tangent", k3);
   Parameter unknown;
   unknown.unit   = "N/m";

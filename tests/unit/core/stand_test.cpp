@@ -291,9 +291,7 @@ TEST_F(Cases, AToleranceIsTheErrorOfItsValue)
   const Case c           = read_case(path, {"frame.upper_post_stiffness_tolerance=5 %", "given.K3=4e4 kN/mm",
                                             "given.K3_tolerance=2 %", "given.K1=6e3 kN/mm"});
   const auto &stand      = std::get<FourHigh>(c.spec);
-  EXPECT_EQ(stand.frame.tolerance, (std::map<std::string, double>{
-                                       {"upper_post_stiffness", 0.05}
-  }));
+  EXPECT_EQ(stand.frame.tolerance, (std::map<std::string, double>{{"upper_post_stiffness", 0.05}}));
   EXPECT_EQ(stand.given.at("K3").parameter.error_estimate, 0.02);
   EXPECT_TRUE(std::isnan(stand.given.at("K1").parameter.error_estimate));
   EXPECT_EQ(stand.given.at("K1").parameter.error_lacks, std::vector<std::string>{"given.K1_tolerance"});

@@ -12,10 +12,7 @@ const double work_roll = 0.5, backup_roll = 1.25;  // m
 CampbellRecord record()
 {
   CampbellRecord r;
-  r.modes = {
-      {"a", "first",  60,  0.01},
-      {"b", "second", 300, 0.02}
-  };
+  r.modes     = {{"a", "first", 60, 0.01}, {"b", "second", 300, 0.02}};
   r.lines     = {line_of("order 10", "work roll", "work roll", 10, work_roll),
                  line_of("order 20", "work roll", "work roll", 20, work_roll),
                  line_of("teeth", "drive", "backup roll", 23.5, backup_roll)};

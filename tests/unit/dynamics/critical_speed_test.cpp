@@ -78,10 +78,8 @@ constexpr auto sequential_scheme = Linearisation::sequential;
 
 TEST(CriticalSpeed, FindsTheRootOfAKnownFunction)
 {
-  const CriticalSpeed critical = crossings_of_roots(roots_of({
-      {[](double v) { return std::log(v / 7.3); }, 120},
-      {[](double) { return -5; },                  80 }
-  }));
+  const CriticalSpeed critical = crossings_of_roots(
+      roots_of({{[](double v) { return std::log(v / 7.3); }, 120}, {[](double) { return -5; }, 80}}));
   ASSERT_EQ(critical.verdict, Verdict::crossing);
   EXPECT_TRUE(near(critical.speed, 7.3, within(2e-10 / 7.3, "the search ends at 1e-10 m/s, on either side")));
   EXPECT_TRUE(near(critical.frequency, 120, within(1e-12, "given")));
@@ -98,10 +96,7 @@ TEST(CriticalSpeed, FindsTheRootOfAKnownFunction)
 TEST(CriticalSpeed, AnIslandBetweenTwoGridPointsIsFound)
 {
   const auto hill              = [](const double v) { return 0.04 - (v - 10.5) * (v - 10.5); };
-  const CriticalSpeed critical = crossings_of_roots(roots_of({
-      {hill,                      100},
-      {[](double) { return -3; }, 60 }
-  }));
+  const CriticalSpeed critical = crossings_of_roots(roots_of({{hill, 100}, {[](double) { return -3; }, 60}}));
   ASSERT_EQ(critical.verdict, Verdict::crossing);
   EXPECT_TRUE(near(critical.speed, 10.3, within(2e-10 / 10.3, "the search ends at 1e-10 m/s, on either side")));
   ASSERT_EQ(critical.crossings.size(), 2u);
@@ -113,10 +108,8 @@ TEST(CriticalSpeed, AnIslandBetweenTwoGridPointsIsFound)
 
 TEST(CriticalSpeed, DistinguishesTwoModes)
 {
-  const CriticalSpeed critical = crossings_of_roots(roots_of({
-      {[](double v) { return 3 * (v - 15.2); },   128},
-      {[](double v) { return 0.1 * (v - 15.1); }, 81 }
-  }));
+  const CriticalSpeed critical = crossings_of_roots(
+      roots_of({{[](double v) { return 3 * (v - 15.2); }, 128}, {[](double v) { return 0.1 * (v - 15.1); }, 81}}));
   EXPECT_TRUE(near(critical.speed, 15.1,
                    within(2e-9 / 15.1, "1e-10 1/s of noise over a slope of 0.1 1/s per m/s, either side")));
   EXPECT_TRUE(near(critical.frequency, 81, within(1e-12, "given")));
@@ -131,10 +124,7 @@ TEST(CriticalSpeed, AStableRangeStatesItsMargin)
 {
   const SpeedRange range{2, 20};
   const CriticalSpeed critical =
-      crossings_of_roots(roots_of({
-                             {[](double v) { return -0.5 - 0.01 * std::pow(v - 13.37, 2); }, 100}
-  }),
-                         range);
+      crossings_of_roots(roots_of({{[](double v) { return -0.5 - 0.01 * std::pow(v - 13.37, 2); }, 100}}), range);
   EXPECT_EQ(critical.verdict, Verdict::stable);
   EXPECT_TRUE(std::isnan(critical.speed));
   EXPECT_TRUE(near(critical.margin, -0.5, within(1e-6 / 0.5, "flat top, golden sections to 0.01 m/s")));
@@ -144,15 +134,11 @@ TEST(CriticalSpeed, AStableRangeStatesItsMargin)
 
 TEST(CriticalSpeed, DistinguishesUnstableThroughoutFromUnstableBelow)
 {
-  const CriticalSpeed always = crossings_of_roots(roots_of({
-      {[](double v) { return 1 + 0.1 * v; }, 100}
-  }));
+  const CriticalSpeed always = crossings_of_roots(roots_of({{[](double v) { return 1 + 0.1 * v; }, 100}}));
   EXPECT_EQ(always.verdict, Verdict::unstable);
   EXPECT_TRUE(near(always.margin, 1.1, within(1e-12, "end of the range")));
   EXPECT_EQ(sentence(always, {}), "unstable from 1 to 30 m/s; the slowest growth is 1.1 1/s at 1 m/s");
-  const CriticalSpeed below = crossings_of_roots(roots_of({
-      {[](double v) { return 6.5 - v; }, 100}
-  }));
+  const CriticalSpeed below = crossings_of_roots(roots_of({{[](double v) { return 6.5 - v; }, 100}}));
   EXPECT_EQ(below.verdict, Verdict::unstable_below);
   EXPECT_TRUE(std::isnan(below.speed));
   EXPECT_EQ(sentence(below, {}), "unstable up to 6.500 m/s and stable above, so that no speed is critical");
@@ -165,9 +151,7 @@ TEST(CriticalSpeed, EdgesOfTheBiteAreFoundWithTheirReason)
       throw SolverError({"no flattened radius", "R'/R = 20", "", "", ""});
     if (v > 21.4)
       throw InputError("the rolls skid");
-    return roots_of({
-        {[](double x) { return x - 12.5; }, 100}
-    })(v);
+    return roots_of({{[](double x) { return x - 12.5; }, 100}})(v);
   };
   const CriticalSpeed critical = crossings_of_roots(roots);
   EXPECT_TRUE(near(critical.speed, 12.5, within(2e-10 / 12.5, "the search ends at 1e-10 m/s, on either side")));
@@ -238,12 +222,7 @@ TEST(CriticalSpeed, AgreesWithRouthForAStandWithConstantFriction)
 TEST(CriticalSpeed, RefusesARangeThatDoesNotRise)
 {
   const auto search = [](const SpeedRange &range) {
-    return refusal([&] {
-      crossings_of_roots(roots_of({
-                             {[](double) { return -1; }, 10}
-      }),
-                         range);
-    });
+    return refusal([&] { crossings_of_roots(roots_of({{[](double) { return -1; }, 10}}), range); });
   };
   EXPECT_EQ(search({20, 10}),
             "speeds from 20 to 10 m/s are not a range; both must be above zero and the second one larger");
@@ -255,11 +234,9 @@ TEST(CriticalSpeed, RefusesARangeThatDoesNotRise)
 // Three branches cross in growth and two in frequency; each keeps its own.
 TEST(RootLocus, BranchesStayWithTheirModes)
 {
-  const std::vector<Pair> pairs{
-      {[](double v) { return -5 + v / 2; },         80 },
-      {[](double v) { return -v / 3; },             128},
-      {[](double v) { return -20 + 0.02 * v * v; }, 81 }
-  };
+  const std::vector<Pair> pairs{{[](double v) { return -5 + v / 2; }, 80},
+                                {[](double v) { return -v / 3; }, 128},
+                                {[](double v) { return -20 + 0.02 * v * v; }, 81}};
   const RootLocus locus = root_locus(matrix_of(pairs), Eigen::VectorXd::LinSpaced(30, 1, 30));
   ASSERT_EQ(locus.branch.rows(), 6);
   for (Eigen::Index row = 0; row < 6; ++row) {

@@ -40,14 +40,10 @@ TEST(HorizontalModel, WithRigidSeatsOnlyTheBearingsYield)
     double Kzc;
     int bearings;
   };
-  for (const Row &row : {
-           Row{"horizontal.2.01e10_one", 2.01e10,                     1},
-           Row{"horizontal.2.01e10_two", 2.01e10,                     2},
-           Row{"horizontal.2.587e9_one", row_sum,                     1},
-           Row{"horizontal.2.587e9_two", row_sum,                     2},
- // third row read as 6.23286e4 N/mm
-           Row{"horizontal.2.026e9_two", row_sum - 0.9 * 623286000.0, 2}
-  }) {
+  for (const Row &row : {Row{"horizontal.2.01e10_one", 2.01e10, 1}, Row{"horizontal.2.01e10_two", 2.01e10, 2},
+                         Row{"horizontal.2.587e9_one", row_sum, 1}, Row{"horizontal.2.587e9_two", row_sum, 2},
+                         // third row read as 6.23286e4 N/mm
+                         Row{"horizontal.2.026e9_two", row_sum - 0.9 * 623286000.0, 2}}) {
     ChockSeats seats;
     seats.bearings_per_roll = row.bearings;
     const auto model        = horizontal_model(stand_on_bearings(row.Kzc), seats);

@@ -62,12 +62,7 @@ std::vector<RollBite> passes()
   add([](Strip &s) { s.flow_stress = {FlowStressLaw::power, 730e6, 0, 0.15}; });
   add([](Strip &s) {
     s.flow_stress.law   = FlowStressLaw::table;
-    s.flow_stress.table = {
-        {0,   500e6},
-        {1,   700e6},
-        {1.5, 760e6},
-        {2,   800e6}
-    };
+    s.flow_stress.table = {{0, 500e6}, {1, 700e6}, {1.5, 760e6}, {2, 800e6}};
   });
   // Strain from the entry, hardening with an infinite slope there.
   add([](Strip &s) {
@@ -190,24 +185,14 @@ TEST(LinearSensitivity, RandomPassesSatisfySimilarity)
         total += power * by[int(number)];
       return total;
     };
-    using N           = PassNumber;
-    const auto stress = {
-        std::pair{N::stress,             1 },
-        std::pair{N::entry_tension,      1 },
-        std::pair{N::exit_tension,       1 },
-        std::pair{N::youngs_modulus,     1 },
-        std::pair{N::viscosity,          1 },
-        std::pair{N::pressure_viscosity, -1}
-    };
+    using N            = PassNumber;
+    const auto stress  = {std::pair{N::stress, 1},       std::pair{N::entry_tension, 1},
+                          std::pair{N::exit_tension, 1}, std::pair{N::youngs_modulus, 1},
+                          std::pair{N::viscosity, 1},    std::pair{N::pressure_viscosity, -1}};
     const auto lengths = {
-        std::pair{N::entry_thickness,   1 },
-        std::pair{N::exit_thickness,    1 },
-        std::pair{N::initial_thickness, 1 },
-        std::pair{N::roll_radius,       1 },
-        std::pair{N::width,             1 },
-        std::pair{N::roll_speed,        1 },
-        std::pair{N::decay,             -1}
-    };
+        std::pair{N::entry_thickness, 1}, std::pair{N::exit_thickness, 1}, std::pair{N::initial_thickness, 1},
+        std::pair{N::roll_radius, 1},     std::pair{N::width, 1},          std::pair{N::roll_speed, 1},
+        std::pair{N::decay, -1}};
     const auto exact = within(1e-9, "similarity is exact; sums of slopes some ten times their result", 1);
     EXPECT_TRUE(near(sum(d.friction, stress) / s.state.friction, 0, exact));
     EXPECT_TRUE(near(sum(d.force, stress) / s.state.force, 1, exact));
@@ -236,9 +221,7 @@ TEST(LinearSensitivity, ListsTheNumbersThatActInAPass)
   b.strip.initial_thickness = not_given;
   b.strip.exit_tension      = 0;
   EXPECT_FALSE(has(PassNumber::initial_thickness) || has(PassNumber::exit_tension));
-  b.strip.flow_stress = {
-      FlowStressLaw::table, 0, 0, 0, 0, {{0, 5e8}, {1, 6e8}}
-  };
+  b.strip.flow_stress = {FlowStressLaw::table, 0, 0, 0, 0, {{0, 5e8}, {1, 6e8}}};
   EXPECT_FALSE(has(PassNumber::stress));
   EXPECT_EQ(value_of(b, PassNumber::stress_factor), 1);
   EXPECT_EQ(with_number_scaled(b, PassNumber::stress_factor, 2).strip.flow_stress.table[1][1], 12e8);

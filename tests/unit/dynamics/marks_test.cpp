@@ -65,11 +65,7 @@ TEST(Marks, PublishedSpacingsOfOtherMills)
 TEST(Marks, AWholeNumberIsAcceptedOnlyWhereItIsDistinguishable)
 {
   MarkSources s;
-  s.rolls = {
-      {"small", 20 * 2e-3 / M_PI   },
-      {"off",   20.4 * 2e-3 / M_PI },
-      {"large", 80.11 * 2e-3 / M_PI}
-  };
+  s.rolls         = {{"small", 20 * 2e-3 / M_PI}, {"off", 20.4 * 2e-3 / M_PI}, {"large", 80.11 * 2e-3 / M_PI}};
   const auto with = [&](const double accuracy) {
     MarksQuestion q = question();
     q.accuracy      = accuracy;
@@ -167,10 +163,7 @@ TEST(Marks, AxesOfTheMapCoverTheRequestOrTheModes)
     EXPECT_TRUE(holds(map_axes(q, diameter, none), std::min(n, 400.0)));
   }
   // 2278 waves at 4.2 kHz, the only mode at 100 Hz: the map shows where that one is met.
-  const MapAxes low = map_axes(q, 1.45,
-                               {
-                                   {"a", "a", 100, 0.01}
-  });
+  const MapAxes low = map_axes(q, 1.45, {{"a", "a", 100, 0.01}});
   EXPECT_EQ(low.waves[0], 1);
   EXPECT_TRUE(holds(low, M_PI * 1.45 * 100 / q.speed));
 }

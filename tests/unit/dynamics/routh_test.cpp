@@ -49,38 +49,18 @@ Eigen::MatrixXd with_roots(const std::vector<std::complex<double>> &roots)
 
 TEST(Routh, NumberOfKnownRootsIsRight)
 {
-  const RouthCount stable = routh_count(with_roots({
-      {-1,     2},
-      {-0.5,   0},
-      {-0.001, 7}
-  }));
+  const RouthCount stable = routh_count(with_roots({{-1, 2}, {-0.5, 0}, {-0.001, 7}}));
   EXPECT_EQ(stable.unstable, 0);
   EXPECT_EQ(stable.on_axis, 0);
   EXPECT_EQ(stable.first_column.size(), 6);
   EXPECT_GT(stable.first_column.minCoeff(), 0);
-  EXPECT_EQ(routh_count(with_roots({
-                            {1,      2},
-                            {-0.5,   0},
-                            {-0.001, 7}
-  }))
-                .unstable,
-            2);
-  EXPECT_EQ(routh_count(with_roots({
-                            {1,    0},
-                            {0.25, 8},
-                            {-3,   1}
-  }))
-                .unstable,
-            3);
+  EXPECT_EQ(routh_count(with_roots({{1, 2}, {-0.5, 0}, {-0.001, 7}})).unstable, 2);
+  EXPECT_EQ(routh_count(with_roots({{1, 0}, {0.25, 8}, {-3, 1}})).unstable, 3);
 }
 
 TEST(Routh, WorksForALineNextToTheAxis)
 {
-  const Eigen::MatrixXd A = with_roots({
-      {-1,   2},
-      {-0.5, 0},
-      {-3,   7}
-  });
+  const Eigen::MatrixXd A = with_roots({{-1, 2}, {-0.5, 0}, {-3, 7}});
   EXPECT_EQ(routh_count(A, -0.75).unstable, 1);
   EXPECT_EQ(routh_count(A, -2).unstable, 3);
   EXPECT_EQ(routh_count(A, -2).on_axis, 0);
@@ -89,25 +69,13 @@ TEST(Routh, WorksForALineNextToTheAxis)
 
 TEST(Routh, ReportsRootsOnTheAxis)
 {
-  const RouthCount pair = routh_count(with_roots({
-      {0,   2},
-      {-1,  3},
-      {0.5, 1}
-  }));
+  const RouthCount pair = routh_count(with_roots({{0, 2}, {-1, 3}, {0.5, 1}}));
   EXPECT_EQ(pair.unstable, 2);
   EXPECT_EQ(pair.on_axis, 2);
-  const RouthCount two = routh_count(with_roots({
-      {0,  2},
-      {0,  5},
-      {-1, 0}
-  }));
+  const RouthCount two = routh_count(with_roots({{0, 2}, {0, 5}, {-1, 0}}));
   EXPECT_EQ(two.unstable, 0);
   EXPECT_EQ(two.on_axis, 4);
-  const RouthCount origin = routh_count(with_roots({
-      {0,  0},
-      {-1, 4},
-      {2,  0}
-  }));
+  const RouthCount origin = routh_count(with_roots({{0, 0}, {-1, 4}, {2, 0}}));
   EXPECT_EQ(origin.unstable, 1);
   EXPECT_EQ(origin.on_axis, 1);
 }
@@ -115,18 +83,10 @@ TEST(Routh, ReportsRootsOnTheAxis)
 // Symmetric to the origin, but not on the axis: a row vanishes all the same.
 TEST(Routh, SymmetricRootsAreCountedOnTheirSides)
 {
-  const RouthCount reals = routh_count(with_roots({
-      {2,  0},
-      {-2, 0},
-      {-1, 3}
-  }));
+  const RouthCount reals = routh_count(with_roots({{2, 0}, {-2, 0}, {-1, 3}}));
   EXPECT_EQ(reals.unstable, 1);
   EXPECT_EQ(reals.on_axis, 0);
-  const RouthCount four = routh_count(with_roots({
-      {1,  2},
-      {-1, 2},
-      {0,  3}
-  }));
+  const RouthCount four = routh_count(with_roots({{1, 2}, {-1, 2}, {0, 3}}));
   EXPECT_EQ(four.unstable, 2);
   EXPECT_EQ(four.on_axis, 2);
 }
@@ -170,12 +130,6 @@ TEST(Routh, HandlesRootsFarApart)
 
 TEST(Routh, HalvingFindsWhereTheCountChanges)
 {
-  const auto matrix = [](const double v) {
-    return with_roots({
-        {v - 3.25, 10},
-        {-1,       2 },
-        {-7,       0 }
-    });
-  };
+  const auto matrix = [](const double v) { return with_roots({{v - 3.25, 10}, {-1, 2}, {-7, 0}}); };
   EXPECT_TRUE(near(boundary_by_routh(matrix, 1, 10, 1e-9), 3.25, within(1e-9, "halving to 1e-9")));
 }

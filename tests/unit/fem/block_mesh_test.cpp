@@ -71,15 +71,8 @@ TEST(BlockMesh, BrickHasItsSizeAndItsGroups)
   EXPECT_TRUE(near(mesh.smallest_jacobian, 1, rounding));
   const fem::ElasticBody body(mesh, steel, 1);
   EXPECT_TRUE(near(body.volume(), 24, rounding));
-  const std::vector<std::pair<std::string, double>> areas{
-      {"patch",  2 },
-      {"top",    10},
-      {"bottom", 12},
-      {"left",   8 },
-      {"right",  8 },
-      {"back",   6 },
-      {"front",  6 }
-  };
+  const std::vector<std::pair<std::string, double>> areas{{"patch", 2}, {"top", 10}, {"bottom", 12}, {"left", 8},
+                                                          {"right", 8}, {"back", 6}, {"front", 6}};
   for (const auto &[name, area] : areas)
     EXPECT_TRUE(near(body.face_weights(name).sum(), area, rounding)) << name;
   EXPECT_EQ(body.group("patch").size(), 6u);
@@ -117,10 +110,7 @@ TEST(RingMesh, QuarterRingHasItsArea)
   const auto mesh = meshes::mesh_ring(meshes::even_lines(0.6, 1, 4), 12, file.path);
   EXPECT_EQ(mesh.n_cells, 48);
   const fem::SectionBody body(mesh, steel, 2, fem::Section::plane_strain,
-                              {
-                                  {"inner", {0, 0}, 0.6},
-                                  {"outer", {0, 0}, 1  }
-  });
+                              {{"inner", {0, 0}, 0.6}, {"outer", {0, 0}, 1}});
   EXPECT_TRUE(near(body.measure(), M_PI / 4 * (1 - 0.36),
                    within(1e-5, "quadratic edges of half an angle t = 0.065 leave the circle by R t^4/8 = 2e-6")));
   for (const int node : body.group("symmetry.x"))
@@ -140,10 +130,7 @@ TEST(DiscMesh, QuarterDiscHasItsAreaAndItsPatch)
   const auto mesh      = meshes::mesh_disc(10, size, file.path);
   EXPECT_GT(mesh.smallest_jacobian, 0.1);
   const fem::SectionBody body(mesh, steel, 2, fem::Section::plane_strain,
-                              {
-                                  {"patch", {0, 0}, 10},
-                                  {"rim",   {0, 0}, 10}
-  });
+                              {{"patch", {0, 0}, 10}, {"rim", {0, 0}, 10}});
   EXPECT_TRUE(near(body.measure(), 25 * M_PI,
                    within(1e-4, "the longest edge on the rim spans 10 degrees, t = 0.09: R t^4/8 = 8e-6 of R")));
   double reach = 0;

@@ -137,9 +137,7 @@ TEST(ComponentModes, APartHeldByTheGroundHasNoRigidMotion)
   const fem::PartModel part("work roll", roll().body, ground);
   const Component held = fem::component_modes(part, interface, {8});
   fem::WholeStand stand;
-  stand.bodies = {
-      {&part, &interface}
-  };
+  stand.bodies               = {{&part, &interface}};
   stand.mass                 = Eigen::MatrixXd::Zero(7, 7);
   const Eigen::VectorXd full = fem::whole_modes(stand, 2).frequency;
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(held.K, held.M);
@@ -153,10 +151,8 @@ TEST(ComponentModes, APartHeldByTheGroundHasNoRigidMotion)
 TEST(WholeStand, AnAssemblyThatFloatsIsNamed)
 {
   fem::WholeStand stand;
-  stand.bodies = {
-      {&roll().part, &roll().interface}
-  };
-  stand.mass = Eigen::MatrixXd::Zero(7, 7);
+  stand.bodies = {{&roll().part, &roll().interface}};
+  stand.mass   = Eigen::MatrixXd::Zero(7, 7);
   EXPECT_EQ(
       refusal([&] { fem::whole_modes(stand, 2); }),
       "the springs leave the work roll free to move along y: join it to the ground or to a part that is held");
@@ -189,9 +185,7 @@ TEST(ComponentModes, AreTheSameToTheBitWhereverTheMatricesLie)
 TEST(WholeStand, StaticSpringsAddUp)
 {
   fem::WholeStand stand;
-  stand.bodies = {
-      {&roll().part, &roll().interface}
-  };
+  stand.bodies  = {{&roll().part, &roll().interface}};
   stand.n_lumps = 1;
   stand.mass    = Eigen::MatrixXd::Identity(8, 8);
   Connection ground{"ground", Eigen::MatrixXd::Zero(1, 8), Eigen::VectorXd::Constant(1, 2e9)};

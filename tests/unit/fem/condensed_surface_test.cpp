@@ -53,10 +53,7 @@ fem::SectionBody quarter_ring(const double r1, const double r2, const int n_radi
 {
   const auto mesh = meshes::mesh_ring(meshes::even_lines(r1, r2, n_radial), n_angle, scratch());
   fem::SectionBody body(mesh, steel, 2, fem::Section::plane_strain,
-                        {
-                            {"inner", {0, 0}, r1},
-                            {"outer", {0, 0}, r2}
-  });
+                        {{"inner", {0, 0}, r1}, {"outer", {0, 0}, r2}});
   std::filesystem::remove(mesh.path);
   return body;
 }
@@ -183,14 +180,9 @@ TEST(CondensedSurface, PressureOnAFaceInSpaceHasItsResultantAndMoment)
     const auto mesh = meshes::mesh_block(grid, scratch());
     const fem::ElasticBody body(mesh, steel, degree);
     std::filesystem::remove(mesh.path);
-    const std::vector<std::pair<std::string, Vector3d>> faces{
-        {"patch",  {0, 1, 0} },
-        {"bottom", {0, -1, 0}},
-        {"left",   {-1, 0, 0}},
-        {"right",  {1, 0, 0} },
-        {"back",   {0, 0, -1}},
-        {"front",  {0, 0, 1} }
-    };
+    const std::vector<std::pair<std::string, Vector3d>> faces{{"patch", {0, 1, 0}}, {"bottom", {0, -1, 0}},
+                                                              {"left", {-1, 0, 0}}, {"right", {1, 0, 0}},
+                                                              {"back", {0, 0, -1}}, {"front", {0, 0, 1}}};
     for (const auto &[name, normal] : faces) {
       const Surface s         = body.surface(name);
       const Eigen::MatrixXd n = contact::nodal_normals(s);

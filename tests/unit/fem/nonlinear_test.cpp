@@ -218,10 +218,8 @@ TEST(PlasticSolid, ConfinedCompressionByAPlate)
       held[3 * node + 2] = 1;
   for (const int node : body.group("bottom"))
     held[3 * node + 1] = 1;
-  fem::PressedSolid solid{
-      &body, {200e9,                                                                         0.3, 400e6, 0.01},
-       held, "patch", Vector3d(0, 1, 0), [](const Vector3d &) { return -0.02;}
-  };
+  fem::PressedSolid solid{&body,   {200e9, 0.3, 400e6, 0.01}, held,
+                          "patch", Vector3d(0, 1, 0),         [](const Vector3d &) { return -0.02; }};
   const auto state   = fem::press_plastic(solid);
   const double shear = 200e9 / 2.6, s = 2 * shear * 0.02 * std::sqrt(2. / 3),
                deviator = std::sqrt(2. / 3) * (400e6 + 0.01 * (s - 400e6));

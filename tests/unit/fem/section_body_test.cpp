@@ -26,12 +26,7 @@ public:
     mesh.path         = (std::filesystem::temp_directory_path() /
                  ("millstand-section-" + std::to_string(getpid()) + "-" + std::to_string(serial++) + ".msh"))
                     .string();
-    mesh.groups = {
-        {"left",   1},
-        {"right",  2},
-        {"bottom", 3},
-        {"top",    4}
-    };
+    mesh.groups = {{"left", 1}, {"right", 2}, {"bottom", 3}, {"top", 4}};
     std::ofstream out(mesh.path);
     out.precision(17);
     out << "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n" << (n + 1) * (m + 1) << "\n";
@@ -133,11 +128,7 @@ Eigen::MatrixX2d pressure_load(const SectionBody &body, const std::string &group
   Eigen::MatrixX2d out = Eigen::MatrixX2d::Zero(body.nodes().rows(), 2);
   const double g       = std::sqrt(0.6);
   for (int f = 0; f < s.faces.rows(); ++f)
-    for (const auto &[t, w] : {
-             std::pair{-g, 5. / 9},
-             {0., 8. / 9},
-             {g,  5. / 9}
-    }) {
+    for (const auto &[t, w] : {std::pair{-g, 5. / 9}, {0., 8. / 9}, {g, 5. / 9}}) {
       const Eigen::Vector3d N(0.5 * t * (t - 1), 1 - t * t, 0.5 * t * (t + 1)), dN(t - 0.5, -2 * t, t + 0.5);
       Eigen::Vector2d tangent = Eigen::Vector2d::Zero(), at = tangent;
       for (int a = 0; a < 3; ++a) {
@@ -289,11 +280,7 @@ TEST(SectionBody, ThickRingUnderPressurePlaneStrain)
     const double r = a * std::pow(b / a, s), angle = M_PI / 2 * t;  // the field varies as 1/r
     return Eigen::Vector2d(r * std::cos(angle), r * std::sin(angle));
   });
-  const SectionBody body(grid.mesh, steel, 2, Section::plane_strain,
-                         {
-                             {"left",  {0, 0}, a},
-                             {"right", {0, 0}, b}
-  });
+  const SectionBody body(grid.mesh, steel, 2, Section::plane_strain, {{"left", {0, 0}, a}, {"right", {0, 0}, b}});
   EXPECT_TRUE(near(body.measure(), M_PI / 4 * (b * b - a * a),
                    within(1e-5, "arcs of 7.5 degrees by parabolas through three true points")));
   std::vector<char> held(2 * body.nodes().rows(), 0);
@@ -302,10 +289,7 @@ TEST(SectionBody, ThickRingUnderPressurePlaneStrain)
   for (const int node : body.group("top"))
     held[2 * node] = 1;
   const Eigen::VectorXd u = solve(body.stiffness(), held, p * interleaved(pressure_load(body, "left")));
-  for (const auto &[group, r] : {
-           std::pair{"left",  a},
-           {"right", b}
-  })
+  for (const auto &[group, r] : {std::pair{"left", a}, {"right", b}})
     for (const int node : body.group(group)) {
       EXPECT_TRUE(near(body.nodes().row(node).norm(), r,
                        within_absolute(1e-14, "m, nodes are put on the circle, rounding")))
@@ -327,10 +311,7 @@ TEST(SectionBody, ThickRingUnderPressureAxisymmetric)
     for (const int node : body.group(face))
       held[2 * node + 1] = 1;
   const Eigen::VectorXd u = solve(body.stiffness(), held, p * interleaved(pressure_load(body, "left")));
-  for (const auto &[group, r] : {
-           std::pair{"left",  a},
-           {"right", b}
-  })
+  for (const auto &[group, r] : {std::pair{"left", a}, {"right", b}})
     for (const int node : body.group(group))
       EXPECT_TRUE(near(u[2 * node], lame(r, a, b, p), within(1e-4, "quadratic elements, 8 over the wall")));
 }
@@ -366,12 +347,7 @@ TEST(SectionBody, SurfaceRunsWithTheBodyOnItsLeft)
   const Grid grid(3, 5, skewed);
   for (const int degree : {1, 2}) {
     const SectionBody body(grid.mesh, steel, degree, Section::axisymmetric);
-    for (const auto &[name, cells] : {
-             std::pair{"left",   5},
-             {"right",  5},
-             {"bottom", 3},
-             {"top",    3}
-    }) {
+    for (const auto &[name, cells] : {std::pair{"left", 5}, {"right", 5}, {"bottom", 3}, {"top", 3}}) {
       const Surface s = body.surface(name);
       EXPECT_TRUE(s.axisymmetric);
       EXPECT_TRUE(std::is_sorted(s.node.begin(), s.node.end()));

@@ -73,10 +73,10 @@ TEST(StripFlow, BitesNextToSkiddingConverge)
   struct {
     double radius, entry, exit, k, mu, entry_tension, exit_tension;
   } const passes[] = {
-      {0.0934, 0.243e-3, 0.2126e-3, 583e6, 0.0238, 111e6, 15e6 },
-      {0.5432, 181.3e-3, 106.6e-3,  130e6, 0.2505, 11e6,  7e6  },
-      {0.0644, 0.465e-3, 0.386e-3,  356e6, 0.0326, 80e6,  60e6 },
-      {0.0770, 0.710e-3, 0.693e-3,  945e6, 0.1085, 2e6,   314e6}, // a rigid roll would skid
+      {0.0934, 0.243e-3, 0.2126e-3, 583e6, 0.0238, 111e6, 15e6},
+      {0.5432, 181.3e-3, 106.6e-3, 130e6, 0.2505, 11e6, 7e6},
+      {0.0644, 0.465e-3, 0.386e-3, 356e6, 0.0326, 80e6, 60e6},
+      {0.0770, 0.710e-3, 0.693e-3, 945e6, 0.1085, 2e6, 314e6},  // a rigid roll would skid
   };
   for (const auto &p : passes) {
     bite::RollBite b             = demo();

@@ -157,13 +157,10 @@ TEST(StripMaterial, DerivativesAreThoseOfTheSolution)
     FlowStress law;
     double compliance, cutoff_strain_rate, size;
   };
-  for (const Kind &kind : {
-           Kind{"elastic",     constant(1), 2e-3, 0,    2e-4 },
-           Kind{"plastic",     constant(1), 2e-3, 0,    0.02 },
-           Kind{"hardening",   swift(),     2e-3, 0,    0.02 },
-           Kind{"regularised", swift(),     2e-3, 1e-3, 0.002},
-           Kind{"rigid",       swift(),     0,    1e-3, 0.02 }
-  }) {
+  for (const Kind &kind :
+       {Kind{"elastic", constant(1), 2e-3, 0, 2e-4}, Kind{"plastic", constant(1), 2e-3, 0, 0.02},
+        Kind{"hardening", swift(), 2e-3, 0, 0.02}, Kind{"regularised", swift(), 2e-3, 1e-3, 0.002},
+        Kind{"rigid", swift(), 0, 1e-3, 0.02}}) {
     const StripMaterial m{&kind.law, 1, kind.compliance, kind.cutoff_strain_rate};
     Inputs in = even(kind.size, 0.3 * kind.size, 0.6 * kind.size, -0.9 * kind.size, {0.1, -0.08, 0.05, 0.02});
     in[n_at_point + gradient_xy] *= 1.5;

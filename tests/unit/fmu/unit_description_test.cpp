@@ -83,14 +83,10 @@ std::vector<fmu::ExportedModel> models()
 TEST(UnitDescription, EveryVariableKeepsTheRules)
 {
   const std::set<std::pair<std::string, std::string>> legal{
-      {"parameter",           "fixed"     },
-      {"parameter",           "tunable"   },
-      {"calculatedParameter", "fixed"     },
-      {"calculatedParameter", "tunable"   },
-      {"input",               "continuous"},
-      {"output",              "continuous"},
-      {"independent",         "continuous"}
-  };
+      {"parameter", "fixed"},           {"parameter", "tunable"},
+      {"calculatedParameter", "fixed"}, {"calculatedParameter", "tunable"},
+      {"input", "continuous"},          {"output", "continuous"},
+      {"independent", "continuous"}};
   for (const int version : {2, 3})
     for (const fmu::ExportedModel &model : models()) {
       const auto all = elements_of(fmu::model_description(model, version));

@@ -103,20 +103,12 @@ public:
 ComparisonSetup setup_of(const Stand &stand, const double limit)
 {
   ComparisonSetup setup;
-  setup.rate     = rate;
-  setup.channels = {
-      {"lower_work_roll", "m/s2"},
-      {"upper_work_roll", "m/s2"},
-      {"speed",           "m/s" },
-      {"entry_tension",   "Pa"  },
-      {"exit_tension",    "Pa"  },
-      {"entry_thickness", "m"   },
-      {"exit_thickness",  "m"   }
-  };
-  setup.places = {"upper_work_roll", "lower_work_roll"};
-  setup.bands  = {
-       {"third octave", 128.1}
-  };
+  setup.rate            = rate;
+  setup.channels        = {{"lower_work_roll", "m/s2"}, {"upper_work_roll", "m/s2"}, {"speed", "m/s"},
+                           {"entry_tension", "Pa"},     {"exit_tension", "Pa"},      {"entry_thickness", "m"},
+                           {"exit_thickness", "m"}};
+  setup.places          = {"upper_work_roll", "lower_work_roll"};
+  setup.bands           = {{"third octave", 128.1}};
   setup.limit           = limit;
   setup.chatter         = ChatterWatch::Setup{stand.model};
   setup.wait            = true;
@@ -225,11 +217,7 @@ TEST(ChatterWatch, InputsOfTheStream)
 {
   const Stand stand;
   const std::vector<LiveChannel> channels = {
-      {"exit_speed",      "m/s"},
-      {"entry_tension",   "N"  },
-      {"exit_tension",    "s"  },
-      {"entry_thickness", "mm" }
-  };
+      {"exit_speed", "m/s"}, {"entry_tension", "N"}, {"exit_tension", "s"}, {"entry_thickness", "mm"}};
   ChatterWatch watch({stand.model, twin::usual_doubts(), 60, true}, channels, 100);
   ASSERT_EQ(watch.notes().size(), 2u);
   EXPECT_EQ(watch.notes()[0], "no channel exit_thickness: the value of the case is taken");

@@ -39,10 +39,8 @@ TEST(EventText, FloatsAreLittleEndianBase64)
 TEST(EventText, UnknownNumbersAreNullAndTextsAreEscaped)
 {
   live::PageStand stand;
-  stand.name   = "M\xc3\xbchle \"3\"\n\xff";
-  stand.places = {
-      {"upper_work_roll", "upper work roll", 1889, live::unknown, INFINITY, true}
-  };
+  stand.name      = "M\xc3\xbchle \"3\"\n\xff";
+  stand.places    = {{"upper_work_roll", "upper work roll", 1889, live::unknown, INFINITY, true}};
   const json text = json::parse(live::stand_text(stand));
   EXPECT_EQ(text.at("name"), "M\xc3\xbchle \"3\"\n\xef\xbf\xbd");
   EXPECT_TRUE(text.at("places").at(0).at("diameter").is_null());
@@ -57,11 +55,8 @@ TEST(EventText, NumbersAreReadAgain)
   numbers.utc          = 1767600000.125;
   numbers.state        = "running";
   numbers.displacement = {1.5e-6, -2.5e-7};
-  numbers.measured     = {
-          {{-1, NAN},   {2, NAN}},
-          {           }
-  };
-  const json text = json::parse(live::numbers_text(numbers));
+  numbers.measured     = {{{-1, NAN}, {2, NAN}}, {}};
+  const json text      = json::parse(live::numbers_text(numbers));
   EXPECT_EQ(text.at("s"), 123456789012);
   EXPECT_EQ(text.at("utc"), 1767600000.125);
   EXPECT_TRUE(text.at("force").is_null());
@@ -73,34 +68,20 @@ TEST(EventText, NumbersAreReadAgain)
 TEST(EventText, EveryEventIsAnObjectWithItsMembers)
 {
   live::PageAccount account;
-  account.channels = {
-      {"force", 10, 4, 3, 2, 1}
-  };
+  account.channels = {{"force", 10, 4, 3, 2, 1}};
   live::PageLevels levels;
   levels.places               = {{"upper_work_roll"}};
-  levels.places[0].incoherent = {
-      {125, 0.25}
-  };
+  levels.places[0].incoherent = {{125, 0.25}};
   live::PageModes modes;
-  modes.modes = {
-      {"third octave", 218.3}
-  };
+  modes.modes = {{"third octave", 218.3}};
   live::PageChatter chatter;
-  chatter.bands = {
-      {"third octave", 218.3}
-  };
+  chatter.bands = {{"third octave", 218.3}};
   live::PageProposal proposal;
-  proposal.values = {
-      {"K3", "N/m", 4e10, 3.9e10}
-  };
+  proposal.values = {{"K3", "N/m", 4e10, 3.9e10}};
   live::PageParameters parameters;
-  parameters.sliders = {
-      {"K3", 1.1}
-  };
+  parameters.sliders = {{"K3", 1.1}};
   live::PageAdvice advice;
-  advice.rows = {
-      {"oil x 0.8", -0.12}
-  };
+  advice.rows        = {{"oil x 0.8", -0.12}};
   const auto members = [](const std::string &text) {
     std::string names;
     const json object = json::parse(text);

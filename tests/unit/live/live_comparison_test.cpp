@@ -37,17 +37,12 @@ struct SixMasses {
 ComparisonSetup setup_of(const SixMasses &stand)
 {
   ComparisonSetup setup;
-  setup.rate     = rate;
-  setup.channels = {
-      {"force",           "N"   },
-      {"upper_work_roll", "m/s2"},
-      {"lower_work_roll", "m/s2"},
-      {"speed",           "m/s" }
-  };
-  setup.places          = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
-                           "lower_work_roll", "lower_backup_roll", "lower_frame"};
-  const auto modes      = stand.chain(1);
-  setup.modes.load      = Eigen::VectorXd::Constant(1, 1e6);
+  setup.rate       = rate;
+  setup.channels   = {{"force", "N"}, {"upper_work_roll", "m/s2"}, {"lower_work_roll", "m/s2"}, {"speed", "m/s"}};
+  setup.places     = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
+                      "lower_work_roll", "lower_backup_roll", "lower_frame"};
+  const auto modes = stand.chain(1);
+  setup.modes.load = Eigen::VectorXd::Constant(1, 1e6);
   setup.modes.frequency = modes.frequency.transpose();
   setup.modes.damping   = Eigen::VectorXd::Constant(6, 0.01);
   setup.modes.sd        = Eigen::VectorXd::Zero(6);  // calibrated on this stand
@@ -240,16 +235,14 @@ TEST(LiveComparison, AdoptedProposalIsACase)
   const Case origin = given_case(folder);
   Proposals proposals;
   Proposal proposal;
-  proposal.utc           = 1.7e9;
-  proposal.from          = 1.7e9 - 60;
-  proposal.to            = 1.7e9;
-  proposal.reason        = "Mode 6 has fallen by 2.50 %.";
-  proposal.found.seconds = 60;
-  proposal.found.values  = {
-       {"K3",   0.06, std::log(0.95), 0.001, true },
-       {"K1",   0.06, 0,              0.02,  false},
-       {"zeta", 2,    std::log(1.2),  0.01,  true }
-  };
+  proposal.utc            = 1.7e9;
+  proposal.from           = 1.7e9 - 60;
+  proposal.to             = 1.7e9;
+  proposal.reason         = "Mode 6 has fallen by 2.50 %.";
+  proposal.found.seconds  = 60;
+  proposal.found.values   = {{"K3", 0.06, std::log(0.95), 0.001, true},
+                             {"K1", 0.06, 0, 0.02, false},
+                             {"zeta", 2, std::log(1.2), 0.01, true}};
   proposal.before         = lumped_model_of(origin);
   proposal.chain          = recalibrated(proposal.before, proposal.found, 976.2e3);
   proposal.damping_before = 0.01;
@@ -291,10 +284,7 @@ TEST(LiveComparison, SaysWhatCannotBeCompared)
 {
   const SixMasses stand;
   ComparisonSetup setup = setup_of(stand);
-  setup.channels        = {
-             {"force",           "N"},
-             {"upper_work_roll", "V"}
-  };
+  setup.channels        = {{"force", "N"}, {"upper_work_roll", "V"}};
   Comparison comparison(setup);
   ASSERT_EQ(comparison.notes().size(), 2u);
   EXPECT_EQ(comparison.notes()[0], "channel upper_work_roll is in \"V\" and not in m/s2: it is not compared");

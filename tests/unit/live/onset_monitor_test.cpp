@@ -22,11 +22,7 @@ std::vector<PageAlarm> alarms_of(const double seconds, const double from, const 
   for (Eigen::Index k = Eigen::Index(from * rate); k < n; ++k)
     if (double(k) < until * rate)
       x(k, 0) += level * std::sin(2 * M_PI * at * double(k) / rate);
-  OnsetMonitor monitor(rate,
-                       {
-                           "upper_work_roll"
-  },
-                       {{"third octave", at}}, limit);
+  OnsetMonitor monitor(rate, {"upper_work_roll"}, {{"third octave", at}}, limit);
   AlarmBook book;
   for (Eigen::Index k = 0; k < n; k += 50)
     monitor.take(k, 1.7e9, x.middleRows(k, 50), book);
@@ -54,11 +50,7 @@ TEST(OnsetMonitor, StatesTheTimeToTheLimitAndTheLongestLead)
   Eigen::MatrixXd x = synthetic::white(17, n, rate, 0.005);
   for (Eigen::Index k = Eigen::Index(40 * rate); k < n; ++k)
     x(k, 0) += 0.01 * std::exp(4 * (double(k) / rate - 40)) * std::sin(2 * M_PI * at * double(k) / rate);
-  OnsetMonitor monitor(rate,
-                       {
-                           "upper_work_roll"
-  },
-                       {{"third octave", at}}, 10.0);
+  OnsetMonitor monitor(rate, {"upper_work_roll"}, {{"third octave", at}}, 10.0);
   AlarmBook book;
   std::vector<PageAlarm> news;
   for (Eigen::Index k = 0; k < n && news.empty(); k += 50) {
@@ -137,11 +129,7 @@ std::vector<WatchedBand> usual_bands_and_modes()
 TEST(OnsetMonitor, RaisesOneAlarmForOneChatter)
 {
   // between two bands, in two channels, up to 4000 times the noise of the other bands, with two multiples
-  const auto alarms = alarms_of_chatter(
-      {
-          151.7, {2, 4}
-  },
-      usual_bands_and_modes());
+  const auto alarms = alarms_of_chatter({151.7, {2, 4}}, usual_bands_and_modes());
   ASSERT_EQ(alarms.size(), 1u) << alarms[1].text;
   double seen = 0;
   ASSERT_EQ(std::sscanf(alarms[0].text.c_str(), "chatter at %lf Hz, ", &seen), 1) << alarms[0].text;

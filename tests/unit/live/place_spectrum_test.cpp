@@ -12,11 +12,8 @@ live::LiveSource source()
 {
   live::LiveSource out;
   out.rate     = rate;
-  out.channels = {
-      {"force",           "N"   },
-      {"upper_work_roll", "m/s2"}
-  };
-  out.places = {"upper_frame", "upper_work_roll"};
+  out.channels = {{"force", "N"}, {"upper_work_roll", "m/s2"}};
+  out.places   = {"upper_frame", "upper_work_roll"};
   return out;
 }
 

@@ -44,11 +44,8 @@ struct Folder {
 
 live::LiveSource source()
 {
-  return {
-      "daq-1", 1000, 1767607200.0, {{"force", "N"}, {"upper_work_roll", "m/s2"}, {"it's", "V"}},
-         {            },
-         {1,               1,                              1                                          }
-  };
+  return {"daq-1", 1000,     1767607200.0, {{"force", "N"}, {"upper_work_roll", "m/s2"}, {"it's", "V"}},
+          {},      {1, 1, 1}};
 }
 
 Eigen::MatrixXd rows(const std::int64_t first, const Eigen::Index n)
@@ -151,9 +148,10 @@ TEST(Recorder, APartIsReadableWhileItGrowsAndFinishedAfterwards)
   EXPECT_EQ(finished[0].rows, 1203);
   const auto whole = twin::read_npy_record(to.folder.path + "/20260105T110000Z_77.npy", {});
   EXPECT_EQ(whole.n_samples(), 1203);
-  EXPECT_EQ(said.at(2), to.folder.path +
-                            "/20260105T120000Z_0.npy.part cannot be finished, since it is not a recording; it stays "
-                                "as it is");
+  EXPECT_EQ(said.at(2),
+            to.folder.path +
+                "/20260105T120000Z_0.npy.part cannot be finished, since it is not a recording; it stays "
+                "as it is");
   to.end();
 }
 

@@ -28,11 +28,8 @@ live::TwinModel stored_twin()
 live::ComparisonSetup stored_setup()
 {
   live::ComparisonSetup setup;
-  setup.rate     = rate;
-  setup.channels = {
-      {"force",           "N"   },
-      {"upper_work_roll", "m/s2"}
-  };
+  setup.rate            = rate;
+  setup.channels        = {{"force", "N"}, {"upper_work_roll", "m/s2"}};
   setup.places          = live::places_of(live::tuned(stored_twin(), {}));
   setup.modes.load      = Eigen::VectorXd::Constant(1, 1e6);
   setup.modes.frequency = Eigen::RowVectorXd::LinSpaced(3, 40, 120);
@@ -67,10 +64,7 @@ Json whole_state()
   live::EngineHooks hooks;
   hooks.adopt = [&](std::int64_t) { return adopted; };
   live::Engine engine(stored_twin(), hooks);
-  engine.take(live::SourceHead{
-      rate, 1.7e9, "test", {{"force", "N"}, {"upper_work_roll", "m/s2"}},
-         {1,              1                          }
-  });
+  engine.take(live::SourceHead{rate, 1.7e9, "test", {{"force", "N"}, {"upper_work_roll", "m/s2"}}, {1, 1}});
   for (int i = 0; i < 4; ++i)
     engine.take(live::SourceBlock{50 * i, stored_block(50 * i).measured});
   engine.apply({live::PageCommandKind::adopt, "", 1, 1, ""});
@@ -80,38 +74,25 @@ Json whole_state()
   for (int i = 0; i < 100; ++i)
     comparison.take(stored_block(50 * i));
   state["comparison"]              = comparison.state();
-  state["comparison"]["proposals"] = Json::array({
-      {{"id", 3},
-       {"utc", 1.7e9},
-       {"from", 1.7e9},
-       {"to", 1.7e9},
-       {"reason", "Mode 1 has fallen by 2.00 %."},
-       {"state", "open"},
-       {"file", ""},
-       {"seconds", 60},
-       {"misfit_before", 2},
-       {"misfit_after", 1},
-       {"load", 1e6},
-       {"damping", 0.03},
-       {"values", {{{"name", "K3"}, {"prior_sd", 0.06}, {"change", -0.05}, {"sd", 0.001}, {"told", true}}}},
-       {"springs", Json::array()}}
-  });
+  state["comparison"]["proposals"] = Json::array(
+      {{{"id", 3},
+        {"utc", 1.7e9},
+        {"from", 1.7e9},
+        {"to", 1.7e9},
+        {"reason", "Mode 1 has fallen by 2.00 %."},
+        {"state", "open"},
+        {"file", ""},
+        {"seconds", 60},
+        {"misfit_before", 2},
+        {"misfit_after", 1},
+        {"load", 1e6},
+        {"damping", 0.03},
+        {"values", {{{"name", "K3"}, {"prior_sd", 0.06}, {"change", -0.05}, {"sd", 0.001}, {"told", true}}}},
+        {"springs", Json::array()}}});
   for (const Parameter &K : stored_setup().chain.K)
-    state["comparison"]["proposals"][0]["springs"].push_back({
-        {"value", K.value}
-    });
-  state["comparison"]["waiting"] = {
-      {"mode",   1    },
-      {"sign",   -1   },
-      {"since",  3    },
-      {"taken",  9    },
-      {"sum",    13   },
-      {"mean",   -2   },
-      {"change", -0.02},
-      {"began",  1.7e9},
-      {"at",     1.7e9},
-      {"from",   4    }
-  };
+    state["comparison"]["proposals"][0]["springs"].push_back({{"value", K.value}});
+  state["comparison"]["waiting"] = {{"mode", 1},  {"sign", -1},      {"since", 3},     {"taken", 9},  {"sum", 13},
+                                    {"mean", -2}, {"change", -0.02}, {"began", 1.7e9}, {"at", 1.7e9}, {"from", 4}};
   return Json::parse(state.dump());
 }
 

@@ -64,18 +64,14 @@ std::vector<PageAlarm> alarms_with(const std::vector<LiveChannel> &channels)
 
 TEST(UnforcedSource, IsWatchedForChatter)
 {
-  const auto alarms = alarms_with({
-      {"upper_work_roll", "m/s2"}
-  });
+  const auto alarms = alarms_with({{"upper_work_roll", "m/s2"}});
   ASSERT_EQ(alarms.size(), 1u);
   EXPECT_EQ(alarms[0].text.rfind("chatter at 17", 0), 0u) << alarms[0].text;
 }
 
 TEST(UnforcedSource, MayHaveChannelsThatAreNoPlaceOfTheModel)
 {
-  const auto alarms = alarms_with({
-      {"housing_ds", "m/s2"}
-  });
+  const auto alarms = alarms_with({{"housing_ds", "m/s2"}});
   ASSERT_EQ(alarms.size(), 1u);
   EXPECT_NE(alarms[0].text.find(" Hz, housing_ds: "), std::string::npos) << alarms[0].text;
 }
@@ -84,20 +80,9 @@ TEST(UnforcedSource, NeedsAForceOrAnAcceleration)
 {
   SourceRules rules;
   rules.places = places_of(tuned(published(), {}));
-  EXPECT_EQ(known_channels(
-                {
-                    {"AI_01", "g"}
-  },
-                rules)
-                .channels.at(0)
-                .unit,
-            "m/s2");
+  EXPECT_EQ(known_channels({{"AI_01", "g"}}, rules).channels.at(0).unit, "m/s2");
   try {
-    known_channels(
-        {
-            {"torque", "Nm"}
-    },
-        rules);
+    known_channels({{"torque", "Nm"}}, rules);
     FAIL() << "a torque alone is neither";
   } catch (const InputError &error) {
     EXPECT_EQ(

@@ -31,12 +31,7 @@ double mass_ratio(const SteppedBeam &beam)
 {
   const auto shape = [&](double x) { return deflection(beam, x); };
   const double c   = beam.half_load;
-  return equivalent_mass(shape,
-                         {
-                             {0, c, 1},
-                             {c, 1, 1}
-  },
-                         {}, deflection(beam, 0));  // half beam of mass 1
+  return equivalent_mass(shape, {{0, c, 1}, {c, 1, 1}}, {}, deflection(beam, 0));  // half beam of mass 1
 }
 
 FoundationShape work_roll(const double strip_width)
@@ -58,12 +53,8 @@ TEST(EquivalentMass, UniformBeam)
 TEST(EquivalentMass, RigidShapeAndLumpsCountFully)
 {
   const auto one = [](double) { return 3.0; };
-  EXPECT_TRUE(near(equivalent_mass(one,
-                                   {
-                                       {0, 2, 5}
-  },
-                                   {{7, 3.0}, {4, 1.5}}, 3.0),
-                   5 * 2 + 7 + 1, within(1e-14, "4 kg at half the way count a quarter")));
+  EXPECT_TRUE(near(equivalent_mass(one, {{0, 2, 5}}, {{7, 3.0}, {4, 1.5}}, 3.0), 5 * 2 + 7 + 1,
+                   within(1e-14, "4 kg at half the way count a quarter")));
 }
 
 TEST(BackupShape, MeetsTheReference)
@@ -106,11 +97,8 @@ TEST(BackupShape, SymmetricAndSmoothAtTheSteps)
 
 TEST(WorkShape, MeetsTheReference)
 {
-  for (const auto &[width, name] : {
-           std::pair{0.3, "work_shape.B_0.3"},
-           std::pair{1.0, "work_shape.B_1"  },
-           std::pair{1.4, "work_shape.B_1.4"}
-  }) {
+  for (const auto &[width, name] : {std::pair{0.3, "work_shape.B_0.3"}, std::pair{1.0, "work_shape.B_1"},
+                                    std::pair{1.4, "work_shape.B_1.4"}}) {
     const FoundationShape shape    = work_roll(width);
     const Eigen::VectorXd expected = reference_vector(name);
     const auto closed              = within(1e-8, "closed form, six linear equations");

@@ -7,9 +7,7 @@ using namespace mill;
 using namespace mill::reduce;
 
 namespace {
-const CylinderPair demo_pair{
-    0.420, 1.450, 1.4, {210e9, 0.28, 7700}
-};
+const CylinderPair demo_pair{0.420, 1.450, 1.4, {210e9, 0.28, 7700}};
 }  // namespace
 
 TEST(LineContact, MeetsTheReferenceTableOfTheDemoRolls)
@@ -35,15 +33,11 @@ TEST(LineContact, MeetsTheReferenceTableOfTheDemoRolls)
 // digits.
 TEST(LineContact, MeetsJohnsonForTwoSteelRolls)
 {
-  const CylinderPair pair{
-      0.4, 1.3, 0.1, {210e9, 0.3, 7700}
-  };
+  const CylinderPair pair{0.4, 1.3, 0.1, {210e9, 0.3, 7700}};
   const auto printed          = within(1e-4, "reference printed with four to five digits");
-  const double expected[3][5] = {
-      {200e3,  0.5810e-3, 219.16e6,  8.074e-6,   26587e6},
-      {1000e3, 1.2991e-3, 490.05e6,  35.931e-6,  30146e6},
-      {5000e3, 2.9049e-3, 1095.78e6, 157.453e-6, 34804e6}
-  };
+  const double expected[3][5] = {{200e3, 0.5810e-3, 219.16e6, 8.074e-6, 26587e6},
+                                 {1000e3, 1.2991e-3, 490.05e6, 35.931e-6, 30146e6},
+                                 {5000e3, 2.9049e-3, 1095.78e6, 157.453e-6, 34804e6}};
   for (const auto &row : expected) {
     const LineContact contact = line_contact(pair, row[0] * pair.length);
     EXPECT_TRUE(near(contact.half_width, row[1], printed));

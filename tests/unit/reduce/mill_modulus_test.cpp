@@ -10,12 +10,8 @@ using namespace mill;
 using namespace mill::reduce;
 
 namespace {
-const CylinderPair work_rolls{
-    0.42, 0.42, 1.4, {2.1e11, 0.28, 7700}
-};
-const CylinderPair with_backup{
-    0.42, 1.45, 1.4, {2.1e11, 0.28, 7700}
-};
+const CylinderPair work_rolls{0.42, 0.42, 1.4, {2.1e11, 0.28, 7700}};
+const CylinderPair with_backup{0.42, 1.45, 1.4, {2.1e11, 0.28, 7700}};
 constexpr double load = 976.2e3;
 const auto series     = within(1e-12, "sum of reciprocals in another order");
 
@@ -52,19 +48,12 @@ TEST(MillModulus, IsTheSeriesOfTheSpringsOfTheDemoStand)
 
 TEST(MillModulus, AnUnknownErrorIsNotZero)
 {
-  const MillModulus m = mill_modulus({
-      {"K1", 1e9, 1e9, not_given, {"frame.upper_post_stiffness_tolerance"}},
-      {"K3", 2e9, 2e9, 0.1,       {}                                      },
-      {"K7", 1e9, 1e9, not_given, {}                                      }
-  });
+  const MillModulus m = mill_modulus({{"K1", 1e9, 1e9, not_given, {"frame.upper_post_stiffness_tolerance"}},
+                                      {"K3", 2e9, 2e9, 0.1, {}},
+                                      {"K7", 1e9, 1e9, not_given, {}}});
   EXPECT_TRUE(std::isnan(m.error));
   EXPECT_EQ(m.lacks, (std::vector<std::string>{"frame.upper_post_stiffness_tolerance", "K7"}));
-  EXPECT_NE(refusal([] {
-              mill_modulus({
-                  {"K2", 0, 0, 0, {}}
-              });
-            }).find("K2 must be positive"),
-            std::string::npos);
+  EXPECT_NE(refusal([] { mill_modulus({{"K2", 0, 0, 0, {}}}); }).find("K2 must be positive"), std::string::npos);
 }
 
 TEST(LoadDeflection, APowerLawIsExactBetweenAndBeyondItsSamples)

@@ -82,10 +82,7 @@ Models models_of(const FourHigh &drawing, const double load, const double K4)
   chain                         = lumped_stand(drawing, in);
   StandSprings springs          = stand_springs(drawing, chain, true);
   springs.K4                    = K4;
-  Models m{
-      {chain_stand(chain.model), {}},
-      { beam_stand(drawing, springs,                     12), {}}
-  };
+  Models m{{chain_stand(chain.model), {}}, {beam_stand(drawing, springs, 12), {}}};
   m.six.modes   = stand_modes(m.six.model);
   m.beams.modes = stand_modes(m.beams.model, 1500);
   return m;
@@ -103,14 +100,12 @@ struct StandCase {
 };
 const std::vector<StandCase> &cases()
 {
-  static const std::vector<StandCase> all{
-      {"demo",                   demo_drawing(), 976.2e3, 0  },
-      {"demo, strip kept",       demo_drawing(), 976.2e3, 1e9},
-      {"cold tandem",            cold_tandem(),  9e6,     0  },
-      {"cold tandem with strip", cold_tandem(),  9e6,     4e9},
-      {"plate",                  plate(),        3e7,     0  },
-      {"plate with strip",       plate(),        3e7,     2e9}
-  };
+  static const std::vector<StandCase> all{{"demo", demo_drawing(), 976.2e3, 0},
+                                          {"demo, strip kept", demo_drawing(), 976.2e3, 1e9},
+                                          {"cold tandem", cold_tandem(), 9e6, 0},
+                                          {"cold tandem with strip", cold_tandem(), 9e6, 4e9},
+                                          {"plate", plate(), 3e7, 0},
+                                          {"plate with strip", plate(), 3e7, 2e9}};
   return all;
 }
 }  // namespace
@@ -196,11 +191,7 @@ TEST(ModeNames, TwoRulesNearEachOtherAreMixed)
 namespace {
 std::vector<std::vector<ModeName>> common(const Models &m)
 {
-  return common_names(
-      {
-          &m.beams, &m.six
-  },
-      {{0, 1, mac_with_chain(m.beams, m.six)}});
+  return common_names({&m.beams, &m.six}, {{0, 1, mac_with_chain(m.beams, m.six)}});
 }
 }  // namespace
 

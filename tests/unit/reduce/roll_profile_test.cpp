@@ -32,9 +32,7 @@ TEST(RollProfile, PolynomialTableAndParabolaAreOneProfile)
 {
   Roll parabola = straight(), polynomial = straight(), table = straight();
   parabola.crown              = 60e-6;
-  polynomial.crown_polynomial = {
-      {2, -60e-6}
-  };
+  polynomial.crown_polynomial = {{2, -60e-6}};
   for (int i = -70; i <= 70; ++i)
     table.crown_table.push_back({0.01 * i, 1e-3 - 60e-6 * i * i / 4900.});
   for (double z = -0.7; z <= 0.7; z += 0.05) {
@@ -48,10 +46,7 @@ TEST(RollProfile, PolynomialTableAndParabolaAreOneProfile)
 TEST(RollProfile, OddPowersMakeOneSideLarger)
 {
   Roll roll             = straight();
-  roll.crown_polynomial = {
-      {1, 100e-6},
-      {3, -40e-6}
-  };
+  roll.crown_polynomial = {{1, 100e-6}, {3, -40e-6}};
   EXPECT_TRUE(near(radius_drop(roll, 0.7), -30e-6, within(1e-12, "half of 100 - 40 um, larger roll")));
   EXPECT_TRUE(near(radius_drop(roll, -0.7), 30e-6, within(1e-12, "point symmetric")));
   EXPECT_TRUE(reduce::is_one_sided(roll));

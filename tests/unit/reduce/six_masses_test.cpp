@@ -61,9 +61,7 @@ TEST(SixMasses, RefusesWhatIsNoStand)
   EXPECT_EQ(refusal([&] { six_masses(stand); }), "stand model \"beam\": point 3 must be the upper work roll");
   stand = demo_beams(demo_drawing());
   EXPECT_EQ(refusal([&] {
-              six_masses(stand, {
-                                    {"hook", "roof", 0, 1, 10}
-              });
+              six_masses(stand, {{"hook", "roof", 0, 1, 10}});
             }),
             "stand model \"beam\" has no point \"roof\" for the hook");
 }

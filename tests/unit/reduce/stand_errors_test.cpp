@@ -1,6 +1,6 @@
 // Errors of frequencies from those of springs and masses.
-#include "reduce/stand/stand_errors.h"
 #include "reduce/stand/six_masses.h"
+#include "reduce/stand/stand_errors.h"
 #include "tests/support/beam_demo.h"
 #include "tests/support/near.h"
 #include <algorithm>

@@ -16,10 +16,7 @@ const double endless = std::numeric_limits<double>::infinity();
 
 TEST(SymmetricBeam, RigidMotionIsFreeAndTheMassIsTheBeams)
 {
-  const SymmetricBeam beam = symmetric_beam({
-      {0.7, 5, {1e9, 5e9}, 100},
-      {0.4, 3, {1e8, 2e9}, 40 }
-  });
+  const SymmetricBeam beam = symmetric_beam({{0.7, 5, {1e9, 5e9}, 100}, {0.4, 3, {1e8, 2e9}, 40}});
   ASSERT_EQ(beam.z.size(), 9);
   EXPECT_TRUE(
       near(beam.mass.sum(), 2 * (0.7 * 100 + 0.4 * 40), within(1e-14, "sum of the elements, both halves")));
@@ -50,9 +47,7 @@ TEST(SymmetricBeam, DeflectionOfTheBackupRoll)
 TEST(SymmetricBeam, FreeUniformEulerBeam)
 {
   const double EI = 2e7, m = 80, half = 1.5;
-  const SymmetricBeam beam = symmetric_beam({
-      {half, 100, {EI, endless}, m}
-  });
+  const SymmetricBeam beam = symmetric_beam({{half, 100, {EI, endless}, m}});
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(beam.K,
                                                                         Eigen::MatrixXd(beam.mass.asDiagonal()));
   const double root = 4.730040744862704;  // cos x cosh x = 1
@@ -65,9 +60,7 @@ TEST(SymmetricBeam, RefusesWhatIsNoBeam)
   EXPECT_EQ(refusal([] { symmetric_beam({}); }), "a beam needs at least one span");
   EXPECT_EQ(
       refusal([] {
-        symmetric_beam({
-            {0.5, 4, {1e9, 1e9}, 0}
-        });
+        symmetric_beam({{0.5, 4, {1e9, 1e9}, 0}});
       }),
       "beam span of 0.5 m with E I = 1e+09 N m2, 0 kg/m and 4 elements: length, stiffness, mass and number of "
       "elements must be positive");

@@ -108,24 +108,16 @@ void write_k4(const fs::path &curves, const std::string &input, const VectorXd &
 
 ordered_json entry(const double value, const std::string &unit, const std::string &source)
 {
-  return {
-      {"value",  value                               },
-      {"unit",   unit                                },
-      {"source", source                              },
-      {"at",     "pass 1, 8 -> 5 mm, 989.5 kN"       },
-      {"inputs", ordered_json::array({"strip.width"})}
-  };
+  return {{"value", value},
+          {"unit", unit},
+          {"source", source},
+          {"at", "pass 1, 8 -> 5 mm, 989.5 kN"},
+          {"inputs", ordered_json::array({"strip.width"})}};
 }
 
 const std::vector<std::pair<std::string, double>> forces{
-    {"karman",             995.0},
-    {"karman-rigid",       989.5},
-    {"orowan",             942.8},
-    {"bland-ford",         969.0},
-    {"sims",               1228 },
-    {"karman-elastic-arc", 996.0},
-    {"fe",                 928.0}
-};
+    {"karman", 995.0}, {"karman-rigid", 989.5},       {"orowan", 942.8}, {"bland-ford", 969.0},
+    {"sims", 1228},    {"karman-elastic-arc", 996.0}, {"fe", 928.0}};
 
 // The sample run of a stand with the bites of its two passes; the second with less.
 std::string run_with_bites()

@@ -56,14 +56,12 @@ TEST(ChatterAnswer, SaysSpeedDistanceCausesAndTrust)
 
 TEST(ChatterAnswer, WithoutACrossing)
 {
-  ordered_json json = sample::chatter_json("2");
-  json["critical"]  = {
-       {"verdict",                 "stable"},
-       {"speed",                   nullptr },
-       {"growth_at_working_speed", 0.5     },
-       {"margin",                  -0.82   },
-       {"margin_speed",            24.0    }
-  };
+  ordered_json json    = sample::chatter_json("2");
+  json["critical"]     = {{"verdict", "stable"},
+                          {"speed", nullptr},
+                          {"growth_at_working_speed", 0.5},
+                          {"margin", -0.82},
+                          {"margin_speed", 24.0}};
   const auto sentences = chatter_answer(condition_with(json));
   ASSERT_GE(sentences.size(), 2u);
   EXPECT_EQ(sentences[0], "Condition 2: stable throughout.");
@@ -204,12 +202,7 @@ TEST(ChatterPhases, ArrowsAndLabels)
 // Phase 0 is away from the strip while the gap opens: up for the upper roll, down for the lower one.
 TEST(ChatterPhases, DirectionsAtTheStand)
 {
-  const std::string in_phase = chatter_shape(
-      {
-          {"upper work roll", 2, 0},
-          {"lower work roll", 4, 0}
-  },
-      "Mode");
+  const std::string in_phase = chatter_shape({{"upper work roll", 2, 0}, {"lower work roll", 4, 0}}, "Mode");
   const std::regex head("<polygon class=\"head dark\" points=\"220,([0-9.]+) ");
   std::vector<double> tips;
   for (std::sregex_iterator match(in_phase.begin(), in_phase.end(), head), end; match != end; ++match)
@@ -219,18 +212,8 @@ TEST(ChatterPhases, DirectionsAtTheStand)
   EXPECT_GT(tips[1], 34 + 44 + 22);
   EXPECT_TRUE(says(in_phase, ">0.50, 0.0\u00b0<")) << in_phase;
   EXPECT_TRUE(says(in_phase, "strip-line"));
-  EXPECT_TRUE(says(chatter_shape(
-                       {
-                           {"upper work roll", 1, 180}
-  },
-                       "Mode"),
-                   "head warm"));
-  EXPECT_EQ(chatter_shape(
-                {
-                    {"upper work roll", 0, 0}
-  },
-                "Mode"),
-            "");
+  EXPECT_TRUE(says(chatter_shape({{"upper work roll", 1, 180}}, "Mode"), "head warm"));
+  EXPECT_EQ(chatter_shape({{"upper work roll", 0, 0}}, "Mode"), "");
   EXPECT_EQ(chatter_shape({}, "Mode"), "");
 }
 

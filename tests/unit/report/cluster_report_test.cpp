@@ -12,57 +12,34 @@ namespace {
 ClusterRecord two_rolls()
 {
   ClusterRecord r;
-  r.strip = "W";
-  r.rolls = {
-      {"W", 0, 0.1, 0.1, 20},
-      {"B", 0, 0.4, 0.2, 80}
-  };
-  r.contacts = {
-      {"W-B", 0, 1, "power"}
-  };
-  r.supports = {
-      {"B", "radial", 1, true}
-  };
+  r.strip    = "W";
+  r.rolls    = {{"W", 0, 0.1, 0.1, 20}, {"B", 0, 0.4, 0.2, 80}};
+  r.contacts = {{"W-B", 0, 1, "power"}};
+  r.supports = {{"B", "radial", 1, true}};
   ClusterPassRecord pass;
   pass.name         = "pass <1>";
   pass.force        = 1e6;
   pass.force_source = "given";
   pass.displacement = Eigen::Vector4d(0, 1e-4, 0, 5e-5);
-  pass.contacts     = {
-          {"W-B", 9.998e5, 7e-5, 1.7e10, 1.5e10}
-  };
-  pass.supports = {
-      {"B", 9.99e5, 1e-4, 1e10, 9e9}
-  };
-  pass.least_root = 1e6;
+  pass.contacts     = {{"W-B", 9.998e5, 7e-5, 1.7e10, 1.5e10}};
+  pass.supports     = {{"B", 9.99e5, 1e-4, 1e10, 9e9}};
+  pass.least_root   = 1e6;
   ClusterModeRecord mode;
   mode.frequency = 621;
   mode.label     = "B y on B";
   mode.identity  = "B vertical";
   mode.shape     = Eigen::Vector4d(0, 1, 0, 0.9);
-  mode.elastic   = {
-        {"W-B", 0.1},
-        {"B",   0.9}
-  };
-  mode.kinetic = {
-      {"W y", 0.2},
-      {"B y", 0.8}
-  };
-  pass.modes  = {mode};
-  r.passes    = {pass};
-  r.published = {
-      {"B vertical", "B y", 627.21}
-  };
+  mode.elastic   = {{"W-B", 0.1}, {"B", 0.9}};
+  mode.kinetic   = {{"W y", 0.2}, {"B y", 0.8}};
+  pass.modes     = {mode};
+  r.passes       = {pass};
+  r.published    = {{"B vertical", "B y", 627.21}};
   ClusterFitRecord fit;
-  fit.variant = "N";
-  fit.numbers = {
-      {"support.B.stiffness", 1e10, 1.02e10, not_given}
-  };
-  fit.frequencies = {
-      {"B vertical", 627.21, 627.21, true}
-  };
-  fit.rms_fitted = 0;
-  r.fits         = {fit};
+  fit.variant     = "N";
+  fit.numbers     = {{"support.B.stiffness", 1e10, 1.02e10, not_given}};
+  fit.frequencies = {{"B vertical", 627.21, 627.21, true}};
+  fit.rms_fitted  = 0;
+  r.fits          = {fit};
   return r;
 }
 }  // namespace

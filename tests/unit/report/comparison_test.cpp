@@ -41,11 +41,8 @@ TEST(Comparison, InputsThatDiffer)
 TEST(Comparison, ResultsThatDifferLargestFirst)
 {
   const std::vector<mill::report::Run> runs{
-      run_with("a", {{"K1", 100}, {"K2", 100}, {"K3", 100}, {"K4", 1},                          {"zero", 0}}
-       ),
-      run_with("b", {{"K1", 101},           {"K2", 80},            {"K3", 100 * (1 + 1e-12)},   {"zero", 0}}
-       )
-  };
+      run_with("a", {{"K1", 100}, {"K2", 100}, {"K3", 100}, {"K4", 1}, {"zero", 0}}),
+      run_with("b", {{"K1", 101}, {"K2", 80}, {"K3", 100 * (1 + 1e-12)}, {"zero", 0}})};
   const auto changed = changed_results(runs);
   ASSERT_EQ(changed.size(), 2u) << "K3 differs by rounding, K4 stands in one run only";
   EXPECT_EQ(changed[0].results[0]->name, "K2");
@@ -58,11 +55,7 @@ TEST(Comparison, ResultsThatDifferLargestFirst)
 TEST(Comparison, ThePageSaysHowMuchDiffers)
 {
   const std::string page = comparison_page(
-      {
-          run_with("out/a", {{"K1", 100}, {"K2", 100}}
-           ), run_with("out/b/", {{"K1", 100}, {"K2", 150}}
-           )
-  },
+      {run_with("out/a", {{"K1", 100}, {"K2", 100}}), run_with("out/b/", {{"K1", 100}, {"K2", 150}})},
       {"a = 1\n", "a = 2\n"});
   EXPECT_NE(page.find("1 input differs; 1 result differs, 1 by more than the accuracy of both runs."),
             std::string::npos);
@@ -73,19 +66,9 @@ TEST(Comparison, ThePageSaysHowMuchDiffers)
 
 TEST(Comparison, OnlyItsOwnPageIsRecognised)
 {
-  const std::string page = comparison_page(
-      {
-          run_with("a", {{"K1", 1}}
-           ), run_with("b", {{"K1", 2}}
-           )
-  },
-      {"", ""});
+  const std::string page = comparison_page({run_with("a", {{"K1", 1}}), run_with("b", {{"K1", 2}})}, {"", ""});
   EXPECT_TRUE(is_comparison_page(page));
-  EXPECT_FALSE(is_comparison_page(html_page(run_with("a",
-                                                     {
-                                                         {"K1", 1}
-  }))))
-      << "the report of a run";
+  EXPECT_FALSE(is_comparison_page(html_page(run_with("a", {{"K1", 1}})))) << "the report of a run";
   EXPECT_FALSE(is_comparison_page("")) << "an empty file may be somebody's";
   EXPECT_FALSE(is_comparison_page("<!DOCTYPE html>\n<title>prices</title><style></style>" + page)) << "embedded";
 }

@@ -11,17 +11,17 @@ TEST(Curves, FactorsOfEveryDimension)
     const char *from, *to;
     double factor;
   } rows[] = {
-      {"N/m",         "kN/mm",       1e-6       },
-      {"N/m",         "N/mm",        1e-3       },
-      {"N/m2",        "kN/mm per m", 1e-6       },
-      {"N",           "kN",          1e-3       },
-      {"Pa",          "MPa",         1e-6       },
-      {"m",           "\u00b5m",     1e6        },
-      {"m/N",         "\u00b5m/MN",  1e12       },
-      {"m/s2",        "g",           1 / 9.80665},
-      {"",            "%",           100        },
-      {"N/sqrt(Hz)",  "N/\u221aHz",  1          },
-      {"kN/sqrt(Hz)", "N/\u221aHz",  1000       },
+      {"N/m", "kN/mm", 1e-6},
+      {"N/m", "N/mm", 1e-3},
+      {"N/m2", "kN/mm per m", 1e-6},
+      {"N", "kN", 1e-3},
+      {"Pa", "MPa", 1e-6},
+      {"m", "\u00b5m", 1e6},
+      {"m/N", "\u00b5m/MN", 1e12},
+      {"m/s2", "g", 1 / 9.80665},
+      {"", "%", 100},
+      {"N/sqrt(Hz)", "N/\u221aHz", 1},
+      {"kN/sqrt(Hz)", "N/\u221aHz", 1000},
   };
   for (const auto &row : rows)
     EXPECT_TRUE(near(factor_between(row.from, row.to), row.factor, within(1e-15, "one division"))) << row.from;
@@ -38,12 +38,7 @@ TEST(Curves, QuantityOfAnOperatingPoint)
   };
   EXPECT_EQ(in(mill::at_force(976.2e3), "N"), 976.2e3);
   EXPECT_TRUE(near(in({"{} on one bearing", {{48.8e3, "kN"}}}, "kN"), 48.8, within(1e-15, "one division")));
-  EXPECT_TRUE(near(in(
-                       {
-                           "{}, {}", {{8e-3, "mm"}, {1.2e6, "MN"}}
-  },
-                       "kN"),
-                   1200, within(1e-15, "one division")))
+  EXPECT_TRUE(near(in({"{}, {}", {{8e-3, "mm"}, {1.2e6, "MN"}}}, "kN"), 1200, within(1e-15, "one division")))
       << "the thickness before it is not a load";
   EXPECT_TRUE(near(in({"{}", {{1e6, "N/mm"}}}, "N/m"), 1e6, within(1e-15, "one division")));
   EXPECT_TRUE(std::isnan(in({"{}", {{1e6, "N/mm"}}}, "kN"))) << "a line load is not a load";

@@ -82,10 +82,8 @@ TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
 TEST(FirstScreen, LevelsOfSyntheticForcesAreNotShown)
 {
   mill::report::Run run = four_high();
-  run.manifest.passes   = {
-        {"pass 1", "pass-1", 1e7, true,  "measured"},
-        {"pass 2", "pass-2", 1e7, false, "measured"}
-  };
+  run.manifest.passes   = {{"pass 1", "pass-1", 1e7, true, "measured"},
+                           {"pass 2", "pass-2", 1e7, false, "measured"}};
   run.results.push_back(result("pass 1.peak_g.upper_work_roll", 90, "m/s2"));
   run.results.push_back(result("pass 2.peak_g.upper_work_roll", 5, "m/s2"));
   run.results.push_back(result("pass 2.peak_g.lower_work_roll", 8, "m/s2"));
@@ -110,8 +108,7 @@ TEST(FirstScreen, EstimatesAreFoldedWithTheirEffect)
   mill::report::Run run = four_high();
   EXPECT_FALSE(says(first_screen(run), "estimated"));
   run.estimates = {
-      {"frame.upper_post_stiffness", 6e10, 4e10, 8e10, "N/m", "rule of thumb", {{"K1", 0.2}, {"f1", -0.05}}}
-  };
+      {"frame.upper_post_stiffness", 6e10, 4e10, 8e10, "N/m", "rule of thumb", {{"K1", 0.2}, {"f1", -0.05}}}};
   const std::string html = first_screen(run);
   EXPECT_TRUE(says(html, "1 value is estimated; frame.upper_post_stiffness costs most accuracy")) << html;
   EXPECT_TRUE(says(html, "<td>K1 \u00b120\u00a0%</td><td>rule of thumb</td>")) << html;
@@ -122,32 +119,23 @@ TEST(StandToScale, DrawsHousingAndScrewdownWhereTheyAreGiven)
 {
   mill::report::Run run = four_high();
   EXPECT_EQ(stand_to_scale(run), "");
-  run.manifest.geometry = {
-      {"work_roll_diameter",   0.42 },
-      {"work_roll_length",     1.4  },
-      {"work_neck_diameter",   0.267},
-      {"work_total_length",    2.32 },
-      {"work_bearing_span",    2.0  },
-      {"backup_diameter",      1.45 },
-      {"backup_length",        1.4  },
-      {"backup_neck_diameter", 0.95 },
-      {"backup_neck_length",   0.95 },
-      {"backup_bearing_span",  2.45 },
-      {"strip_width",          1.0  }
-  };
+  run.manifest.geometry   = {{"work_roll_diameter", 0.42},  {"work_roll_length", 1.4},
+                             {"work_neck_diameter", 0.267}, {"work_total_length", 2.32},
+                             {"work_bearing_span", 2.0},    {"backup_diameter", 1.45},
+                             {"backup_length", 1.4},        {"backup_neck_diameter", 0.95},
+                             {"backup_neck_length", 0.95},  {"backup_bearing_span", 2.45},
+                             {"strip_width", 1.0}};
   const std::string rolls = stand_to_scale(run);
   EXPECT_TRUE(says(rolls, "class=\"strip\""));
   EXPECT_FALSE(says(rolls, "class=\"window\""));
-  for (const auto &[name, length] : {
-           std::pair("housing_thickness", 0.75),
-           {"housing_post_width",        0.65},
-           {"housing_window_width",      1.65},
-           {"housing_window_height",     5.8 },
-           {"housing_upper_beam_height", 1.3 },
-           {"housing_lower_beam_height", 1.3 },
-           {"screw_diameter",            0.44},
-           {"screw_length",              0.3 }
-  })
+  for (const auto &[name, length] : {std::pair("housing_thickness", 0.75),
+                                     {"housing_post_width", 0.65},
+                                     {"housing_window_width", 1.65},
+                                     {"housing_window_height", 5.8},
+                                     {"housing_upper_beam_height", 1.3},
+                                     {"housing_lower_beam_height", 1.3},
+                                     {"screw_diameter", 0.44},
+                                     {"screw_length", 0.3}})
     run.manifest.geometry[name] = length;
   const std::string stand = stand_to_scale(run);
   EXPECT_TRUE(says(stand, "class=\"window\""));

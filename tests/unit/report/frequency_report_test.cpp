@@ -58,22 +58,14 @@ report::Run sample()
 CampbellRecord campbell()
 {
   CampbellRecord r;
-  r.model   = "craig-bampton";
-  r.speeds  = {0, 15};
-  r.working = {2, 6};
-  r.modes   = {
-        {"third_octave_upper", "third octave, upper stack", 52.5, 0.03}
-  };
-  r.lines = {
-      {"work roll, order 20", "work roll", "work roll", 20, 20 / (M_PI * 0.42)},
-      {"drive, <teeth>",      "drive",     "work roll", 12, 12 / (M_PI * 0.42)}
-  };
-  r.crossings = {
-      {0, 0, 3.464, 0   },
-      {0, 1, 5.773, -0.0},
-      {0, 7, 5,     0   }
-  };
-  r.notes = {"the bearing of the backup rolls has no roller diameter"};
+  r.model     = "craig-bampton";
+  r.speeds    = {0, 15};
+  r.working   = {2, 6};
+  r.modes     = {{"third_octave_upper", "third octave, upper stack", 52.5, 0.03}};
+  r.lines     = {{"work roll, order 20", "work roll", "work roll", 20, 20 / (M_PI * 0.42)},
+                 {"drive, <teeth>", "drive", "work roll", 12, 12 / (M_PI * 0.42)}};
+  r.crossings = {{0, 0, 3.464, 0}, {0, 1, 5.773, -0.0}, {0, 7, 5, 0}};
+  r.notes     = {"the bearing of the backup rolls has no roller diameter"};
   return r;
 }
 }  // namespace

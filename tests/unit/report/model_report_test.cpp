@@ -254,9 +254,7 @@ TEST(StandDrawing, RollsFollowTheirAxes)
 {
   ComparedModel model;
   model.points = {"upper frame", "upper work roll", "cylinder", "an unknown place"};
-  model.lines  = {
-       {"upper backup roll", VectorXd::LinSpaced(12, 0, 1.65)}
-  };
+  model.lines  = {{"upper backup roll", VectorXd::LinSpaced(12, 0, 1.65)}};
   ModelMode mode;
   mode.frequency = 10;
   mode.points.resize(4);
@@ -283,9 +281,7 @@ TEST(StandDrawing, RollsFollowTheirAxes)
 
 TEST(StandDrawing, SwingIsUpwardsAndAsLargeAsAsked)
 {
-  const MovingShape shape{
-      "", false, {{10, 50, 0}, {20, 50, 1}, {30, 50, 1, 2, 0.25}}
-  };
+  const MovingShape shape{"", false, {{10, 50, 0}, {20, 50, 1}, {30, 50, 1, 2, 0.25}}};
   const auto points = moved(shape, Eigen::Vector3d(0, 1, -1), 8);
   EXPECT_EQ(points[0], Eigen::Vector2d(10, 50));
   EXPECT_EQ(points[1], Eigen::Vector2d(20, 42));
@@ -322,11 +318,7 @@ TEST(ModelTables, PartnersAreFoundByLikeness)
 // Frequencies of the chain over the beams': +3.0, +2.8, +24, -14 %; over the solid rolls' 1.5 % more each.
 TEST(ModelFigures, LadderJoinsPartnersByHowFarTheyAreApart)
 {
-  const std::string ladder =
-      frequency_ladder(data_of(sample::models_json()), {
-                                                           {"pass 1", 700 },
-                                                           {"pass 2", 5000}
-  });
+  const std::string ladder = frequency_ladder(data_of(sample::models_json()), {{"pass 1", 700}, {"pass 2", 5000}});
   EXPECT_EQ(count(ladder, "<line class=\"join good\""), 2 + 1);  // one more of each in the key
   EXPECT_EQ(count(ladder, "<line class=\"join fair\""), 2 + 1);
   EXPECT_EQ(count(ladder, "<line class=\"join poor\""), 4 + 1);
@@ -366,11 +358,8 @@ TEST(ModelFigures, DrawsAssuranceMapAndConvergence)
 TEST(ModelFigures, ReachOfTheForceHas99PercentOfItsMeanSquare)
 {
   report::Run run;
-  run.manifest.passes = {
-      {"pass 1", "pass-1", 1e6, true, "measured"},
-      {"pass 2", "pass-2", 1e6, true, "measured"}
-  };
-  const VectorXd f = VectorXd::LinSpaced(2001, 0, 2000);
+  run.manifest.passes = {{"pass 1", "pass-1", 1e6, true, "measured"}, {"pass 2", "pass-2", 1e6, true, "measured"}};
+  const VectorXd f    = VectorXd::LinSpaced(2001, 0, 2000);
   Table table;
   table.add("frequency", "Hz", f);
   table.add("force", "N/sqrt(Hz)",

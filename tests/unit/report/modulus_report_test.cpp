@@ -46,9 +46,7 @@ TEST(ModulusReport, ShowsFigureAndTableOfTheThickness)
   run.tables["curves/stand-modulus"] = curve;
   run.results.push_back(
       result("stand.screw_sensitivity", 0.886, "computed: mill modulus and plastic slope (29.7)"));
-  run.results.back().checks = {
-      {"differences of the coupled solution h2 = S + F/M", 0.8849, ""}
-  };
+  run.results.back().checks = {{"differences of the coupled solution h2 = S + F/M", 0.8849, ""}};
   Page page(run);
   modulus_part(page, run);
   EXPECT_TRUE(shows(page.body(), "Mill modulus"));
@@ -65,10 +63,8 @@ TEST(ModulusReport, ShowsNamesOfModesWithTheDecidingNumbers)
       result("mode.fifth_octave_upper.frequency", 868.6,
              "computed: fifth octave, upper stack: K3 and K5 91 % of the strain energy; rolls as "
              "reduced finite elements"));
-  run.results.back().checks = {
-      {"six masses", 761.3, ""}
-  };
-  const std::string table = named_mode_table(run);
+  run.results.back().checks = {{"six masses", 761.3, ""}};
+  const std::string table   = named_mode_table(run);
   EXPECT_TRUE(shows(table, "<th scope=\"row\">fifth octave, upper stack</th>"));
   EXPECT_TRUE(shows(table, "<td>K3 and K5 91 % of the strain energy</td>"));
   EXPECT_TRUE(shows(table, "six masses 761.3"));

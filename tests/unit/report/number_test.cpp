@@ -85,20 +85,18 @@ TEST(Number, EngineeringUnitsOfEveryRow)
     const char *unit;
     double shown;
     const char *shown_unit;
-  } rows[] = {
-      {4.0192e10, "N/m",   40192,    "kN/mm"      },
-      {2.87e10,   "N/m2",  28700,    "kN/mm per m"},
-      {1.9e5,     "N s/m", 190,      "kN s/m"     },
-      {976217.5,  "N",     976.2175, "kN"         },
-      {394.1e6,   "Pa",    394.1,    "MPa"        },
-      {9.80665,   "m/s2",  1,        "g"          },
-      {26.24e-6,  "m",     26.24,    "\u00b5m"    },
-      {1.1265e-3, "m",     1.1265,   "mm"         },
-      {12.0,      "m",     12.0,     "m"          },
-      {38.9,      "Hz",    38.9,     "Hz"         },
-      {0.25,      "1",     0.25,     ""           },
-      {7700,      "kg/m3", 7700,     "kg/m\u00b3" }
-  };
+  } rows[] = {{4.0192e10, "N/m", 40192, "kN/mm"},
+              {2.87e10, "N/m2", 28700, "kN/mm per m"},
+              {1.9e5, "N s/m", 190, "kN s/m"},
+              {976217.5, "N", 976.2175, "kN"},
+              {394.1e6, "Pa", 394.1, "MPa"},
+              {9.80665, "m/s2", 1, "g"},
+              {26.24e-6, "m", 26.24, "\u00b5m"},
+              {1.1265e-3, "m", 1.1265, "mm"},
+              {12.0, "m", 12.0, "m"},
+              {38.9, "Hz", 38.9, "Hz"},
+              {0.25, "1", 0.25, ""},
+              {7700, "kg/m3", 7700, "kg/m\u00b3"}};
   for (const auto &row : rows) {
     const Shown shown = engineering(row.si, row.unit);
     EXPECT_TRUE(near(shown.value, row.shown, within(1e-14, "one multiplication"))) << row.unit;

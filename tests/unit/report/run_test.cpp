@@ -117,19 +117,13 @@ TEST(Run, FilesOfTwoRunsAreRefused)
     json.merge_patch(patch);
     overwrite(directory + "/" + file, json.dump(1));
   };
-  changed("run.json", {
-                          {"run_id", "a1"                                                                       },
-                          {"files",  {{"curves/modes.csv", hash_of(read_text(directory + "/curves/modes.csv"))}}}
-  });
-  changed("results.json", {
-                              {"run_id", "b2"}
-  });
+  changed("run.json", {{"run_id", "a1"},
+                       {"files", {{"curves/modes.csv", hash_of(read_text(directory + "/curves/modes.csv"))}}}});
+  changed("results.json", {{"run_id", "b2"}});
   EXPECT_EQ(message_of(directory),
             "results.json:0:0: is of run b2, but run.json in the same folder is of run a1: the folder "
             "mixes two runs; run the case again");
-  changed("results.json", {
-                              {"run_id", "a1"}
-  });
+  changed("results.json", {{"run_id", "a1"}});
   const auto run = read_run(directory);
   EXPECT_TRUE(run.table("curves/modes"));
   EXPECT_EQ(run.table("curves/contact-upper"), nullptr) << "not in the list of this run";

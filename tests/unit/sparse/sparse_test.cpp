@@ -69,10 +69,7 @@ TEST(CondensingFactor, SolvesWithAndWithoutRetainedUnknowns)
 {
   const Box b             = box(5, 5, 4);
   const Eigen::MatrixXd B = Eigen::MatrixXd::Random(b.dense.rows(), 3);
-  for (const std::vector<int> &kept : {
-           std::vector<int>{   },
-           std::vector<int>{ 17, 2, 150}
-  }) {
+  for (const std::vector<int> &kept : {std::vector<int>{}, std::vector<int>{17, 2, 150}}) {
     const Eigen::MatrixXd X = CondensingFactor(b.K, b.node, kept).solve(B);
     EXPECT_LT((b.dense * X - B).norm(), 1e-11 * B.norm()) << "a direct solve, condition about 1e3";
   }
@@ -90,12 +87,7 @@ TEST(CondensingFactor, OnePatternWithOtherValuesAndOtherRetainedUnknowns)
     return node;
   }();
   for (const double more : {0., 1., 3.})
-    for (const std::vector<int> &kept : {
-             std::vector<int>{ },
-             {8,  1},
-             {1,  8},
-             {100}
-    })
+    for (const std::vector<int> &kept : {std::vector<int>{}, {8, 1}, {1, 8}, {100}})
       for (const std::vector<int> &node : {b.node, each_own}) {
         Box other = b;
         for (int i = 0; i < b.K.cols(); ++i) {

@@ -150,9 +150,7 @@ TEST(Analysis, ABearingIsHeldAgainstItsBaseline)
   raw.channels.push_back({"upper_work_roll", "a", "m/s2", Quantity::acceleration, true, {}, x});
   const CleanRecord clean = clean_record(std::move(raw));
   CaseModel stand         = model_of(synthetic::chain(set_r().first, set_r().second, 0.01), 0.01);
-  stand.bearings          = {
-               {"trb", "work_roll", 0.42, 0.4672, 18.22, 20.78, 7.205}
-  };
+  stand.bearings          = {{"trb", "work_roll", 0.42, 0.4672, 18.22, 20.78, 7.205}};
   AnalysisSettings settings;
   settings.speed     = 4;
   const auto bearing = [&] {
@@ -186,14 +184,11 @@ TEST(Analysis, NoWrongOwnerInTwentyStands)
     const Eigen::VectorXd moved = K.array() * (0.05 * synthetic::normals(seed, 7)).array().exp();
     const auto truth            = synthetic::chain(M, moved, 0.01);
     for (int i = 0; i < 6; ++i) {
-      const Owner with = owner_among_modes(
-          {
-              truth.frequency[i],
-              0.002,
-              truth.shape.col(i).cast<std::complex<double>>(),
-              {std::begin(names), std::end(names)}
-      },
-          stand);
+      const Owner with    = owner_among_modes({truth.frequency[i],
+                                               0.002,
+                                               truth.shape.col(i).cast<std::complex<double>>(),
+                                               {std::begin(names), std::end(names)}},
+                                              stand);
       const Owner without = owner_among_modes({truth.frequency[i], 0.002, {}, {}}, stand);
       for (const Owner &owner : {with, without})
         if (owner.mode >= 0) {
@@ -208,13 +203,8 @@ TEST(Analysis, NoWrongOwnerInTwentyStands)
 TEST(Analysis, WhatTurnsIsNamed)
 {
   CaseModel stand;
-  stand.rolls = {
-      {"work_roll",   0.42},
-      {"backup_roll", 1.45}
-  };
-  stand.bearings = {
-      {"trb", "work_roll", 0.42, 0.467, 18.2, 20.8, 7.2}
-  };
+  stand.rolls       = {{"work_roll", 0.42}, {"backup_roll", 1.45}};
+  stand.bearings    = {{"trb", "work_roll", 0.42, 0.467, 18.2, 20.8, 7.2}};
   const double turn = 4 / (M_PI * 0.42), nan = std::nan("");
   const auto named = [&](const double f, const bool line, const double speed = 4,
                          const std::vector<double> &lines = {}) {
@@ -265,11 +255,8 @@ TEST(Analysis, AShiftedLineOfARunUpIsFoundOverLength)
   }
   raw.channels.push_back({"upper_work_roll", "a", "m/s2", Quantity::acceleration, true, {}, x});
   raw.channels.push_back({"speed", "v", "m/s", Quantity::speed, true, {}, speed});
-  CaseModel stand = model_of(synthetic::chain(set_r().first, set_r().second, 0.01), 0.01);
-  stand.rolls     = {
-          {"work_roll",   0.42},
-          {"backup_roll", 1.45}
-  };
+  CaseModel stand     = model_of(synthetic::chain(set_r().first, set_r().second, 0.01), 0.01);
+  stand.rolls         = {{"work_roll", 0.42}, {"backup_roll", 1.45}};
   const auto analysis = analyse(clean_record(std::move(raw)), &stand, {}, {});
   int locked = 0, lines = 0;
   for (const Finding &finding : analysis.findings) {

@@ -40,10 +40,7 @@ Fit fit_of(const calibration::Recipe &r, const calibration::Record &made)
   Fourier fourier;
   const MeasuredResponse data = {{band_record(made.force, made.acceleration, r.rate, 20, 900, fourier)}, r.places};
   const auto start            = coarse_start(calibration::stand_r(), calibration::unknowns_r(),
-                                             {
-                                                 {made.force, made.acceleration}
-  },
-                                             r.places, r.rate, 20, 900);
+                                             {{made.force, made.acceleration}}, r.places, r.rate, 20, 900);
   return fitted(calibration::stand_r(), calibration::unknowns_r(), start, data);
 }
 
@@ -138,12 +135,7 @@ TEST(Levels, TwoLevelsDetermineOneNumber)
       EXPECT_NEAR(slopes.slope(j, q), known["jacobian"][std::size_t(j)][std::size_t(q)].get<double>(), 1e-3);
   }
   const Eigen::MatrixXd A  = slopes.slope.transpose() * slopes.slope / (0.03 * 0.03);
-  const Identification all = identification(A, {
-                                                   {"zeta",      0.7 },
-                                                   {"bandwidth", 0.7 },
-                                                   {"K3",        0.05},
-                                                   {"K5",        0.05}
-  });
+  const Identification all = identification(A, {{"zeta", 0.7}, {"bandwidth", 0.7}, {"K3", 0.05}, {"K5", 0.05}});
   for (std::size_t i = 0; i < 2; ++i)
     EXPECT_TRUE(
         near(all.singular[Eigen::Index(i)], known["singular"][i], within(1e-3, "integral over frequency")));
@@ -183,11 +175,8 @@ TEST(Calibration, DoesNotExplainAStandWithAnotherFrame)
   Fourier fourier;
   const MeasuredResponse data = {{band_record(made.force, made.acceleration, r.rate, 20, 900, fourier)}, r.places};
   const auto left = residuals(calibration::stand_r(), calibration::unknowns_r(), fit.estimate, data, fit.noise);
-  for (const BandResidual &band : band_residuals(data, left,
-                                                 {
-                                                     {made.force, made.acceleration}
-  },
-                                                 r.rate, 20, 900, 0))
+  for (const BandResidual &band :
+       band_residuals(data, left, {{made.force, made.acceleration}}, r.rate, 20, 900, 0))
     if (band.floor < 0.9)  // the reference has neither a model error nor a least energy
       worst = std::max(worst, band.ratio / band.limit);
   EXPECT_TRUE(near(worst, known["own_excess"], within(0.02, "the estimate in its valley")));
@@ -198,10 +187,7 @@ TEST(Calibration, DoesNotExplainAStandWithAnotherFrame)
 // Both steps of the scan against the best of a fine grid of the one unknown that is left.
 TEST(Calibration, AProfileIsTheMinimumOverAllOthers)
 {
-  const std::vector<Unknown> unknowns = {
-      {"K1", 0.1},
-      {"K2", 0.1}
-  };
+  const std::vector<Unknown> unknowns = {{"K1", 0.1}, {"K2", 0.1}};
   const Small small(unknowns);
   Fourier fourier;
   const MeasuredResponse data = {
@@ -233,12 +219,7 @@ TEST(Calibration, AProfileIsTheMinimumOverAllOthers)
 
 TEST(Calibration, AlignsTwoClocksWhenTheDelayIsAnUnknown)
 {
-  Small late(
-      {
-          {"zeta",  0.7 },
-          {"delay", 0.05}
-  },
-      0);
+  Small late({{"zeta", 0.7}, {"delay", 0.05}}, 0);
   for (auto *pieces : {&late.input.fit, &late.input.check})
     for (ForcedSamples &piece : *pieces) {  // accelerations 40 samples late: 2 ms
       const Eigen::Index n = piece.force.size() - 40;
@@ -260,9 +241,7 @@ namespace {
 /// Accelerations some samples late, which nobody asked to be aligned.
 Calibration with_late_clock(const Eigen::Index samples)
 {
-  Small late({
-      {"zeta", 0.7}
-  });
+  Small late({{"zeta", 0.7}});
   for (auto *pieces : {&late.input.fit, &late.input.check})
     for (ForcedSamples &piece : *pieces) {
       const Eigen::Index n = piece.force.size() - samples;
@@ -305,9 +284,7 @@ TEST(Calibration, PrintsADelayInSamplesWithItsRemedy)
 
 TEST(Calibration, AgreesWithACaseThatIsRight)
 {
-  Small small({
-      {"zeta", 0.7}
-  });
+  Small small({{"zeta", 0.7}});
   small.input.stand.damping *= std::exp(calibration::recipe("two").truth.at("zeta"));
   const Calibration done = calibrate(small.input, {});
   EXPECT_TRUE(done.agrees);

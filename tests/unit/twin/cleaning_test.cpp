@@ -15,10 +15,7 @@ RawRecord even(const Eigen::VectorXd &value, const double rate)
   RawRecord record;
   record.file = "r.csv";
   record.rate = rate;
-  record.channels.push_back({
-      "a", "a", "m/s2", Quantity::acceleration, true, {"r.csv", 1, 10},
-           value
-  });
+  record.channels.push_back({"a", "a", "m/s2", Quantity::acceleration, true, {"r.csv", 1, 10}, value});
   return record;
 }
 

@@ -94,9 +94,7 @@ TEST(CriticalTrack, IntervalIsThatOfChangedInputs)
   // one doubt alone: half the difference of two searches
   for (const char *key : {"condition.entry_tension", "oil.viscosity", "stand.masses[4]", "stand.entry_distance"}) {
     const double d = 0.002;
-    const auto one = track.interval(model.bite, {
-                                                    {key, d, true}
-    });
+    const auto one = track.interval(model.bite, {{key, d, true}});
     const auto at  = [&](const double factor) {
       ChatterModel changed = model;
       if (std::string(key) == "condition.entry_tension")

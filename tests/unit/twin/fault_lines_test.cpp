@@ -120,12 +120,8 @@ TEST(FaultLines, EveryKindOfFaultIsNamedFirst)
     double frequency;  // of the impacts, Hz
     double moves;      // Hz, the strength goes through the loaded zone so often; 0: it stays there
   };
-  for (const Kind &kind : {
-           Kind{"BPFO",  b.outer * turn,      0            },
-           Kind{"BPFI",  b.inner * turn,      turn         },
-           Kind{"2 BSF", 2 * b.roller * turn, b.cage * turn},
-           Kind{"FTF",   b.cage * turn,       0            }
-  })
+  for (const Kind &kind : {Kind{"BPFO", b.outer * turn, 0}, Kind{"BPFI", b.inner * turn, turn},
+                           Kind{"2 BSF", 2 * b.roller * turn, b.cage * turn}, Kind{"FTF", b.cage * turn, 0}})
     for (const std::uint64_t seed : {611}) {
       const auto found = lines_of(record(seed, 20, kind.frequency, [&](const double t) {
         return kind.moves > 0 ? 1 + std::cos(2 * M_PI * kind.moves * t) : kind.family == "FTF" ? 6.0 : 1.0;
@@ -148,45 +144,23 @@ TEST(FaultLines, AHealthyBearingWithAKnockOfTheRollShowsNone)
 TEST(FaultLines, TheThirdBestHarmonicCounts)
 {
   const double f = simple.outer * shaft;
-  EXPECT_LT(family_of(fault_lines(noise_with({
-                                      {f,     40},
-                                      {2 * f, 40}
-  }),
-                                  simple, shaft),
-                      "BPFO")
-                .score,
-            5)
+  EXPECT_LT(family_of(fault_lines(noise_with({{f, 40}, {2 * f, 40}}), simple, shaft), "BPFO").score, 5)
       << "two harmonics";
-  const auto three = fault_lines(noise_with({
-                                     {f,     40},
-                                     {2 * f, 30},
-                                     {4 * f, 8 }
-  }),
-                                 simple, shaft)[0];
+  const auto three = fault_lines(noise_with({{f, 40}, {2 * f, 30}, {4 * f, 8}}), simple, shaft)[0];
   EXPECT_EQ(three.family, "BPFO");
   EXPECT_NEAR(three.score, 8, 0.4);
   EXPECT_TRUE(three.indicated());
   EXPECT_FALSE(three.strong());
-  EXPECT_TRUE(fault_lines(noise_with({
-                              {f,     40},
-                              {2 * f, 30},
-                              {4 * f, 25}
-  }),
-                          simple, shaft)[0]
-                  .strong());
+  EXPECT_TRUE(fault_lines(noise_with({{f, 40}, {2 * f, 30}, {4 * f, 25}}), simple, shaft)[0].strong());
 }
 
 TEST(FaultLines, OneSlipForAllHarmonics)
 {
   const double f = simple.outer * shaft;
   const auto at  = [&](const double a, const double b, const double c) {
-    return family_of(fault_lines(noise_with({
-                                     {f * (1 + a),     40},
-                                     {2 * f * (1 + b), 40},
-                                     {3 * f * (1 + c), 40}
-    }),
-                                  simple, shaft),
-                      "BPFO");
+    return family_of(
+         fault_lines(noise_with({{f * (1 + a), 40}, {2 * f * (1 + b), 40}, {3 * f * (1 + c), 40}}), simple, shaft),
+         "BPFO");
   };
   const FaultLines common = at(-0.012, -0.012, -0.012);
   EXPECT_GT(common.score, 20);

@@ -20,10 +20,8 @@ struct Record {
 CleanChannel channel_of(Eigen::VectorXd value)
 {
   CleanChannel channel;
-  channel.pieces = {
-      {0, value.size()}
-  };
-  channel.value = std::move(value);
+  channel.pieces = {{0, value.size()}};
+  channel.value  = std::move(value);
   return channel;
 }
 

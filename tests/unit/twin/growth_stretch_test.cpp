@@ -50,12 +50,7 @@ TEST(GrowthRate, OfAFastModeIsNotPulledByTheFilter)
   double sum         = 0;
   for (int seed = 1; seed <= runs; ++seed) {
     const auto record = synthetic::onset(std::uint64_t(1000 * seed), 60 * 200, 200, 45.1174, 0.05, 0.002, {-4.4});
-    sum += growth_rate(complex_envelope(record.signal,
-                                        {
-                                            {0, record.signal.size()}
-    },
-                                        200, 45.1174))
-               .sigma;
+    sum += growth_rate(complex_envelope(record.signal, {{0, record.signal.size()}}, 200, 45.1174)).sigma;
   }
   EXPECT_NEAR(sum / runs, -4.4, 0.1) << "asked for";
 }
@@ -69,17 +64,9 @@ TEST(GrowthStretch, CalmThenGrowingIsFoundWithBothSigns)
     for (int k = 0; k < int(22 * rate); ++k)
       sigma.push_back(k < 20 * rate ? -2.2 : 5.0);
     const auto record = synthetic::onset(300 * seed, Eigen::Index(sigma.size()), rate, 101.3, 0.05, 0.0005, sigma);
-    const auto envelope = complex_envelope(record.signal,
-                                           {
-                                               {0, record.signal.size()}
-    },
-                                           rate, 101.3);
+    const auto envelope = complex_envelope(record.signal, {{0, record.signal.size()}}, rate, 101.3);
     const auto stretch  = growth_stretch(envelope);
-    const auto before   = complex_envelope(record.signal,
-                                           {
-                                               {0, Eigen::Index(20 * rate)}
-    },
-                                           rate, 101.3);
+    const auto before   = complex_envelope(record.signal, {{0, Eigen::Index(20 * rate)}}, rate, 101.3);
     EXPECT_LT(growth_rate(before).sigma, 0) << seed;
     if (!stretch)
       continue;

@@ -62,23 +62,12 @@ TEST(Likelihood, SlopesOfSpringsAndRatios)
 
 TEST(Likelihood, SlopesOfMassesAndOfGroups)
 {
-  expect_slopes({
-      {"M2",    0.1 },
-      {"M3",    0.05},
-      {"M4/M5", 0.1 },
-      {"K1/K7", 0.1 },
-      {"K3",    0.05},
-      {"zeta2", 0.7 }
-  });
+  expect_slopes({{"M2", 0.1}, {"M3", 0.05}, {"M4/M5", 0.1}, {"K1/K7", 0.1}, {"K3", 0.05}, {"zeta2", 0.7}});
 }
 
 TEST(Likelihood, SlopesOfTheFrequenciesOfModes)
 {
-  expect_slopes({
-      {"f3",    0.1},
-      {"f6",    0.1},
-      {"zeta3", 0.7}
-  });
+  expect_slopes({{"f3", 0.1}, {"f6", 0.1}, {"zeta3", 0.7}});
 }
 
 // The information is that of the response slopes of chapter 43, what the transients could explain taken off.
@@ -180,11 +169,7 @@ TEST(Likelihood, RefusesUnknownsThatTheChainDoesNotHave)
 {
   const MeasuredResponse none;
   try {
-    likelihood(calibration::stand_r(),
-               {
-                   {"K4", 0.1}
-    },
-               Eigen::VectorXd::Zero(1), none, {}, Wanted::cost);
+    likelihood(calibration::stand_r(), {{"K4", 0.1}}, Eigen::VectorXd::Zero(1), none, {}, Wanted::cost);
     FAIL();
   } catch (const InputError &e) {
     EXPECT_STREQ(e.what(), "error: \"K4\": this stand has no spring, mass or damping ratio of this name");

@@ -55,10 +55,7 @@ TEST(LineFamilies, HarmonicsAreOneFamilyWhoseFundamentalIsTheLargest)
 
 TEST(LineFamilies, MainsOfTheMeasuredFrequency)
 {
-  const std::vector<KnownFundamental> known{
-      {"mains, 50 Hz", 50, 0.004, 2},
-      {"mains, 60 Hz", 60, 0.004, 2}
-  };
+  const std::vector<KnownFundamental> known{{"mains, 50 Hz", 50, 0.004, 2}, {"mains, 60 Hz", 60, 0.004, 2}};
   const auto found = lines_in_families(seen({60.01, 120.02, 180.03, 360.06, 29.93, 299.3}), known);
   ASSERT_EQ(found.families.size(), 1u);
   EXPECT_EQ(found.families[0].name, "mains, 60 Hz");
@@ -113,11 +110,7 @@ TEST(LineFamilies, HarmonicsOfAShaftAreOneFinding)
 // A recorder that loses samples behind every block: a comb of rate over block.
 TEST(LostSamplesOfARecorder, AreNamedAsOneComb)
 {
-  for (const auto &[block, lost] : std::vector<std::pair<int, int>>{
-           {64,  8 },
-           {100, 7 },
-           {256, 30}
-  }) {
+  for (const auto &[block, lost] : std::vector<std::pair<int, int>>{{64, 8}, {100, 7}, {256, 30}}) {
     const double rate = 6000;
     Eigen::VectorXd x = 0.02 * synthetic::normals(9, 60000);
     for (Eigen::Index k = 0; k < x.size(); ++k)

@@ -13,11 +13,7 @@ constexpr double rate = 500;  // Hz; the reference has 5000, the band is 40 Hz w
 
 ComplexEnvelope envelope_of(const Eigen::VectorXd &x, const double frequency)
 {
-  return complex_envelope(x,
-                          {
-                              {0, x.size()}
-  },
-                          rate, frequency);
+  return complex_envelope(x, {{0, x.size()}}, rate, frequency);
 }
 }  // namespace
 
@@ -48,11 +44,8 @@ TEST(Onset, GrowthRateOfStationaryNoise)
     for (int seed = 1; seed <= runs; ++seed) {
       const auto record = synthetic::onset(std::uint64_t(1000 * seed), Eigen::Index(T * low_rate), low_rate, f0,
                                            in["rms0"], in["density"], {sigma});
-      const GrowthRate growth = growth_rate(complex_envelope(record.signal,
-                                                             {
-                                                                 {0, record.signal.size()}
-      },
-                                                             low_rate, f0));
+      const GrowthRate growth =
+          growth_rate(complex_envelope(record.signal, {{0, record.signal.size()}}, low_rate, f0));
       sum += growth.sigma;
       squares += growth.sigma * growth.sigma;
       law += growth.law;
@@ -105,13 +98,7 @@ TEST(Onset, NoAlarmInACalmHour)
   for (int part = 0; part < 6; ++part) {
     const auto record = synthetic::onset(std::uint64_t(90000 + 10 * part), Eigen::Index(600 * 200), 200, 45.1174,
                                          in["rms0"], in["density"], {in["sigma0"].get<double>()});
-    n_alarms += int(alarms(complex_envelope(record.signal,
-                                            {
-                                                {0, record.signal.size()}
-    },
-                                            200, 45.1174),
-                           {})
-                        .size());
+    n_alarms += int(alarms(complex_envelope(record.signal, {{0, record.signal.size()}}, 200, 45.1174), {}).size());
   }
   EXPECT_EQ(n_alarms, 0);
 }

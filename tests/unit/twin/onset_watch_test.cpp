@@ -51,11 +51,7 @@ TEST(OnsetWatch, SameAsTheWholeRecord)
   AlarmSettings rule;
   rule.limit = 2;
   for (Eigen::Index column = 0; column < 2; ++column) {
-    const auto whole = complex_envelope(x.col(column),
-                                        {
-                                            {0, n}
-    },
-                                        rate, band);
+    const auto whole = complex_envelope(x.col(column), {{0, n}}, rate, band);
     const auto found = alarms(whole, rule);
     ASSERT_FALSE(found.empty());
     for (const Eigen::Index block : {Eigen::Index(1), Eigen::Index(333), n}) {

@@ -26,12 +26,10 @@ OutputOnly forgotten_force(const std::vector<Unknown> &unknowns, calibration::Re
 {
   const auto made = calibration::record(r);
   Fourier fourier;
-  OutputOnly record{
-      calibration::stand_r(),
-      unknowns,
-      {{band_record({}, made.acceleration, r.rate, 20, 900, fourier)}, r.places},
-      force_spectrum(20, 900)
-  };
+  OutputOnly record{calibration::stand_r(),
+                    unknowns,
+                    {{band_record({}, made.acceleration, r.rate, 20, 900, fourier)}, r.places},
+                    force_spectrum(20, 900)};
   set_unit_force(record.data);
   record.force.level = planned_density;
   return record;
@@ -115,11 +113,7 @@ TEST(OutputOnly, EstimatesScatterByThePlannedDeviation)
 {
   const char *asked                   = std::getenv("MILLSTAND_STANDS");
   const int records                   = asked ? std::atoi(asked) : 12;
-  const std::vector<Unknown> unknowns = {
-      {"K3",   0.05},
-      {"K7",   0.1 },
-      {"zeta", 0.7 }
-  };
+  const std::vector<Unknown> unknowns = {{"K3", 0.05}, {"K7", 0.1}, {"zeta", 0.7}};
   PlannedRecord plan;
   plan.places                = {2, 3};
   plan.duration              = 4;
@@ -190,7 +184,8 @@ TEST(OutputOnly, WrongDampingFailsInTheLevelsAndAWrongSpringInTheRatios)
   };
   EXPECT_EQ(wrong(at("", 0), 0), (std::pair{0, 0}));
   EXPECT_GT(wrong(at("zeta", 0.4), 0).first, 1) << "of the bands with 1 % of the energy";
-  EXPECT_GT(wrong(at("zeta", 0.4), usual_model_error).first, 1) << "a damping that is off by half is no model error";
+  EXPECT_GT(wrong(at("zeta", 0.4), usual_model_error).first, 1)
+      << "a damping that is off by half is no model error";
   EXPECT_GT(wrong(at("K3", 0.02), 0).second, 0);
   EXPECT_NEAR(output_only_misfit(record, at("", 0), noise, 20, 900), 1, 0.03);  // 17601 complex numbers: 0.008
   EXPECT_GT(output_only_misfit(record, at("K3", 0.02), noise, 20, 900), 1.1);   // a dozen deviations
@@ -201,9 +196,7 @@ namespace {
 FitProblem two_wells(const double lower)
 {
   FitProblem problem;
-  problem.unknowns = {
-      {"K1", 0.1}
-  };
+  problem.unknowns   = {{"K1", 0.1}};
   problem.is_spring  = [](const std::string &) { return true; };
   problem.values     = 1;
   problem.before     = {};
@@ -216,11 +209,7 @@ FitProblem two_wells(const double lower)
     at.cost        = -most - std::log(p + q);
     at.slope       = Eigen::VectorXd::Constant(1, (p * (x + 0.35) + q * (x - 0.05)) / ((p + q) * w * w));
     at.information = Eigen::MatrixXd::Constant(1, 1, 1 / (w * w));
-    add_prior(at,
-              {
-                  {"K1", 0.1}
-    },
-              theta);
+    add_prior(at, {{"K1", 0.1}}, theta);
     return at;
   };
   return problem;
@@ -259,18 +248,13 @@ TEST(OutputOnly, KeepsAMinimumBeyondThePriorsWhenItIsMuchLower)
 TEST(OutputOnly, IntervalCoversTheEndsOfOtherProfiles)
 {
   ScannedFit scan;
-  scan.best.unknowns = {
-      {"K1", 0.1},
-      {"K2", 0.1}
-  };
+  scan.best.unknowns   = {{"K1", 0.1}, {"K2", 0.1}};
   scan.best.estimate   = Eigen::Vector2d(0.01, -0.01);
   scan.best.covariance = Eigen::Vector2d(1e-4, 1e-4).asDiagonal();
   scan.interval.resize(2, 2);
   scan.interval << -0.01, 0.03, -0.03, 0.01;
-  scan.ends   = {Eigen::Vector2d(-0.01, 0.06)};
-  scan.basins = {
-      {"K1", 0.02, 0.5, Eigen::Vector2d(0.02, -0.15)}
-  };
+  scan.ends         = {Eigen::Vector2d(-0.01, 0.06)};
+  scan.basins       = {{"K1", 0.02, 0.5, Eigen::Vector2d(0.02, -0.15)}};
   const auto judged = judged_with_minima(scan);
   EXPECT_TRUE(judged[0].identified);  // the second minimum lies inside its interval
   EXPECT_EQ(judged[1].low, -0.15);
@@ -284,9 +268,7 @@ TEST(OutputOnly, IntervalCoversTheEndsOfOtherProfiles)
 TEST(OutputOnly, AFlatProfileIsNotIdentified)
 {
   ScannedFit scan;
-  scan.best.unknowns = {
-      {"K3", 0.1}
-  };
+  scan.best.unknowns   = {{"K3", 0.1}};
   scan.best.estimate   = Eigen::VectorXd::Zero(1);
   scan.best.covariance = Eigen::MatrixXd::Constant(1, 1, 1e-6);
   scan.interval        = Eigen::RowVector2d(-0.002, 0.002);

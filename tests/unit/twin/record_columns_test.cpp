@@ -126,22 +126,12 @@ TEST_F(RecordColumns, AmericanUnitsBecomeSI)
     const char *unit, *si;
     double factor;
   };
-  for (const Case &c : {
-           Case{"in/s",       "m/s",  0.0254         },
-           Case{"ips",        "m/s",  0.0254         },
-           Case{"in/s2",      "m/s2", 0.0254         },
-           Case{"in/s^2",     "m/s2", 0.0254         },
-           Case{"in/s\u00b2", "m/s2", 0.0254         },
-           Case{"mil",        "m",    25.4e-6        },
-           Case{"mils",       "m",    25.4e-6        },
-           Case{"in",         "m",    0.0254         },
-           Case{"ft",         "m",    0.3048         },
-           Case{"lbf",        "N",    4.4482216152605},
-           Case{"psi",        "Pa",   6894.757293168 },
-           Case{"um",         "m",    1e-6           },
-           Case{"mm/s",       "m/s",  1e-3           },
-           Case{"MPa",        "Pa",   1e6            }
-  }) {
+  for (const Case &c :
+       {Case{"in/s", "m/s", 0.0254}, Case{"ips", "m/s", 0.0254}, Case{"in/s2", "m/s2", 0.0254},
+        Case{"in/s^2", "m/s2", 0.0254}, Case{"in/s\u00b2", "m/s2", 0.0254}, Case{"mil", "m", 25.4e-6},
+        Case{"mils", "m", 25.4e-6}, Case{"in", "m", 0.0254}, Case{"ft", "m", 0.3048},
+        Case{"lbf", "N", 4.4482216152605}, Case{"psi", "Pa", 6894.757293168}, Case{"um", "m", 1e-6},
+        Case{"mm/s", "m/s", 1e-3}, Case{"MPa", "Pa", 1e6}}) {
     const auto record = read("r.csv", table(std::string("time [s];v [") + c.unit + "]", {time_cell, swing_cell}));
     EXPECT_EQ(record.channels[0].unit, c.si) << c.unit;
     EXPECT_TRUE(near(record.channels[0].value[7], c.factor * swing(7), within(1e-9, digits))) << c.unit;
@@ -334,18 +324,13 @@ TEST_F(RecordColumns, NoVibrationIsTakenForACounter)
 TEST_F(RecordColumns, OptionsForColumnsThatAreNotThereAreRefused)
 {
   ReadOptions options;
-  options.units = {
-      {"stand_xs", "g"}
-  };
+  options.units   = {{"stand_xs", "g"}};
   options.asked   = {"stand_xs"};
   const auto text = table("time [s];stand_ds;stand_os", {time_cell, swing_cell, swing_cell});
   EXPECT_EQ(refusal("r.csv", text, options),
             "there is no column 'stand_xs' in this record; its columns are 'stand_ds', 'stand_os'");
   options.asked = {"time"};
-  options.units = {
-      {"stand_ds", "g"},
-      {"time",     "s"}
-  };
+  options.units = {{"stand_ds", "g"}, {"time", "s"}};
   EXPECT_EQ(refusal("r.csv", text, options), "accepted");
 }
 

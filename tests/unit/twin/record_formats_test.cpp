@@ -109,15 +109,10 @@ TEST_F(RecordFormats, CompressedVariablesOfMatlabAreRead)
 
 TEST_F(RecordFormats, FieldsOfStructuresAreChannels)
 {
-  const std::string run = mat_structure("run", {
-                                                   {"a",  mat_array("", swings())},
-                                                   {"fs", mat_array("", {1000})  }
-  });
+  const std::string run = mat_structure("run", {{"a", mat_array("", swings())}, {"fs", mat_array("", {1000})}});
   expect_swing(read("r.mat", mat_file(run), in_g({"a"})), "a");
   // two structures with the same fields keep their names
-  const std::string other = mat_structure("later", {
-                                                       {"a", mat_array("", swings())}
-  });
+  const std::string other = mat_structure("later", {{"a", mat_array("", swings())}});
   expect_swing(read("s.mat", mat_file(run + other), in_g({"run.a", "later.a"})), "later.a");
 }
 
@@ -154,29 +149,11 @@ TEST_F(RecordFormats, TheSamplingRateIsOneOfItsNamesAndRateAloneIsNot)
     return read("r.mat", mat_file(variables), in_g({"a"})).rate;
   };
   for (const char *name : {"Fs", "fs", "sr", "SR", "SampleRate", "sample_rate", "SamplingRate", "fs_Hz"})
-    EXPECT_EQ(rate_of({
-                  {name, 2048}
-    }),
-              2048)
-        << name;
+    EXPECT_EQ(rate_of({{name, 2048}}), 2048) << name;
   for (const char *name : {"dt", "Ts", "ts", "delta_t", "SampleTime"})
-    EXPECT_EQ(rate_of({
-                  {name, 1.0 / 2048}
-    }),
-              2048)
-        << name;
-  EXPECT_EQ(rate_of({
-                {"sr",   2048},
-                {"rate", 16.5},
-                {"load", 150 }
-  }),
-            2048);
-  EXPECT_EQ(rate_of({
-                {"rate", 1500      },
-                {"Fs",   2048      },
-                {"dt",   1.0 / 2048}
-  }),
-            2048);
+    EXPECT_EQ(rate_of({{name, 1.0 / 2048}}), 2048) << name;
+  EXPECT_EQ(rate_of({{"sr", 2048}, {"rate", 16.5}, {"load", 150}}), 2048);
+  EXPECT_EQ(rate_of({{"rate", 1500}, {"Fs", 2048}, {"dt", 1.0 / 2048}}), 2048);
   const auto refused = [&](const std::string &variables) {
     return refusal("r.mat", mat_file(mat_array("a", swings()) + variables), in_g({"a"}));
   };
@@ -216,21 +193,15 @@ TEST_F(RecordFormats, AClockWithoutANameIsPointedOutWhereTheRateIsMissing)
 
 TEST_F(RecordFormats, ArchivesOfNumpyAreRead)
 {
-  const std::string archive = zip({
-      {"a.npy",     npy(swings(), "(3000,)")},
-      {          "fs.npy", npy({1000},        "()")          },
-      { "both.npy",         npy(std::vector<double>(6000,         1),           "(3000, 2)")}
-  });
+  const std::string archive = zip({{"a.npy", npy(swings(), "(3000,)")},
+                                   {"fs.npy", npy({1000}, "()")},
+                                   {"both.npy", npy(std::vector<double>(6000, 1), "(3000, 2)")}});
   const auto record         = read("r.npz", archive, in_g({"a"}));
   expect_swing(record, "a");
   EXPECT_EQ(record.rate, 1000);
   EXPECT_NE(record.find("both_2"), nullptr);
   file("s.json", R"({"rate": 500, "units": {"a": "g"}})");
-  EXPECT_EQ(read("s.npz", zip({
-                              {"a.npy", npy(swings(), "(3000,)")}
-  }))
-                .rate,
-            500);
+  EXPECT_EQ(read("s.npz", zip({{"a.npy", npy(swings(), "(3000,)")}})).rate, 500);
   EXPECT_EQ(refusal("t.npz", archive.substr(0, 1000)),
             "t.npz is not a whole zip archive; it was cut off while it was written or copied");
 }
@@ -386,11 +357,10 @@ TEST_F(RecordFormats, NamesThatAreNotUtf8AreMadeValidInEveryFormat)
                             mat_array("fs", {1000})),
                    options));
   expect_name(read("r.npz",
-                   zip({
-                       {"Kr\xE4"
-                        "fte.npy", npy(swings(), "(3000,)")},
-                       {"fs.npy",                          npy({1000},   "()")     }
-  }),
+                   zip({{"Kr\xE4"
+                         "fte.npy",
+                         npy(swings(), "(3000,)")},
+                        {"fs.npy", npy({1000}, "()")}}),
                    options));
   UffSet set;
   set.numbers = even_numbers();
@@ -433,14 +403,13 @@ TEST_F(RecordFormats, DamagedFilesOfEveryFormatAreReadOrRefused)
     lvm += std::to_string(i) + "e-3\t" + std::to_string((37 * i) % 101) + "\n";
   }
   const std::vector<std::pair<std::string, std::string>> files{
-      {"d.mat",                                                                    mat_file(mat_structure("run",{{"a", mat_array("", swings())}, {"fs", mat_array("", {1000})}}))},
-      {"e.mat",                                                                          mat_file(mat_compressed(mat_array("a",swings())))},
-      {"d.npz",                                                               zip({{"a.npy", npy(swings(), "(3000,)")}, {"fs.npy", npy({1000}, "()")}})},
-      {"d.wav",wav(1000,{std::vector<int>(n, 7)})},
-      {"d.uff",                                                                                                                                uff(set)                                                                                                                                                               },
-      {"d.csv",                                                                    csv},
-      {"d.lvm",                                                                    lvm}
-  };
+      {"d.mat", mat_file(mat_structure("run", {{"a", mat_array("", swings())}, {"fs", mat_array("", {1000})}}))},
+      {"e.mat", mat_file(mat_compressed(mat_array("a", swings())))},
+      {"d.npz", zip({{"a.npy", npy(swings(), "(3000,)")}, {"fs.npy", npy({1000}, "()")}})},
+      {"d.wav", wav(1000, {std::vector<int>(n, 7)})},
+      {"d.uff", uff(set)},
+      {"d.csv", csv},
+      {"d.lvm", lvm}};
   std::uint64_t state = 20261127;
   const auto random   = [&](const std::uint64_t below) {
     state ^= state << 13;

@@ -97,10 +97,7 @@ TEST_F(Records, CsvOfOtherPrograms)
   expect_sample(read_csv_record(samples + "spreadsheet-english.csv", {}), "force", "upper_work_roll", 1e-12);
   expect_sample(read_csv_record(samples + "spreadsheet-german.csv", {}), "force", "upper_work_roll", 1e-12);
   ReadOptions german;
-  german.channels = {
-      {"Kraft",          "force"          },
-      {"Beschleunigung", "upper_work_roll"}
-  };
+  german.channels = {{"Kraft", "force"}, {"Beschleunigung", "upper_work_roll"}};
   for (const char *name : {"excel-german-1252.csv", "excel-unicode.txt"})
     expect_sample(read_csv_record(samples + name, german), "force", "upper_work_roll", 2e-6);
 }
@@ -114,9 +111,7 @@ TEST_F(Records, OscilloscopesCountVolts)
   ASSERT_FALSE(keysight.notes.empty());
   EXPECT_EQ(keysight.notes[0], "units were taken from line 2, below the names");
   ReadOptions calibrated;
-  calibrated.units = {
-      {"2", "g"}
-  };
+  calibrated.units = {{"2", "g"}};
   EXPECT_NEAR(read_csv_record(samples + "oscilloscope-keysight.csv", calibrated).find("2")->value[1],
               acceleration_at(1), 1e-4);
 }
@@ -140,10 +135,7 @@ TEST_F(Records, UniversalFiles)
 TEST_F(Records, MatlabFiles)
 {
   ReadOptions options;
-  options.units = {
-      {"force",           "kN"},
-      {"upper_work_roll", "g" }
-  };
+  options.units          = {{"force", "kN"}, {"upper_work_roll", "g"}};
   const RawRecord record = read_mat_record(samples + "scipy-v5.mat", options);
   expect_sample(record, "force", "upper_work_roll", 1e-14);
   EXPECT_EQ(record.channels.size(), 2u) << "the text and the matrix are not channels";
@@ -382,10 +374,7 @@ TEST_F(Records, RefusalsOfMatlabFiles)
     return refusal("r.mat", head + arrays, options);
   };
   ReadOptions in_g;
-  in_g.units = {
-      {"a", "g"},
-      {"b", "g"}
-  };
+  in_g.units = {{"a", "g"}, {"b", "g"}};
   EXPECT_EQ(mat(array("fs", {1000}) + array("a", many), in_g), "accepted");
   EXPECT_EQ(
       mat(array("fs", {1000}) + array("a", many)),

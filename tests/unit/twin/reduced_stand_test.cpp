@@ -74,12 +74,7 @@ FittedStand fitted_bars()
   return stand;
 }
 
-const std::vector<Unknown> moved{
-    {"K1", 0.1},
-    {"K3", 0.1},
-    {"K6", 0.1},
-    {"K7", 0.1}
-};
+const std::vector<Unknown> moved{{"K1", 0.1}, {"K3", 0.1}, {"K6", 0.1}, {"K7", 0.1}};
 }  // namespace
 
 TEST(ReducedStand, FollowsItsConnectionsAsTheWholeMatricesDo)
@@ -129,10 +124,7 @@ TEST(ReducedStand, PlansConnectionsAndTheDampingOfEachMode)
   record.force_density = 20;
   record.force_highest = 900;
   record.duration      = 5;
-  const std::vector<Unknown> common{
-      {"K3",   0.1},
-      {"zeta", 0.7}
-  };
+  const std::vector<Unknown> common{{"K3", 0.1}, {"zeta", 0.7}};
   std::vector<Unknown> each{common[0]};
   for (Eigen::Index i = 0; i < stand.detailed->kept; ++i)
     each.push_back({"zeta" + std::to_string(i + 1), 0.7});

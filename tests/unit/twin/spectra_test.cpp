@@ -15,11 +15,7 @@ namespace {
 WelchSpectrum spectrum_of(const Eigen::VectorXd &x, const double rate, const Eigen::Index L = 0)
 {
   Fourier fourier;
-  return welch(x,
-               {
-                   {0, x.size()}
-  },
-               rate, L, fourier);
+  return welch(x, {{0, x.size()}}, rate, L, fourier);
 }
 
 Eigen::VectorXd lines_of_reference()
@@ -148,9 +144,7 @@ TEST(Spectra, WhatFollowsTheSpeed)
   for (const std::uint64_t seed : {111, 211}) {
     const RunUp r = run_up(seed);
     Fourier fourier;
-    const std::vector<Span> all{
-        {0, r.value.size()}
-    };
+    const std::vector<Span> all{{0, r.value.size()}};
     const WelchSpectrum time = welch(r.value, all, r.rate, 4096, fourier);
     const OverLength length  = over_length(r.value, all, r.speed, r.rate);
     const WelchSpectrum turn = welch(length.value, length.pieces, length.rate, 0, fourier);
@@ -191,11 +185,7 @@ TEST(Spectra, SpacingOfMarks)
 {
   // diameters of the stack of cluster.md 8 (cases/z-mill.toml) and of the chatter case
   const std::map<std::string, double> z_mill{
-      {"work",         0.0696 },
-      {"intermediate", 0.13995},
-      {"external",     0.45031},
-      {"control",      0.051  }
-  };
+      {"work", 0.0696}, {"intermediate", 0.13995}, {"external", 0.45031}, {"control", 0.051}};
   for (const auto &entry : reference("marks", "twin")) {
     const bool of_stack = entry["waves"].contains("control");
     std::vector<TurningRoll> rolls;

@@ -55,11 +55,7 @@ const Finding *line_at_frequency(const Analysis &analysis, const double f, const
 WelchSpectrum spectrum_of_all(const Eigen::VectorXd &x, const double rate)
 {
   Fourier fourier;
-  return welch(x,
-               {
-                   {0, x.size()}
-  },
-               rate, 0, fourier);
+  return welch(x, {{0, x.size()}}, rate, 0, fourier);
 }
 }  // namespace
 
@@ -75,9 +71,7 @@ TEST(NoiseFloor, IsTheDensityOfWhiteNoise)
 TEST(NoiseFloor, IsNotRaisedByAStrongLineNorByAFamily)
 {
   const double rate = 2000;
-  std::vector<Tone> lines{
-      {18.2, 300}
-  };
+  std::vector<Tone> lines{{18.2, 300}};
   for (int h = 1; h <= 30; ++h)
     lines.push_back({29.93 * h, 10.0});
   const WelchSpectrum s       = spectrum_of_all(tones(lines, 1, 5, rate, 20), rate);
@@ -100,17 +94,8 @@ TEST(NoiseFloor, QuantilesOfChiSquare)
 TEST(SpectralPeaks, AStrongLowLineHidesNothing)
 {
   const double rate   = 2000;
-  const auto analysis = analysis_of(
-      {
-          tones({{18.2, 3}, {151.7, 0.3}, {431, 0.2}},
-          0.05, 11, rate, 9)
-  },
-      rate);
-  for (const Tone &line : std::vector<Tone>{
-           {18.2,  3  },
-           {151.7, 0.3},
-           {431,   0.2}
-  }) {
+  const auto analysis = analysis_of({tones({{18.2, 3}, {151.7, 0.3}, {431, 0.2}}, 0.05, 11, rate, 9)}, rate);
+  for (const Tone &line : std::vector<Tone>{{18.2, 3}, {151.7, 0.3}, {431, 0.2}}) {
     const Finding *found = line_at_frequency(analysis, line.frequency, 1.0 / 9);
     ASSERT_TRUE(found) << line.frequency;
     EXPECT_TRUE(near(found->amplitude, line.amplitude, within(0.05, "three deviations of the weakest line")));
@@ -132,11 +117,7 @@ TEST(SpectralPeaks, AToneIsFoundInEveryRecord)
             40 + 760 * synthetic::uniforms(seed + std::uint64_t(100 * seconds) + std::uint64_t(channels), 1)[0];
         std::vector<Eigen::VectorXd> x;
         for (int c = 0; c < channels; ++c)
-          x.push_back(tones(
-              {
-                  {f, 1}
-          },
-              0.1, 7 * seed + std::uint64_t(c), 2000, seconds));
+          x.push_back(tones({{f, 1}}, 0.1, 7 * seed + std::uint64_t(c), 2000, seconds));
         const auto analysis = analysis_of(x, 2000);
         found += line_at_frequency(analysis, f, 1 / seconds) != nullptr;
         others += int(analysis.findings.size()) - 1;
@@ -153,12 +134,7 @@ TEST(SpectralPeaks, NoiseAloneHasNoCandidate)
   for (std::uint64_t seed = 1; seed <= 100; ++seed) {
     const Eigen::VectorXd x = synthetic::normals(seed, 20000);
     const WelchSpectrum s   = spectrum_of_all(x, 2000);
-    candidates += int(spectral_peaks(x,
-                                     {
-                                         {0, x.size()}
-    },
-                                     s, 5, 980)
-                          .candidates.size());
+    candidates += int(spectral_peaks(x, {{0, x.size()}}, s, 5, 980).candidates.size());
   }
   EXPECT_LE(candidates, 2) << "probability of three and more: 2e-4";
   const auto analysis = analysis_of({synthetic::normals(4, 20000)}, 2000);
@@ -176,12 +152,7 @@ TEST(SpectralPeaks, AModeIsNoLineAndALineIsNoMode)
         synthetic::modal_response(Eigen::VectorXd::Constant(1, 93), Eigen::VectorXd::Ones(1), 0.004, noise, 3000);
     const Eigen::VectorXd x = mode.col(0) - noise + 0.05 * synthetic::normals(seed + 50, 60000);
     const WelchSpectrum s   = spectrum_of_all(x, 3000);
-    for (const auto &one : spectral_peaks(x,
-                                          {
-                                              {0, x.size()}
-    },
-                                          s, 40, 200)
-                               .candidates) {
+    for (const auto &one : spectral_peaks(x, {{0, x.size()}}, s, 40, 200).candidates) {
       lines += one.fate == "line";
       resonances += one.fate == "resonance";
     }
@@ -193,16 +164,8 @@ TEST(SpectralPeaks, AModeIsNoLineAndALineIsNoMode)
 TEST(WithoutLines, LeavesTheNoise)
 {
   CleanChannel channel;
-  channel.value = tones(
-      {
-          {70,   5},
-          {71.5, 3},
-          {300,  1}
-  },
-      0, 1, 1000, 10);
-  channel.pieces = {
-      {0, channel.value.size()}
-  };
+  channel.value           = tones({{70, 5}, {71.5, 3}, {300, 1}}, 0, 1, 1000, 10);
+  channel.pieces          = {{0, channel.value.size()}};
   const double before     = channel.value.norm();
   const Eigen::VectorXd x = without_lines(channel, 1000, {70, 71.5, 300});
   EXPECT_LT(x.norm(), 1e-3 * before) << "lines that are 15 bins apart do not take part in each other";
@@ -212,17 +175,11 @@ TEST(WithoutLines, LeavesTheNoise)
 TEST(Account, EveryShareAndEveryCandidateIsThere)
 {
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
-    const double rate = 1000 * double(1 + seed % 4);
-    const auto noise  = synthetic::normals(seed + 300, Eigen::Index(6 * rate));
-    const auto mode   = synthetic::modal_response(Eigen::VectorXd::Constant(1, 60.0 + 5.0 * double(seed)),
-                                                  Eigen::VectorXd::Ones(1), 0.02, noise, rate);
-    Eigen::VectorXd x = tones(
-                            {
-                                {31.3,  2  },
-                                {200.1, 0.5}
-    },
-                            0.3, seed, rate, 6) +
-                        mode.col(0) - noise;
+    const double rate   = 1000 * double(1 + seed % 4);
+    const auto noise    = synthetic::normals(seed + 300, Eigen::Index(6 * rate));
+    const auto mode     = synthetic::modal_response(Eigen::VectorXd::Constant(1, 60.0 + 5.0 * double(seed)),
+                                                    Eigen::VectorXd::Ones(1), 0.02, noise, rate);
+    Eigen::VectorXd x   = tones({{31.3, 2}, {200.1, 0.5}}, 0.3, seed, rate, 6) + mode.col(0) - noise;
     const auto analysis = analysis_of({x}, rate);
     const Account &a    = analysis.channels[0].account;
     EXPECT_TRUE(near(a.lines + a.families + a.modes + a.floor + a.unexplained, 1, within(1e-3, "asked for")));

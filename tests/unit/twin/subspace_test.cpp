@@ -24,9 +24,7 @@ std::vector<CleanChannel> record(const synthetic::Chain &chain, const std::uint6
   for (int j = 0; j < 6; ++j) {
     CleanChannel channel;
     channel.value  = all.col(places[j]) + synthetic::white(seed + 1000 + std::uint64_t(j), n, rate, 0.002);
-    channel.pieces = {
-        {0, n}
-    };
+    channel.pieces = {{0, n}};
     channels.push_back(std::move(channel));
   }
   return channels;
@@ -104,9 +102,7 @@ TEST(Modes, NoiseHasNone)
   for (std::uint64_t j = 0; j < 3; ++j) {
     CleanChannel channel;
     channel.value  = synthetic::normals(40 + j, 60000);
-    channel.pieces = {
-        {0, 60000}
-    };
+    channel.pieces = {{0, 60000}};
     channels.push_back(std::move(channel));
   }
   for (const IdentifiedMode &mode : search_of(channels, 1000).modes)

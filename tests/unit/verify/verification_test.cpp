@@ -150,11 +150,10 @@ TEST(Printing, AKnownDeviationHasCauseAndRemedy)
 TEST(Printing, HidesTheDigitsOfRoundOff)
 {
   // Results of two machines that differ by round-off print the same.
-  for (const auto &[a, b] : {
-           std::pair{check(3.1e-16,   1e-12, 0,     Judged::at_most),  check(7.7e-15,   1e-12, 0,     Judged::at_most) },
-           {check(1 + 2e-13, 1,     1e-10, Judged::relative), check(1 - 5e-14, 1,     1e-10, Judged::relative)},
-           {check(2e-17,     0,     1e-10, Judged::absolute), check(-1e-15,    0,     1e-10, Judged::absolute)}
-  }) {
+  for (const auto &[a, b] :
+       {std::pair{check(3.1e-16, 1e-12, 0, Judged::at_most), check(7.7e-15, 1e-12, 0, Judged::at_most)},
+        {check(1 + 2e-13, 1, 1e-10, Judged::relative), check(1 - 5e-14, 1, 1e-10, Judged::relative)},
+        {check(2e-17, 0, 1e-10, Judged::absolute), check(-1e-15, 0, 1e-10, Judged::absolute)}}) {
     EXPECT_EQ(check_text(a).result, check_text(b).result);
     EXPECT_EQ(check_text(a).deviation, check_text(b).deviation);
   }

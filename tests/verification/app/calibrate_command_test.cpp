@@ -25,10 +25,7 @@ struct Stand {
   Stand()
   {
     recipe.n     = 60000;  // a third of it is one second, the least a piece may last
-    recipe.truth = {
-        {"K3",   -0.04},
-        {"zeta", 0.25 }
-    };
+    recipe.truth = {{"K3", -0.04}, {"zeta", 0.25}};
     write_atomically(folder + "/stand.toml", case_text());
   }
   static std::string case_text()
@@ -112,9 +109,7 @@ TEST(CalibrateCommand, AStandThatCannotExplainTheRecordsIsRefused)
 {
   Stand stand;
   // K5 moves the mode of the lower work roll, whose third octave holds more than 1 % of the energy.
-  stand.recipe.truth = {
-      {"K5", -0.1}
-  };
+  stand.recipe.truth = {{"K5", -0.1}};
   stand.records("measured");
   const auto refused = stand.calibrate("--measured measured --free K3,zeta -o out");
   EXPECT_EQ(refused.exit_code, 3);
@@ -135,10 +130,11 @@ TEST(CalibrateCommand, RecordsWithoutForceBecomeACase)
   stand.records("measured", "AI_03 [kN]");
   const auto done = stand.calibrate("--measured measured --free K3,zeta -o out");
   ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
-  const std::string words =
-      "no force was recorded, so the fit eliminates it: at each frequency it uses the ratios of the accelerations, "
-      "and their level as far as the force is smooth over a third octave. Where a channel holds the force, name it "
-      "with --channel AI_01=force";
+  const std::string words = "no force was recorded, so the fit eliminates it: at each frequency it uses the "
+                            "ratios of the accelerations, "
+                            "and their level as far as the force is smooth over a third octave. Where a channel "
+                            "holds the force, name it "
+                            "with --channel AI_01=force";
   EXPECT_NE(done.out.find("note: " + words + "\n"), std::string::npos) << done.out;
   const std::string path = stand.folder + "/out/calibrated.toml", text = read_text(path);
   EXPECT_NE(text.find("# " + words + "\n"), std::string::npos);
@@ -246,19 +242,13 @@ TEST(CalibrateCommand, TakesTheStatedErrorsAsDeviationsBeforeTheRecords)
 TEST(CalibrateCommand, PrintsRefusedValuesInsideTheirIntervals)
 {
   Stand stand;
-  stand.recipe.truth = {
-      {"K1", -0.06},
-      {"K2", 0.08 },
-      {"K5", -0.1 }
-  };
+  stand.recipe.truth = {{"K1", -0.06}, {"K2", 0.08}, {"K5", -0.1}};
   stand.records("measured");
   const auto refused = stand.calibrate("--measured measured --free K1,K2,K6,zeta -o out");
   ASSERT_EQ(refused.exit_code, 3) << refused.out;
   const auto json = nlohmann::json::parse(read_text(stand.folder + "/out/calibration.json"));
   for (const auto &unknown : json["unknowns"]) {
-    const auto percent = [&](const char *which) {
-      return std::stod(unknown["shown"][which].get<std::string>());
-    };
+    const auto percent = [&](const char *which) { return std::stod(unknown["shown"][which].get<std::string>()); };
     EXPECT_LE(percent("low"), percent("value")) << unknown;
     EXPECT_GE(percent("high"), percent("value")) << unknown;
     const auto &factor = json["values"]["factor." + unknown["name"].get<std::string>()];

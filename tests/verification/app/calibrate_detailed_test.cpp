@@ -18,12 +18,7 @@ namespace fs = std::filesystem;
 using namespace mill;
 
 namespace {
-const std::map<std::string, double> truth{
-    {"K3",   -0.06},
-    {"K5",   0.05 },
-    {"K7",   0.07 },
-    {"zeta", 0.3  }
-};
+const std::map<std::string, double> truth{{"K3", -0.06}, {"K5", 0.05}, {"K7", 0.07}, {"zeta", 0.3}};
 
 /// Rolls as beams in files, as a run writes them, with a record of the same stand with other connections.
 struct Beams {

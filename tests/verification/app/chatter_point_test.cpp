@@ -17,14 +17,9 @@ using namespace mill;
 // point is solved where it is needed.
 TEST(ChatterPoint, ValuesThatFitOnlyTogetherMayComeInAnyOrder)
 {
-  const std::pair<const char *, double> one[] = {
-      {"entry_thickness", 3e-3},
-      {"reduction",       0.3 },
-      {"exit_tension",    60e6},
-      {"entry_tension",   30e6},
-      {"roll_speed",      6   },
-      {"viscosity",       0.02}
-  };
+  const std::pair<const char *, double> one[] = {{"entry_thickness", 3e-3}, {"reduction", 0.3},
+                                                 {"exit_tension", 60e6},    {"entry_tension", 30e6},
+                                                 {"roll_speed", 6},         {"viscosity", 0.02}};
   std::vector<std::size_t> order{0, 1, 2, 3, 4, 5};
   Client2 first(unit_2());
   ASSERT_TRUE(first.c) << first.logged();

@@ -38,13 +38,7 @@ std::vector<bite::RollBite> bites()
     one.strip.flow_stress.n        = law == FlowStressLaw::voce ? 3 : 0.25;
     one.strip.flow_stress.eps0     = 0.01;
     one.strip.flow_stress.k0       = 300e6;
-    one.strip.flow_stress.table    = {
-           {0,   400e6},
-           {0.5, 600e6},
-           {1.5, 750e6},
-           {1.6, 760e6},
-           {3,   800e6}
-    };
+    one.strip.flow_stress.table    = {{0, 400e6}, {0.5, 600e6}, {1.5, 750e6}, {1.6, 760e6}, {3, 800e6}};
     all.push_back(one);
   }
   bite::RollBite by_speed               = all[1];

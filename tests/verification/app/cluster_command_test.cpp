@@ -18,8 +18,8 @@ const std::string z_mill = "cases/z-mill.toml";
 // Without friction the strip is not drawn in, and no finite elements are solved: this tests the stack.
 const Changes stack_alone{
     {"[strip.friction]  # a3 < 0: friction falls with speed\nlaw = \"speed\"\nscale = 1\nat_unit_speed = "
-     "0.066723\nper_log_speed = -0.00662\n", ""}
-};
+     "0.066723\nper_log_speed = -0.00662\n",
+     ""}};
 
 // A copy of the case with pieces of its text replaced.
 class ChangedCase {
@@ -81,11 +81,9 @@ TEST(ClusterCommand, NamesContactsThatDoNotCloseAndRollsThatOverlap)
 
 TEST(ClusterCommand, NamesTheMotionThatNothingHolds)
 {
-  EXPECT_EQ(refused("",
-                    {
-                        {"[[support]]  # no bearing, only held sideways; assumed\nroll = \"I\"\ntype = "
-                         "\"guide\"\nstiffness = \"5e8 N/m\"\n", ""}
-  }),
+  EXPECT_EQ(refused("", {{"[[support]]  # no bearing, only held sideways; assumed\nroll = \"I\"\ntype = "
+                          "\"guide\"\nstiffness = \"5e8 N/m\"\n",
+                          ""}}),
             "26:1: error: nothing holds roll I along x; add a [[support]] of it, for example type = \"guide\", or "
             "a [[contact]] that acts in this direction");
 }
@@ -95,10 +93,7 @@ TEST(ClusterCommand, RefusesFitsWithMoreUnknownsThanData)
   EXPECT_EQ(refused(" --set 'variant.0.modes=[\"E vertical\"]'"),
             "201:12: error: variant.0.unknowns = [\"support.E.stiffness\", \"support.R.stiffness\"] are 2 numbers "
             "for 1 frequencies; a fit needs at least as many frequencies as unknowns");
-  EXPECT_EQ(refused("",
-                    {
-                        {"name = \"N\"", "name = \"N.1\""}
-  }),
+  EXPECT_EQ(refused("", {{"name = \"N\"", "name = \"N.1\""}}),
             "200:8: error: variant.0.name = \"N.1\" contains a dot, which separates the parts of result names; "
             "take a dash "
             "or a blank");
@@ -107,9 +102,7 @@ TEST(ClusterCommand, RefusesFitsWithMoreUnknownsThanData)
 TEST(ClusterCommand, RefusesAFitOfTheBite)
 {
   const auto with = [](const std::string &line) {
-    return refused("", {
-                           {"[strip.friction]", "[bite]\n" + line + "\n[strip.friction]"}
-    });
+    return refused("", {{"[strip.friction]", "[bite]\n" + line + "\n[strip.friction]"}});
   };
   EXPECT_TRUE(
       holds(with("fit = [\"force\"]"),
@@ -120,16 +113,9 @@ TEST(ClusterCommand, RefusesAFitOfTheBite)
 
 TEST(ClusterCommand, RefusesForcesThatTheLawsDoNotGive)
 {
-  EXPECT_EQ(refused("",
-                    {
-                        {"load = \"1148 kN\"\nentry_thickness", "entry_thickness"},
-                        {"k = \"1604 MPa\"\n",                  ""               }
-  }),
+  EXPECT_EQ(refused("", {{"load = \"1148 kN\"\nentry_thickness", "entry_thickness"}, {"k = \"1604 MPa\"\n", ""}}),
             "87:7: error: strip.flow_stress.law = \"power\" needs 'k'");
-  EXPECT_TRUE(holds(refused(" --set 'strip.flow_stress.k=4 GPa'",
-                            {
-                                {"load = \"1459 kN\"\n", ""}
-  }),
+  EXPECT_TRUE(holds(refused(" --set 'strip.flow_stress.k=4 GPa'", {{"load = \"1459 kN\"\n", ""}}),
                     "128:1: error: pass \"pass 4\": roll bite: no flattened radius: R'/R = "));
 }
 
@@ -209,9 +195,7 @@ TEST(ClusterCommand, ResultsKeepTheCaseOfNamesAndFitsStateTheirNumbers)
 TEST(ClusterCommand, APassWithoutLoadTakesTheForceOfItsLaws)
 {
   const std::string folder = scratch("computed-load");
-  const ChangedCase computed(Changes{
-      {"load = \"1148 kN\"\nentry_thickness", "entry_thickness"}
-  });
+  const ChangedCase computed(Changes{{"load = \"1148 kN\"\nentry_thickness", "entry_thickness"}});
   const std::string theory = " --set bite.theory=bland-ford";
   const Outcome run        = millstand("stiffness " + computed.path() + " -q -o " + folder + theory);
   ASSERT_EQ(run.exit_code, 0) << run.err;

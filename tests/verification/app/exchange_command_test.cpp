@@ -85,10 +85,7 @@ TEST(ExchangeCommand, SaysWhatItCannotWrite)
   EXPECT_EQ(refusal([&] { require_own("modelica", folder + "other.mo", "stand-2"); }), "accepted");
   std::ofstream(folder + "own.mat") << "numbers of mine";
   EXPECT_EQ(refusal([&] {
-              require_own_companions("matlab", {
-                                                   {folder + "own.m",   ""},
-                                                   {folder + "own.mat", ""}
-              });
+              require_own_companions("matlab", {{folder + "own.m", ""}, {folder + "own.mat", ""}});
             }),
             "the file " + folder +
                 "own.mat, which belongs to it, exists and is not an earlier export; choose another "

@@ -168,10 +168,7 @@ TEST(ExportCommand, NamesOfOtherScriptsBecomeNumbersWithAWord)
   ASSERT_TRUE(std::regex_search(description, identifier, std::regex("modelIdentifier=\"(stand_[0-9a-f]{8})\"")));
   EXPECT_EQ(unit.err, "note: other programs cannot write the name of the case \"" + name +
                           "\"; the model is called " + identifier[1].str() + " there\n");
-  for (const auto &[format, ending] : {
-           std::pair{"modelica", ".mo"},
-           std::pair{"matlab",   ".m" }
-  }) {
+  for (const auto &[format, ending] : {std::pair{"modelica", ".mo"}, std::pair{"matlab", ".m"}}) {
     const auto model = millstand("export " + std::string(format) + " " + name + ".toml", folder());
     EXPECT_EQ(model.exit_code, 0) << model.err;
     EXPECT_TRUE(fs::exists(folder() + "/out/" + identifier[1].str() + ending)) << model.out;

@@ -354,11 +354,9 @@ TEST(ModeNames, AreEqualInAllModelsWhereShapesAreAlike)
         modes.assign(m.at("modes").begin(), m.at("modes").end());
     return modes;
   };
-  const std::map<std::string, std::vector<nlohmann::json>> modes{
-      {"craig-bampton", modes_of("craig-bampton")},
-      {"beam",          modes_of("beam")         },
-      {"six-mass",      modes_of("six-mass")     }
-  };
+  const std::map<std::string, std::vector<nlohmann::json>> modes{{"craig-bampton", modes_of("craig-bampton")},
+                                                                 {"beam", modes_of("beam")},
+                                                                 {"six-mass", modes_of("six-mass")}};
   int alike               = 0;
   const auto expect_equal = [&](const nlohmann::json &detailed, const nlohmann::json &other) {
     ++alike;

@@ -215,12 +215,11 @@ const std::vector<std::string> tapered{"bearing.trb.roller_total_length=34 mm",
 // necks of the backup rolls, and the stand has no third bearing.  The bite's elements are kept under all constants
 // of all laws.
 const Exceptions of_a_stand{
-    {"backup_roll.bearing",       "bearing.trb.type",           "bearing.crb.type", "bearing.trb.end_play", "bearing.trb.preload",
-     "given.*",                                                                                      "backup_roll.bending_model", "work_roll.bearing of fh3", "bearing.trb.profile of fh3",
+    {"backup_roll.bearing", "bearing.trb.type", "bearing.crb.type", "bearing.trb.end_play", "bearing.trb.preload",
+     "given.*", "backup_roll.bending_model", "work_roll.bearing of fh3", "bearing.trb.profile of fh3",
      "bearing.trb.profile of fh4", "dynamics.frame of mode.*", "frame.chock_to_housing_stiffness"},
-    {"strip.initial_thickness", "strip.youngs_modulus", "strip.poisson_ratio",                                                  "strip.flow_stress.*",
-     "strip.friction.*",                                 "pass.0.speed"}
-};
+    {"strip.initial_thickness", "strip.youngs_modulus", "strip.poisson_ratio", "strip.flow_stress.*",
+     "strip.friction.*", "pass.0.speed"}};
 
 Exceptions also(Exceptions known, const std::vector<std::string> &not_moved)
 {
@@ -268,27 +267,17 @@ TEST(Provenance, ResultsOfTheOtherKindsStateTheirInputs)
   expect_complete({"cases/two-cylinders.toml", {}}, {});
   // A face as long as the examples does not cut the ellipse; a profile needs a length, a cylinder a
   // diameter.
-  expect_complete(
-      {
-          "cases/elliptic-contact.toml", {}
-  },
-      {{"upper.length", "lower.length", "upper.profile", "lower.profile", "lower.shape"}, {}});
+  expect_complete({"cases/elliptic-contact.toml", {}},
+                  {{"upper.length", "lower.length", "upper.profile", "lower.profile", "lower.shape"}, {}});
   // The springs to the ground move the highest modes by less than their rounding; under another meaning of the
   // force K4 joins the work rolls and no mode of the chain bears a name that it had.
   const ShortRecords published("published-1400");
-  expect_complete(
-      {
-          published.file, {}
-  },
-      {{"given.K1 of f5", "given.K1 of f6", "given.K7 of f6", "given.K1 of mode.fifth_octave*",
-        "given.K7 of mode.fifth_octave.frequency", "dynamics.force_meaning of mode.*"},
-       {}});
+  expect_complete({published.file, {}},
+                  {{"given.K1 of f5", "given.K1 of f6", "given.K7 of f6", "given.K1 of mode.fifth_octave*",
+                    "given.K7 of mode.fifth_octave.frequency", "dynamics.force_meaning of mode.*"},
+                   {}});
   // Two stands share their strip, so that neither changes it alone; the range of the search holds the answer.
-  expect_complete(
-      {
-          "cases/chatter-two-stands.toml", {}
-  },
-      {{"condition.*", "analysis.speeds"}, {}});
+  expect_complete({"cases/chatter-two-stands.toml", {}}, {{"condition.*", "analysis.speeds"}, {}});
 }
 
 TEST(Provenance, ResultsOfBearingsStateTheirInputs)
@@ -314,13 +303,10 @@ TEST(Provenance, ResultsOfBitesByEveryLawStateTheirInputs)
         continue;
       SCOPED_TRACE(std::string(friction) + " " + flow);
       // A limit of the friction that does not bind moves nothing.
-      expect_complete(
-          {
-              "cases/cold-strip.toml",
-              {every_friction, std::string("strip.friction.law=") + friction, "strip.friction.coefficient=0.06",
-                every_flow_stress(flow, "1180 MPa"), "bite.method=slab", "bite.arc=hitchcock",
-                "bite.strip=rigid-plastic", "strip.initial_thickness=0.3 mm"}
-      },
-          {{"strip.friction", "strip.friction.shear_limit"}, {}});
+      expect_complete({"cases/cold-strip.toml",
+                       {every_friction, std::string("strip.friction.law=") + friction,
+                        "strip.friction.coefficient=0.06", every_flow_stress(flow, "1180 MPa"), "bite.method=slab",
+                        "bite.arc=hitchcock", "bite.strip=rigid-plastic", "strip.initial_thickness=0.3 mm"}},
+                      {{"strip.friction", "strip.friction.shear_limit"}, {}});
     }
 }

@@ -57,10 +57,8 @@ TEST(StreamCommand, GivesTheRowsLevelsAndSpectraOfSimulate)
     const auto streamed =
         millstand("simulate stand.toml -q --force force.csv --stream -o streamed", stream_folder());
     ASSERT_EQ(streamed.exit_code, 0) << streamed.err;
-    for (const auto &[one, other] : {
-             std::pair{"whole/response/pass-1.csv",          "streamed/response.csv"},
-             std::pair{"whole/response/pass-1-spectrum.csv", "streamed/spectrum.csv"}
-    }) {
+    for (const auto &[one, other] : {std::pair{"whole/response/pass-1.csv", "streamed/response.csv"},
+                                     std::pair{"whole/response/pass-1-spectrum.csv", "streamed/spectrum.csv"}}) {
       const Table wanted = read_table(stream_folder() + "/" + one),
                   found  = read_table(stream_folder() + "/" + other);
       ASSERT_EQ(found.names, wanted.names);

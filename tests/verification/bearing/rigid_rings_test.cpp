@@ -89,15 +89,13 @@ TEST(BearingStiffness, ReachesThePublishedTotalAtTheReferenceLoads)
 // secant, tangent, loaded rollers per row.
 TEST(BearingStiffness, FourRowsByTheStandardsLaw)
 {
-  const double table[6][7] = {
-      {100,  1.554e7, 1.727e7, 2.79,  1.615e6, 1.180e7, 7 },
-      {250,  1.703e7, 1.893e7, 6.97,  3.457e6, 1.632e7, 11},
-      {500,  1.826e7, 2.029e7, 13.93, 5.770e6, 1.811e7, 11},
-      {1000, 1.957e7, 2.174e7, 27.86, 8.946e6, 2.067e7, 13},
-      {2000, 2.097e7, 2.330e7, 55.73, 1.274e7, 2.292e7, 15},
-      {4000, 2.248e7, 2.497e7, 111.5, 1.665e7, 2.489e7, 17}
-  };
-  const auto printed = within(6e-4, "printed with four digits");
+  const double table[6][7] = {{100, 1.554e7, 1.727e7, 2.79, 1.615e6, 1.180e7, 7},
+                              {250, 1.703e7, 1.893e7, 6.97, 3.457e6, 1.632e7, 11},
+                              {500, 1.826e7, 2.029e7, 13.93, 5.770e6, 1.811e7, 11},
+                              {1000, 1.957e7, 2.174e7, 27.86, 8.946e6, 2.067e7, 13},
+                              {2000, 2.097e7, 2.330e7, 55.73, 1.274e7, 2.292e7, 15},
+                              {4000, 2.248e7, 2.497e7, 111.5, 1.665e7, 2.489e7, 17}};
+  const auto printed       = within(6e-4, "printed with four digits");
   for (const auto &row : table) {
     const BearingState tight = solve_bearing(tapered("iso", 20), row[0] * 1e3);
     EXPECT_TRUE(near(tight.secant * 1e-3, row[1], printed));
@@ -113,15 +111,9 @@ TEST(BearingStiffness, FourRowsByTheStandardsLaw)
 // The standard's crown 0.00045 D_we ln(...): load kN, secant, tangent N/mm with 41 laminae.
 TEST(BearingStiffness, FourRowsWithTheStandardsCrown)
 {
-  const double table[6][3] = {
-      {100,  7.468e6, 1.154e7},
-      {250,  1.019e7, 1.517e7},
-      {500,  1.266e7, 1.795e7},
-      {1000, 1.536e7, 2.071e7},
-      {2000, 1.814e7, 2.312e7},
-      {4000, 2.071e7, 2.493e7}
-  };
-  const auto printed = within(6e-4, "printed with four digits");
+  const double table[6][3] = {{100, 7.468e6, 1.154e7},  {250, 1.019e7, 1.517e7},  {500, 1.266e7, 1.795e7},
+                              {1000, 1.536e7, 2.071e7}, {2000, 1.814e7, 2.312e7}, {4000, 2.071e7, 2.493e7}};
+  const auto printed       = within(6e-4, "printed with four digits");
   for (const auto &row : table) {
     const BearingState state = solve_bearing(crowned(41), row[0] * 1e3);
     EXPECT_TRUE(near(state.secant * 1e-3, row[1], printed));
@@ -143,11 +135,9 @@ TEST(BearingStiffness, InterferenceLoadsMoreRollers)
 
 TEST(BearingStiffness, TiltMovesLoadBetweenRows)
 {
-  const double share[3][6] = {
-      {1e6,   0.1e-3, 17.3,  26.5, 23.4, 32.8 },
-      {1e6,   0.5e-3, -10.7, 30.8, 15.8, 64.1 },
-      {500e3, 0.5e-3, -45.7, 36.4, 8.7,  100.6}
-  };
+  const double share[3][6] = {{1e6, 0.1e-3, 17.3, 26.5, 23.4, 32.8},
+                              {1e6, 0.5e-3, -10.7, 30.8, 15.8, 64.1},
+                              {500e3, 0.5e-3, -45.7, 36.4, 8.7, 100.6}};
   for (const auto &row : share) {
     const BearingState state = solve_bearing(tapered("iso", 20), row[0], row[1]);
     for (int r = 0; r < 4; ++r)

@@ -46,10 +46,7 @@ ClusterStand six_masses_as_rolls(const LumpedModel &chain)
   spring("M2-M3", chain.K[2].value);
   spring("M4-M5", chain.K[4].value);
   spring("M5-M6", chain.K[5].value);
-  for (const auto &[roll, k] : {
-           std::pair{"M1", chain.K[0].value},
-           std::pair{"M6", chain.K[6].value}
-  }) {
+  for (const auto &[roll, k] : {std::pair{"M1", chain.K[0].value}, std::pair{"M6", chain.K[6].value}}) {
     ClusterSupport ground;
     ground.roll      = roll;
     ground.type      = "guide";
@@ -89,14 +86,8 @@ TEST(OtherStacks, LoadsOfATwentyHighFollowItsAngles)
   const double force        = 1.2e3;  // small: the angles are those of the unloaded stack
   const auto state          = cluster::pass_state(weightless, stand.schedule[0], force);
   // Resultants from angles alone, force over rolling force.
-  const std::map<std::string, double> statics{
-      {"S-O", 0.684501},
-      {"O-I", 0.624983},
-      {"O-J", 0.260558},
-      {"I-A", 0.585182},
-      {"I-B", 0.152394},
-      {"J-B", 0.340871}
-  };
+  const std::map<std::string, double> statics{{"S-O", 0.684501}, {"O-I", 0.624983}, {"O-J", 0.260558},
+                                              {"I-A", 0.585182}, {"I-B", 0.152394}, {"J-B", 0.340871}};
   for (std::size_t i = 0; i < state.stack.contacts.size(); ++i)
     if (const auto match = statics.find(state.stack.contacts[i].name); match != statics.end())
       EXPECT_TRUE(

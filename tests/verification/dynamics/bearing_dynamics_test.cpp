@@ -44,10 +44,7 @@ TEST(BearingDynamics, LinearLimitIsTheDampedOscillator)
   o.mean_load         = {P, 0};
   o.amplitude         = amplitude;
   o.frequency         = f;
-  o.start             = BearingState{
-      {P / k, y0},
-      Vector2d::Zero()
-  };
+  o.start             = BearingState{{P / k, y0}, Vector2d::Zero()};
   const auto response = simulate(o, 0.05, 20e3);
 
   const double w0 = std::sqrt(k / m), decay = c / (2 * m), wd = std::sqrt(w0 * w0 - decay * decay),
@@ -79,13 +76,10 @@ TEST(BearingDynamics, PeriodOnAPowerLawIsTheQuadrature)
 {
   for (const double n : {1.0, 10.0 / 9, 1.5}) {
     const double k = 1e10 * std::pow(1e-5, 1 - n), A = 4e-5, r = 1 / (n + 1);
-    const double B      = std::sqrt(M_PI) * r * std::tgamma(r) / std::tgamma(r + 0.5);
-    const double T      = 4 * std::sqrt(m * (n + 1) / (2 * k)) * std::pow(A, (1 - n) / 2) * B;
-    BearingOscillator o = oscillator(power_curve(k, n));
-    o.start             = BearingState{
-        {A, 0},
-        Vector2d::Zero()
-    };
+    const double B         = std::sqrt(M_PI) * r * std::tgamma(r) / std::tgamma(r + 0.5);
+    const double T         = 4 * std::sqrt(m * (n + 1) / (2 * k)) * std::pow(A, (1 - n) / 2) * B;
+    BearingOscillator o    = oscillator(power_curve(k, n));
+    o.start                = BearingState{{A, 0}, Vector2d::Zero()};
     constexpr int quarters = 81;
     const auto response    = simulate(o, quarters * T / 4 * (1 + 1e-9), 4 / T);
     // After 20 1/4 periods the mass passes through the middle; its distance from there gives the period.
@@ -128,10 +122,7 @@ TEST(BearingDynamics, EnergyIsKept)
   constexpr double k = 2e10 * 3.6, n = 10.0 / 9, gap = 5e-5;
   BearingOscillator o = oscillator(power_curve(k, n, gap));
   o.mean_load         = {3e5, 0};
-  o.start             = BearingState{
-      {-4e-5, 3e-5},
-      {0.2,   0.15}
-  };
+  o.start             = BearingState{{-4e-5, 3e-5}, {0.2, 0.15}};
   const auto response = simulate(o, 0.2, 50e3);
   EXPECT_GT(response.events.size(), 50u) << "the case has to lose its contact";
   VectorXd energy(response.time.size());
@@ -154,10 +145,7 @@ TEST(BearingDynamics, WhirlStaysOnItsCircle)
   constexpr double k = 7e10, n = 10.0 / 9, gap = 2e-5, radius = 6e-5;
   BearingOscillator o = oscillator(power_curve(k, n, gap));
   const double speed  = std::sqrt(k * std::pow(radius - gap, n) * radius / m);
-  o.start             = BearingState{
-      {radius, 0    },
-      {0,      speed}
-  };
+  o.start             = BearingState{{radius, 0}, {0, speed}};
   const double turn   = 2 * M_PI * radius / speed;
   const auto response = simulate(o, 25 * turn, 40 / turn);
   EXPECT_LT((response.position.rowwise().norm().array() / radius - 1).abs().maxCoeff(), 1e-6)
@@ -259,10 +247,7 @@ TEST(BearingDynamics, RefusesWrongInputWithTheReason)
 TEST(BearingDynamics, NotesThatTheCurveIsTooShort)
 {
   BearingOscillator o = oscillator(power_curve(1e10, 1));
-  o.start             = BearingState{
-      {1.5e-3, 0},
-      Vector2d::Zero()
-  };
+  o.start             = BearingState{{1.5e-3, 0}, Vector2d::Zero()};
   const auto response = simulate(o, 0.02, 1e4);
   ASSERT_EQ(response.notes.size(), 1u);
   EXPECT_NE(response.notes[0].find("up to 1500 um from the middle, the curve of the bearing ends at 1000 um"),

@@ -107,13 +107,11 @@ TEST(UnsteadyBite, AtTheSteadyStateItEqualsTheLinearBite)
       const auto now       = bite::bite_slopes_at(u, bite::steady_moment(u));
       EXPECT_TRUE(near(now.answer.force, p.state.force, within(1e-12, "one formula, one rounding")));
       EXPECT_TRUE(near(now.answer.entry_speed, p.state.entry_speed, within(1e-12, "settled to rounding")));
-      const bite::StripRow *rows[][2] = {
-          {&now.by.entry_speed,      &p.by.entry_speed     },
-          {&now.by.exit_speed,       &p.by.exit_speed      },
-          {&now.by.force,            &p.by.force           },
-          {&now.by.friction,         &p.by.friction        },
-          {&now.by.neutral_position, &p.by.neutral_position}
-      };
+      const bite::StripRow *rows[][2] = {{&now.by.entry_speed, &p.by.entry_speed},
+                                         {&now.by.exit_speed, &p.by.exit_speed},
+                                         {&now.by.force, &p.by.force},
+                                         {&now.by.friction, &p.by.friction},
+                                         {&now.by.neutral_position, &p.by.neutral_position}};
       for (const auto &row : rows)
         for (int i = 0; i < 5; ++i)
           EXPECT_TRUE(near((*row[0])[i], (*row[1])[i], within(1e-10, "exact derivatives at one state", 1e-30)));
@@ -420,9 +418,7 @@ TEST(NonlinearRun, RefusesWrongOptionsAndStarts)
   none.duration       = 0;
   loose.tolerance     = 0.5;
   light.strip_density = 0;
-  other.contacts      = {
-           {"a third roll", VectorXd::Ones(4), 1e9, 1e6}
-  };
+  other.contacts      = {{"a third roll", VectorXd::Ones(4), 1e9, 1e6}};
   EXPECT_EQ(with(none, start), "a run needs a duration and a rate above zero, not 0 s and 10000 Hz");
   EXPECT_EQ(with(loose, start), "a run needs a tolerance above zero and at most 0.01, not 0.5; 1e-8 is usual");
   EXPECT_EQ(with(light, start), "a strip of density 0 kg/m3 cannot move; steel has 7850");

@@ -39,9 +39,7 @@ TEST(ContactCurves, FindSeparationAndTouchToANanosecond)
   stand.laws    = {power_law(k, 1, 1e5, 4e6, 5)};
   stand.rate    = {w};
   stand.push    = {1 / std::sqrt(m)};
-  stand.springs = {
-      {"K3", 0, 1, {1 / std::sqrt(m)}, rest, load, k}
-  };
+  stand.springs = {{"K3", 0, 1, {1 / std::sqrt(m)}, rest, load, k}};
   CurveState start;
   ASSERT_TRUE(rest_under(stand, 0, start));
   start.q[0] = amplitude * std::sqrt(m);

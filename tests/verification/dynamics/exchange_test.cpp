@@ -36,9 +36,7 @@ void name(ExchangedStand &stand)
   stand.force_text = "rolling force, positive pushes the work rolls apart";
   stand.points     = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
                       "lower_work_roll", "lower_backup_roll", "lower_frame"};
-  stand.source     = {
-          {"M3", "M3 of the case, published"}
-  };
+  stand.source     = {{"M3", "M3 of the case, published"}};
   stand.mean_force = 976217.5;
   stand.step       = 5e-5;
 }
@@ -123,10 +121,7 @@ void add_outputs(const Sample &s, const Motion &m, modelica::Values &values)
 }
 
 const std::vector<std::array<std::string, 2>> kinds{
-    {"measured",    "open"  },
-    {"disturbance", "closed"},
-    {"published",   "open"  }
-};
+    {"measured", "open"}, {"disturbance", "closed"}, {"published", "open"}};
 }  // namespace
 
 TEST(Exchange, EquationsOfModelicaAreThoseOfTheChain)
@@ -185,18 +180,13 @@ TEST(Exchange, ComponentsOfModelicaAreJoinedAsTheSpringsAre)
         std::move(modelica::read(modelica_package(s.stand, "")).classes.at("Components"));
     const modelica::Values known = parameters_of(model);
     EXPECT_TRUE(undeclared(model).empty()) << undeclared(model).front();
-    std::map<std::string, int> place{
-        {"ground", -1}
-    };
+    std::map<std::string, int> place{{"ground", -1}};
     for (int i = 0; i < 6; ++i)
       place[s.stand.points[std::size_t(i)]] = i;
     std::map<std::string, std::array<int, 2>> ends;
     Eigen::VectorXd bite = Eigen::VectorXd::Zero(6);
     for (const auto &[from, to] : model.connections)
-      for (const auto &[one, other] : {
-               std::pair{from, to  },
-               std::pair{to,   from}
-      }) {
+      for (const auto &[one, other] : {std::pair{from, to}, std::pair{to, from}}) {
         const std::string part = one.substr(0, one.find('.')), at = other.substr(0, other.find('.'));
         const bool first = one.find("flange_a") != std::string::npos;
         if (part == "bite")

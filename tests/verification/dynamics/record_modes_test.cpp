@@ -43,11 +43,7 @@ TEST(RecordModes, ReportsRecordsWithoutTheMotion)
   EXPECT_TRUE(record_modes(VectorXd::Zero(500), 1e-4).empty());
   EXPECT_TRUE(record_modes(VectorXd::Ones(10), 1e-4).empty());
   try {
-    mode_near(
-        {
-            {-1, 80, 1}
-    },
-        128);
+    mode_near({{-1, 80, 1}}, 128);
     FAIL() << "a motion 48 Hz away must not pass";
   } catch (const SolverError &e) {
     EXPECT_EQ(e.report.what, "the record has no motion near 128 Hz");
@@ -60,11 +56,8 @@ TEST(LimitCycle, DistinguishesASineFromAGrowingOne)
   ChatterRun run;
   run.history.time = VectorXd::LinSpaced(5001, 0, 0.5);
   run.history.gap  = 1e-5 * (2 * M_PI * 130 * run.history.time.array() + 0.3).sin();
-  run.events       = {
-            {0.1,  ChatterChange::entry_slack},
-            {0.45, ChatterChange::exit_slack }
-  };
-  const auto c = limit_cycle(run);
+  run.events       = {{0.1, ChatterChange::entry_slack}, {0.45, ChatterChange::exit_slack}};
+  const auto c     = limit_cycle(run);
   EXPECT_TRUE(near(c.amplitude, 1e-5, within(2e-4, "parabola through samples 1/77 of a swing apart")));
   EXPECT_TRUE(near(c.frequency, 130, within(1e-5, "straight line through the level")));
   EXPECT_TRUE(c.settled);

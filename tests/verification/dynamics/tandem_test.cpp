@@ -48,11 +48,9 @@ StandStructure structure(const double scale = 1)
 TandemLine three_stands()
 {
   TandemLine line;
-  line.stands = {
-      {"",     structure(),    pass(0.80e-3, 0.60e-3, 150e6, 160e6)},
-      {"four", structure(1.1), pass(0.60e-3, 0.46e-3, 160e6, 170e6)},
-      {"five", structure(0.9), pass(0.46e-3, 0.37e-3, 170e6, 100e6)}
-  };
+  line.stands         = {{"", structure(), pass(0.80e-3, 0.60e-3, 150e6, 160e6)},
+                         {"four", structure(1.1), pass(0.60e-3, 0.46e-3, 160e6, 170e6)},
+                         {"five", structure(0.9), pass(0.46e-3, 0.37e-3, 170e6, 100e6)}};
   line.distance       = {4.5, 4.2};
   line.entry_distance = 4.7;
   line.exit_distance  = 5.1;

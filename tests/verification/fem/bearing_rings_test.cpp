@@ -92,10 +92,7 @@ TEST(BearingRings, MirroredRowsGiveMirroredFlexibilities)
   ASSERT_EQ(r.chock_sine.rows(), 3 * 12);
   for (int a = 0; a < 3; ++a)
     for (int b = 0; b < 3; ++b) {
-      for (const auto &[row, other] : {
-               std::pair{0, 3},
-               std::pair{1, 2}
-      }) {
+      for (const auto &[row, other] : {std::pair{0, 3}, std::pair{1, 2}}) {
         const auto value_at = [&](const Eigen::MatrixXd &C, const int k) { return C(3 * k + a, 3 * k + b); };
         EXPECT_TRUE(
             near(value_at(r.inner[2], row), mirror(a, b) * value_at(r.inner[2], other),

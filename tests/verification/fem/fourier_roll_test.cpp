@@ -156,15 +156,13 @@ TEST(MeridianMesh, NamesItsBoundariesAndFillsTheRoll)
     }
     return Eigen::Vector2d(low, high);
   };
-  for (const auto &[group, direction, low, high] : {
-           std::tuple{"contact",    1, 0.,    0.6  },
-           {"barrel",     1, 0.6,   0.7  },
-           {"neck",       1, 0.7,   1.65 },
-           {"axis",       1, 0.,    1.65 },
-           {"shoulder",   0, 0.475, 0.725},
-           {"end",        0, 0.,    0.475},
-           {"symmetry.z", 0, 0.,    0.725}
-  }) {
+  for (const auto &[group, direction, low, high] : {std::tuple{"contact", 1, 0., 0.6},
+                                                    {"barrel", 1, 0.6, 0.7},
+                                                    {"neck", 1, 0.7, 1.65},
+                                                    {"axis", 1, 0., 1.65},
+                                                    {"shoulder", 0, 0.475, 0.725},
+                                                    {"end", 0, 0., 0.475},
+                                                    {"symmetry.z", 0, 0., 0.725}}) {
     EXPECT_TRUE(
         near(span(group, direction)[0], low, within_absolute(1e-12, "m, nodes of the group end there, rounding")))
         << group;

@@ -36,10 +36,7 @@ TEST(LineContactFem, MeetsTheClosedFormOverTheSweep)
 {
   // Rolls, a small roller on a large one, and equal cylinders of soft material: the method must not know the
   // table.
-  const std::vector<Pair> pairs{
-      rolls, {0.050, 0.900, 206e9, 0.3 },
-       {0.6,   0.6,   70e9,  0.33}
-  };
+  const std::vector<Pair> pairs{rolls, {0.050, 0.900, 206e9, 0.3}, {0.6, 0.6, 70e9, 0.33}};
   for (const Pair &p : pairs) {
     const double low = 200e3 * p.E / 210e9, high = 5000e3 * p.E / 210e9;
     const auto s     = slabs(p, low, high, 8);

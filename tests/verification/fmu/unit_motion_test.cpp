@@ -32,13 +32,11 @@ struct Setting {
 };
 // Separate modes, undamped, coupled by a damper, as published, and one mode so near to critical that the matrix
 // exponential is used.
-const Setting all_settings[] = {
-    {"measured",    0.01, 0  },
-    {"measured",    0,    0  },
-    {"disturbance", 0.01, 2e6},
-    {"published",   0.02, 5e6},
-    {"disturbance", 0,    1e9}
-};
+const Setting all_settings[] = {{"measured", 0.01, 0},
+                                {"measured", 0, 0},
+                                {"disturbance", 0.01, 2e6},
+                                {"published", 0.02, 5e6},
+                                {"disturbance", 0, 1e9}};
 }  // namespace
 
 // The recorded force played inside: the result does not depend on the communication step, from 1e-5 s to 1 s.

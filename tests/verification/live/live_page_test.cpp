@@ -174,10 +174,7 @@ TEST_F(LivePage, MassesMoveByTheStatedAmplification)
   struct Held {
     std::vector<double> displacement;  // m
     double upper, lower;               // px, where the lines through the backup rolls are found
-  } rows[2] = {
-      {{0, 0, 0, 0, 0, 0},          0, 0},
-      {{0, 1.2e-5, 0, 0, -9e-6, 0}, 0, 0}
-  };
+  } rows[2]            = {{{0, 0, 0, 0, 0, 0}, 0, 0}, {{0, 1.2e-5, 0, 0, -9e-6, 0}, 0, 0}};
   double amplification = 0, scale = 0;
   for (Held &row : rows) {
     plant->hold(row.displacement);
@@ -304,12 +301,7 @@ TEST_F(LivePage, NothingIsCutAtAnySizeOrTheme)
       1))
       << shape();
   browser->run("document.getElementById('banner').hidden = true");
-  for (const auto &[width, height] : {
-           std::pair{1400, 900 },
-           {400,  800 },
-           {1024, 768 },
-           {1920, 1080}
-  })
+  for (const auto &[width, height] : {std::pair{1400, 900}, {400, 800}, {1024, 768}, {1920, 1080}})
     for (const char *screen : {"1", "2"}) {
       browser->size(width, height);
       browser->type(screen);
@@ -333,9 +325,7 @@ TEST_F(LivePage, NothingIsCutAtAnySizeOrTheme)
 TEST_F(LivePage, OneFluctuationOfABandIsNotLouder)
 {
   live::PageChatter swing;
-  swing.bands = {
-      {"third octave", 218.3, 2.4 * 0.26, 0.26, -1.85, -1.42, "calm"}
-  };
+  swing.bands = {{"third octave", 218.3, 2.4 * 0.26, 0.26, -1.85, -1.42, "calm"}};
   plant->publish("chatter", live::chatter_text(swing));
   EXPECT_TRUE(browser->wait_for("return document.getElementById('quiet-say').textContent.startsWith('1.5 ×')", 1))
       << text("quiet-say");

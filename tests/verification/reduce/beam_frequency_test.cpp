@@ -67,12 +67,9 @@ double frequency(const double flexibility)
 {
   const SteppedBeam beam = backup_roll();
   const auto shape       = [&](double x) { return deflection(beam, x); };
-  const double mass      = 2 * equivalent_mass(shape,
-                                               {
-                                                   {0,           half_barrel, barrel_mass},
-                                                   {half_barrel, half_span,   neck_mass  }
-  },
-                                               {}, flexibility);
+  const double mass =
+      2 * equivalent_mass(shape, {{0, half_barrel, barrel_mass}, {half_barrel, half_span, neck_mass}}, {},
+                          flexibility);
   return std::sqrt(1 / (flexibility * mass)) / (2 * M_PI);
 }
 }  // namespace

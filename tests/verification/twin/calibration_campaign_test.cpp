@@ -31,10 +31,7 @@ CalibrationInput input_of(const calibration::Recipe &recipe, const bool force_re
   input.threads = 2;
 
   input.force_recorded = force_recorded;
-  for (const auto &[from, into] : {
-           std::pair{recipe,         &input.fit  },
-           std::pair{recipe.check(), &input.check}
-  }) {
+  for (const auto &[from, into] : {std::pair{recipe, &input.fit}, std::pair{recipe.check(), &input.check}}) {
     const auto made = calibration::record(from);
     into->push_back({force_recorded ? made.force : Eigen::VectorXd(), made.acceleration});
   }

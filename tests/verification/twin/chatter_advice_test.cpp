@@ -245,9 +245,7 @@ CriticalQuestion perturbed(const std::string &key, const double factor)
       q.bite = with_number_scaled(q.bite, number, factor);
   const auto changed = q.changed;
   if (key.find("stand.") == 0) {
-    NumberedStructure stand = changed({
-        {key, factor}
-    });
+    NumberedStructure stand = changed({{key, factor}});
     q.stand.structure       = stand.structure;
     q.numbers               = stand.numbers;
     q.changed               = [=](StructureChanges changes) {
@@ -260,10 +258,10 @@ CriticalQuestion perturbed(const std::string &key, const double factor)
 
 // Some doubts of both kinds; the dampers by one beginning of their keys.
 const std::vector<InputDoubt> some_doubts{
-    {"condition.entry_tension", 0.03, true },
-    {"oil.viscosity",           0.10, false},
-    {"stand.stiffnesses[1]",    0.05, false},
-    {"stand.dampings[",         0.30, false},
+    {"condition.entry_tension", 0.03, true},
+    {"oil.viscosity", 0.10, false},
+    {"stand.stiffnesses[1]", 0.05, false},
+    {"stand.dampings[", 0.30, false},
 };
 }  // namespace
 

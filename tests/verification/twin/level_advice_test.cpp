@@ -291,13 +291,9 @@ TEST(LevelAdvice, PairsAreRecomputed)
   EXPECT_EQ(advice.actions.front().name.find("tuned damper 97.47 kg, upper work roll and damper"), 0u)
       << advice.actions.front().name;
   // K3 softer and a damper, solved from the equations of the changed stand.
-  q.dampers = {
-      {"damper", {damper(1, 2, 1e5)}}
-  };
+  q.dampers = {{"damper", {damper(1, 2, 1e5)}}};
   q.tuned.clear();
-  q.springs = {
-      {"K3", 0.8, 1, ""}
-  };
+  q.springs               = {{"K3", 0.8, 1, ""}};
   q.force                 = white_force(0, 1000, 2.3);
   const LevelAdvice two   = level_advice(set_r().advised, q);
   const RatedAction &both = action(two, "damper and K3 x 0.8");
@@ -318,10 +314,7 @@ TEST(LevelAdvice, PairsAreRecomputed)
 TEST(LevelAdvice, RejectsActionsThatViolateALimit)
 {
   LevelQuestion q = usual_question(set_r().advised);
-  q.springs       = {
-            {"K1", 0.3, 1,   ""},
-            {"K3", 0.8, 1.2, ""}
-  };
+  q.springs       = {{"K1", 0.3, 1, ""}, {"K3", 0.8, 1.2, ""}};
   q.dampers.clear();
   q.tuned.clear();
   q.softening              = 0.10;
@@ -341,10 +334,7 @@ TEST(LevelAdvice, AnotherRollThatVibratesMoreIsALimit)
   // A place that both rolls share: between the work rolls a damper helps both, a softer K3 only the upper one.
   LevelQuestion q = usual_question(set_r().advised);
   q.place         = dynamics::upper_backup_roll;
-  q.springs       = {
-            {"K3", 0.5, 1, ""},
-            {"K2", 0.5, 2, ""}
-  };
+  q.springs       = {{"K3", 0.5, 1, ""}, {"K2", 0.5, 2, ""}};
   q.dampers.clear();
   q.tuned.clear();
   q.rise_elsewhere         = 0;
@@ -361,11 +351,8 @@ TEST(LevelAdvice, AnotherRollThatVibratesMoreIsALimit)
 
 TEST(LevelAdvice, StatesTheParametersItRestsOn)
 {
-  LevelQuestion q = usual_question(set_r().advised);
-  q.untold        = {
-             {"K2", "which the records do not tell"},
-             {"K3", "which the records do not tell"}
-  };
+  LevelQuestion q          = usual_question(set_r().advised);
+  q.untold                 = {{"K2", "which the records do not tell"}, {"K3", "which the records do not tell"}};
   const LevelAdvice advice = level_advice(set_r().advised, q);
   const std::string chain  = "chain only: a damper sits on chocks, which the six masses do not have";
   for (const RatedAction &one : advice.actions) {

@@ -26,21 +26,9 @@ bool long_form()
 /// Errors of a case that was made from a drawing with estimates: 82 % of a spring is 82 %.
 std::vector<Unknown> stated_errors_of_a_drawing()
 {
-  return {
-      {"K1",   0.15        },
-      {"K2",   0.82        },
-      {"K3",   0.09        },
-      {"K5",   0.09        },
-      {"K6",   0.40        },
-      {"K7",   0.15        },
-      {"M1",   0.10        },
-      {"M2",   0.05        },
-      {"M3",   0.04        },
-      {"M4",   0.04        },
-      {"M5",   0.05        },
-      {"M6",   0.10        },
-      {"zeta", std::log(2.)}
-  };
+  return {{"K1", 0.15}, {"K2", 0.82}, {"K3", 0.09},          {"K5", 0.09}, {"K6", 0.40},
+          {"K7", 0.15}, {"M1", 0.10}, {"M2", 0.05},          {"M3", 0.04}, {"M4", 0.04},
+          {"M5", 0.05}, {"M6", 0.10}, {"zeta", std::log(2.)}};
 }
 
 CalibrationInput calibration_of(const calibration::Recipe &recipe, const std::vector<Unknown> &unknowns)
@@ -52,10 +40,7 @@ CalibrationInput calibration_of(const calibration::Recipe &recipe, const std::ve
   input.sensors  = {"upper_work_roll", "lower_work_roll"};
   input.rate     = recipe.rate;
   input.threads  = 2;
-  for (const auto &[from, into] : {
-           std::pair{recipe,         &input.fit  },
-           std::pair{recipe.check(), &input.check}
-  }) {
+  for (const auto &[from, into] : {std::pair{recipe, &input.fit}, std::pair{recipe.check(), &input.check}}) {
     const auto made = calibration::record(from);
     into->push_back({made.force, made.acceleration});
   }
@@ -136,16 +121,16 @@ std::vector<WrongStand> wrong_stands()
 {
   const double lost = std::log(0.05), heavy = std::log(1.5), light = std::log(0.6);
   return {
-      {"closed frame", {},                   "closed"},
-      {"lost contact, upper",              {{"K3", lost}}             },
-      {"lost contact, lower",              {{"K5", lost}}},
-      {"work roll of another mill, upper",              {{"M3", heavy}}},
-      {"work roll of another mill, lower",              {{"M4", light}}},
-      {"backup rolls of another mill",              {{"M2", heavy}, {"M5", heavy}}    },
-      {"light backup rolls",              {{"M2", light}, {"M5", light}}          },
-      {"half a contact, upper",              {{"K3", std::log(0.5)}} },
-      {"half a contact, lower",              {{"K5", std::log(0.5)}}          },
-      {"housing of another mill",              {{"K1", std::log(2.5)}, {"K7", std::log(2.5)}}},
+      {"closed frame", {}, "closed"},
+      {"lost contact, upper", {{"K3", lost}}},
+      {"lost contact, lower", {{"K5", lost}}},
+      {"work roll of another mill, upper", {{"M3", heavy}}},
+      {"work roll of another mill, lower", {{"M4", light}}},
+      {"backup rolls of another mill", {{"M2", heavy}, {"M5", heavy}}},
+      {"light backup rolls", {{"M2", light}, {"M5", light}}},
+      {"half a contact, upper", {{"K3", std::log(0.5)}}},
+      {"half a contact, lower", {{"K5", std::log(0.5)}}},
+      {"housing of another mill", {{"K1", std::log(2.5)}, {"K7", std::log(2.5)}}},
   };
 }
 
@@ -184,15 +169,8 @@ TEST(PlantCalibration, RefusesWrongStands)
 TEST(PlantCalibration, NamesTheCommonDampingWhereItAloneFails)
 {
   calibration::Recipe recipe = recipe_of(9000);
-  recipe.truth               = {
-                    {"K3",    -0.03},
-                    {"zeta3", 0.9  },
-                    {"zeta5", -0.7 }
-  };
-  const std::vector<Unknown> unknowns{
-      {"K3",   0.05        },
-      {"zeta", std::log(2.)}
-  };
+  recipe.truth               = {{"K3", -0.03}, {"zeta3", 0.9}, {"zeta5", -0.7}};
+  const std::vector<Unknown> unknowns{{"K3", 0.05}, {"zeta", std::log(2.)}};
   const CalibrationInput input = calibration_of(recipe, unknowns);
   const Calibration done       = calibrate(input, {});
   ASSERT_FALSE(done.refusals.empty());
@@ -217,9 +195,7 @@ TEST(PlantCalibration, AcceptsSmallErrorsOfAllParameters)
 {
   calibration::Recipe recipe = recipe_of(9100);
   recipe.density             = 1e-4;  // fifty times better sensors
-  const std::vector<Unknown> unknowns{
-      {"zeta", std::log(2.)}
-  };
+  const std::vector<Unknown> unknowns{{"zeta", std::log(2.)}};
   // all frequencies are 0.04 % higher: 4 % of the level at the top of a resonance of 1 %
   for (const char *name : {"K1", "K2", "K3", "K5", "K6", "K7", "M1", "M2", "M3", "M4", "M5", "M6"})
     recipe.truth[name] = name[0] == 'K' ? 0.0004 : -0.0004;

@@ -131,10 +131,8 @@ AdvisedStand advised()
 LevelQuestion question(const double speed)
 {
   LevelQuestion q;
-  q.force   = band();
-  q.springs = {
-      {"K3", 0.8, 1.2, "diameters"}
-  };
+  q.force               = band();
+  q.springs             = {{"K3", 0.8, 1.2, "diameters"}};
   q.pass                = pass_at(speed);
   q.pass->process.speed = {0.95, 1};
   q.softening           = 1;
@@ -154,11 +152,9 @@ TEST(RolledLevel, ProcessActionsAreTheCoupledEquations)
     return with_number_scaled(pass.model.bite, number, factor);
   };
   const Tolerance same = within(1e-8, "one set of equations solved in two ways");
-  for (const auto &[number, factor] : {
-           std::pair(bite::PassNumber::entry_thickness, 0.95),
-           {bite::PassNumber::entry_tension, 1.2},
-           {bite::PassNumber::viscosity,     0.8}
-  }) {
+  for (const auto &[number, factor] : {std::pair(bite::PassNumber::entry_thickness, 0.95),
+                                       {bite::PassNumber::entry_tension, 1.2},
+                                       {bite::PassNumber::viscosity, 0.8}}) {
     const auto bite  = changed(number, factor);
     const double now = dynamics::working_point(bite, 8, pass.model.scheme).state.force / before;
     const auto after = level.after({}, {}, {process(number, factor)});
@@ -243,10 +239,8 @@ TEST(RolledLevel, SlopesAreTheTangents)
 
 TEST(RolledLevel, ActionsOfTheStandKeepTheCriticalSpeed)
 {
-  LevelQuestion q = question(8);
-  q.dampers       = {
-            {"damper", {{1, 2, 2e6}}}
-  };
+  LevelQuestion q          = question(8);
+  q.dampers                = {{"damper", {{1, 2, 2e6}}}};
   const LevelAdvice advice = level_advice(advised(), q);
   const auto scheme        = q.pass->model.scheme;
   const auto critical      = [&](const LumpedModel &chain, const double c) {
@@ -257,11 +251,9 @@ TEST(RolledLevel, ActionsOfTheStandKeepTheCriticalSpeed)
   const double now = critical(lumped(), 0);
   ASSERT_TRUE(advice.pass);
   EXPECT_NEAR(advice.pass->speed, now, 1e-6 * now);
-  for (const auto &[name, speed] : {
-           std::pair("K3 x 0.8", critical(lumped(1, 0.8), 0)),
-           {"K3 x 1.2", critical(lumped(1, 1.2),    0)},
-           {"damper",          critical(lumped(),                    2e6)}
-  }) {
+  for (const auto &[name, speed] : {std::pair("K3 x 0.8", critical(lumped(1, 0.8), 0)),
+                                    {"K3 x 1.2", critical(lumped(1, 1.2), 0)},
+                                    {"damper", critical(lumped(), 2e6)}}) {
     const RatedAction &one = action(advice, name);
     EXPECT_NEAR(one.nearer, speed / now - 1, 1e-6) << name;
     EXPECT_EQ(effect(one, "critical over working speed"), one.nearer);
@@ -292,12 +284,11 @@ TEST(RolledLevel, ProcessActionsKeepForceTorqueAndSpeed)
     return std::any_of(one.against.begin(), one.against.end(),
                        [&](const std::string &reason) { return reason.find(word) == 0; });
   };
-  for (const auto &[name, number, factor] : {
-           std::tuple("entry thickness x 1.05", bite::PassNumber::entry_thickness, 1.05),
-           {"entry thickness x 0.95", bite::PassNumber::entry_thickness, 0.95},
-           {"oil viscosity x 0.8",    bite::PassNumber::viscosity,       0.8 },
-           {"exit tension x 1.2",     bite::PassNumber::exit_tension,    1.2 }
-  }) {
+  for (const auto &[name, number, factor] :
+       {std::tuple("entry thickness x 1.05", bite::PassNumber::entry_thickness, 1.05),
+        {"entry thickness x 0.95", bite::PassNumber::entry_thickness, 0.95},
+        {"oil viscosity x 0.8", bite::PassNumber::viscosity, 0.8},
+        {"exit tension x 1.2", bite::PassNumber::exit_tension, 1.2}}) {
     const auto then = dynamics::working_point(with_number_scaled(film_pass(), number, factor), 8, scheme).state;
     const RatedAction &one = action(advice, name);
     EXPECT_NEAR(effect(one, "force"), then.force / now.force - 1, 1e-10);

@@ -21,7 +21,7 @@ public:
     twin::ChatterModel model;
     std::vector<twin::InputDoubt> doubts = twin::usual_doubts();
     double rescan                        = 60;  ///< s, from search to search of the whole range
-    bool wait = false;                          ///< for every search, for tests; otherwise it runs in the background
+    bool wait = false;  ///< for every search, for tests; otherwise it runs in the background
   };
   /// Channels that count: speed (of the roll's surface) or exit_speed, entry_thickness, exit_thickness (lengths),
   /// entry_tension, exit_tension (stresses, or forces over the section of the strip).  Others are left alone; what

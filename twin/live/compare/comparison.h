@@ -49,16 +49,16 @@ struct ComparisonNews {
 /// To the page, as its events.
 void publish(const ComparisonNews &news, const Publish &publish);
 
-/// Comparison of the twin with the measured: levels, spectra, onset of chatter, modes and their drift, critical speed,
-/// proposals.  In the thread of the engine; searches and re-calibrations run in the background at lowest priority.
-/// theory.md 50
+/// Comparison of the twin with the measured: levels, spectra, onset of chatter, modes and their drift, critical
+/// speed, proposals.  In the thread of the engine; searches and re-calibrations run in the background at lowest
+/// priority. theory.md 50
 class Comparison {
 public:
   explicit Comparison(ComparisonSetup setup);
   ComparisonNews take(const LiveBlock &block);
 
-  /// The twin was changed by hand or by a proposal: sums and references start again, open proposals are out of date
-  /// when the chain is another one.
+  /// The twin was changed by hand or by a proposal: sums and references start again, open proposals are out of
+  /// date when the chain is another one.
   void set_twin(const LumpedModel &chain, const DynamicsSettings &dynamics, const twin::ModesAtLoad &modes);
   /// The stand of the critical speed has other springs; nothing where none is watched.
   void set_chatter(twin::ChatterModel model);
@@ -73,8 +73,8 @@ public:
 
   /// Sums, references and baselines, open alarms, proposals: what a restarted program goes on from.
   nlohmann::json state() const;
-  /// Before the first block.  Channels and bands are recognised by their names; those that do not exist any more are left out.
-  /// Of a state that is not whole nothing is taken.
+  /// Before the first block.  Channels and bands are recognised by their names; those that do not exist any more
+  /// are left out. Of a state that is not whole nothing is taken.
   /// @return why nothing was taken, a sentence; empty: it was
   std::string resume(const nlohmann::json &state);
 

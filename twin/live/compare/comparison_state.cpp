@@ -17,16 +17,8 @@ constexpr double most_change         = 20;  // of ln of a factor
 
 Json sums_json(const twin::Cusum::State &s)
 {
-  return {
-      {"taken",      s.taken     },
-      {"since_up",   s.since_up  },
-      {"since_down", s.since_down},
-      {"up",         s.up        },
-      {"down",       s.down      },
-      {"sum_up",     s.sum_up    },
-      {"sum_down",   s.sum_down  },
-      {"alarm",      s.alarm     }
-  };
+  return {{"taken", s.taken}, {"since_up", s.since_up}, {"since_down", s.since_down}, {"up", s.up},
+          {"down", s.down},   {"sum_up", s.sum_up},     {"sum_down", s.sum_down},     {"alarm", s.alarm}};
 }
 
 twin::Cusum::State stored_sums(const StoredObject &stored)
@@ -45,10 +37,7 @@ twin::Cusum::State stored_sums(const StoredObject &stored)
 
 Json since_json(const TrackedModes::Since &since)
 {
-  return {
-      {"utc",   since.utc  },
-      {"block", since.block}
-  };
+  return {{"utc", since.utc}, {"block", since.block}};
 }
 
 TrackedModes::Since stored_since(const StoredObject &stored)
@@ -61,22 +50,17 @@ Json modes_json(const TrackedModes &tracked)
   Json modes = Json::array();
   for (const TrackedModes::Mode &mode : tracked.modes) {
     const twin::ModeWatch::State &w = mode.watch;
-    modes.push_back({
-        {"sums",      sums_json(w.sums)    },
-        {"reference", int(w.reference_is)  },
-        {"blocks",    w.n                  },
-        {"mean",      w.mean               },
-        {"squares",   w.squares            },
-        {"weight",    w.weight             },
-        {"scatter",   w.scatter            },
-        {"up",        since_json(mode.up)  },
-        {"down",      since_json(mode.down)}
-    });
+    modes.push_back({{"sums", sums_json(w.sums)},
+                     {"reference", int(w.reference_is)},
+                     {"blocks", w.n},
+                     {"mean", w.mean},
+                     {"squares", w.squares},
+                     {"weight", w.weight},
+                     {"scatter", w.scatter},
+                     {"up", since_json(mode.up)},
+                     {"down", since_json(mode.down)}});
   }
-  return {
-      {"blocks", tracked.blocks},
-      {"modes",  modes         }
-  };
+  return {{"blocks", tracked.blocks}, {"modes", modes}};
 }
 
 TrackedModes stored_modes(const StoredObject &stored, const std::size_t modes)
@@ -108,21 +92,16 @@ Json onset_json(const StoredOnset &onset)
 {
   Json all = Json::array();
   for (const StoredOnset::One &one : onset.all)
-    all.push_back({
-        {"channel",   one.channel         },
-        {"frequency", one.frequency       },
-        {"baseline",  one.baseline        },
-        {"near",      one.near            },
-        {"sigma",     one.growth.sigma    },
-        {"law",       one.growth.law      },
-        {"duration",  one.growth.duration },
-        {"turns",     one.growth.frequency},
-        {"kept",      one.growth.kept     }
-    });
-  return {
-      {"utc", onset.utc},
-      {"all", all      }
-  };
+    all.push_back({{"channel", one.channel},
+                   {"frequency", one.frequency},
+                   {"baseline", one.baseline},
+                   {"near", one.near},
+                   {"sigma", one.growth.sigma},
+                   {"law", one.growth.law},
+                   {"duration", one.growth.duration},
+                   {"turns", one.growth.frequency},
+                   {"kept", one.growth.kept}});
+  return {{"utc", onset.utc}, {"all", all}};
 }
 
 StoredOnset stored_onset(const StoredObject &stored)
@@ -147,18 +126,10 @@ StoredOnset stored_onset(const StoredObject &stored)
 
 Json drift_json(const ModeDrift &drift)
 {
-  return {
-      {"mode",   drift.mode       },
-      {"sign",   drift.shift.sign },
-      {"since",  drift.shift.since},
-      {"taken",  drift.shift.at   },
-      {"sum",    drift.shift.sum  },
-      {"mean",   drift.shift.mean },
-      {"change", drift.change     },
-      {"began",  drift.since      },
-      {"at",     drift.at         },
-      {"from",   drift.from       }
-  };
+  return {{"mode", drift.mode},      {"sign", drift.shift.sign}, {"since", drift.shift.since},
+          {"taken", drift.shift.at}, {"sum", drift.shift.sum},   {"mean", drift.shift.mean},
+          {"change", drift.change},  {"began", drift.since},     {"at", drift.at},
+          {"from", drift.from}};
 }
 
 ModeDrift stored_drift(const StoredObject &stored, const std::size_t modes)
@@ -179,33 +150,27 @@ Json proposal_json(const Proposal &p)
 {
   Json values = Json::array(), springs = Json::array();
   for (const twin::RecalibratedValue &value : p.found.values)
-    values.push_back({
-        {"name",     value.name      },
-        {"prior_sd", value.prior_sd  },
-        {"change",   value.change    },
-        {"sd",       value.sd        },
-        {"told",     value.identified}
-    });
+    values.push_back({{"name", value.name},
+                      {"prior_sd", value.prior_sd},
+                      {"change", value.change},
+                      {"sd", value.sd},
+                      {"told", value.identified}});
   for (const Parameter &K : p.before.K)
-    springs.push_back({
-        {"value", K.value}
-    });
-  return {
-      {"id",            p.id                 },
-      {"utc",           p.utc                },
-      {"from",          p.from               },
-      {"to",            p.to                 },
-      {"reason",        p.reason             },
-      {"state",         p.state              },
-      {"file",          p.file               },
-      {"seconds",       p.found.seconds      },
-      {"misfit_before", p.found.misfit_before},
-      {"misfit_after",  p.found.misfit_after },
-      {"load",          p.found.load         },
-      {"damping",       p.damping_before     },
-      {"values",        values               },
-      {"springs",       springs              }
-  };
+    springs.push_back({{"value", K.value}});
+  return {{"id", p.id},
+          {"utc", p.utc},
+          {"from", p.from},
+          {"to", p.to},
+          {"reason", p.reason},
+          {"state", p.state},
+          {"file", p.file},
+          {"seconds", p.found.seconds},
+          {"misfit_before", p.found.misfit_before},
+          {"misfit_after", p.found.misfit_after},
+          {"load", p.found.load},
+          {"damping", p.damping_before},
+          {"values", values},
+          {"springs", springs}};
 }
 
 // @param chain  the twin's, for what no proposal changes
@@ -258,20 +223,15 @@ nlohmann::json Comparison::state() const
 {
   Json levels_of = Json::array(), list = Json::array();
   for (std::size_t i = 0; i < pairs.size(); ++i)
-    levels_of.push_back({
-        {"place", pairs[i].name},
-        {"rms",   baseline[i]  }
-    });
+    levels_of.push_back({{"place", pairs[i].name}, {"rms", baseline[i]}});
   const auto &all = offered.all();
   for (std::size_t i = all.size() - std::min(all.size(), kept_proposals); i < all.size(); ++i)
     list.push_back(proposal_json(all[i]));
-  Json now{
-      {"levels",    levels_of                  },
-      {"onset",     onset_json(onset.stored()) },
-      {"drift",     modes_json(modes.tracked())},
-      {"book",      book_json(book.state())    },
-      {"proposals", list                       }
-  };
+  Json now{{"levels", levels_of},
+           {"onset", onset_json(onset.stored())},
+           {"drift", modes_json(modes.tracked())},
+           {"book", book_json(book.state())},
+           {"proposals", list}};
   // the data of a re-calibration that runs are gone after a restart: it waits for new ones
   if (const auto &open = answered ? answered : waiting)
     now["waiting"] = drift_json(*open);

@@ -86,10 +86,10 @@ private:
   std::vector<WatchedBand> watched;
   std::optional<double> limit;
   twin::RunningEnvelopes envelopes;
-  std::vector<Watched> all;  // by band, then channel
-  std::vector<int> near;     // growth rates in a row with their upper end near zero, by band
+  std::vector<Watched> all;            // by band, then channel
+  std::vector<int> near;               // growth rates in a row with their upper end near zero, by band
   std::vector<double> near_frequency;  // Hz, of the warning of each band
-  std::vector<int> beyond;   // values in a row above the limit, by band
+  std::vector<int> beyond;             // values in a row above the limit, by band
   ChatterEvents events;
   bool taken_over     = false;  // alarms of before a restart
   std::int64_t values = 0;

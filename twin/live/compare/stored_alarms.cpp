@@ -8,15 +8,10 @@ constexpr std::size_t most_open = 10000, stored_bytes = 4000;
 
 nlohmann::json alarm_json(const PageAlarm &alarm)
 {
-  return {
-      {"id",   alarm.id           },
-      {"utc",  alarm.utc          },
-      {"kind", alarm.kind         },
-      {"text", alarm.text.substr(0, stored_bytes)},
-      {"level",      alarm.level                  },
-      {"acknowledged",      alarm.acknowledged},
-      {"over",      alarm.over                          }
-  };
+  return {{"id", alarm.id},       {"utc", alarm.utc},
+          {"kind", alarm.kind},   {"text", alarm.text.substr(0, stored_bytes)},
+          {"level", alarm.level}, {"acknowledged", alarm.acknowledged},
+          {"over", alarm.over}};
 }
 
 PageAlarm stored_alarm(const StoredObject &stored)
@@ -36,14 +31,8 @@ nlohmann::json book_json(const AlarmBook::State &book)
 {
   nlohmann::json open = nlohmann::json::array();
   for (const auto &[cause, alarm] : book.now)
-    open.push_back({
-        {"cause", cause            },
-        {"alarm", alarm_json(alarm)}
-    });
-  return {
-      {"next", book.next},
-      {"open", open     }
-  };
+    open.push_back({{"cause", cause}, {"alarm", alarm_json(alarm)}});
+  return {{"next", book.next}, {"open", open}};
 }
 
 AlarmBook::State stored_book(const StoredObject &stored)

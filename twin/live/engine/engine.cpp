@@ -128,8 +128,8 @@ void Engine::lose()
   n_waiting_ = 0;
 }
 
-// Samples between the last row that the twin has and this one: those that were not sent, and those that the book has
-// already counted as refused or overrun.
+// Samples between the last row that the twin has and this one: those that were not sent, and those that the book
+// has already counted as refused or overrun.
 Eigen::Index Engine::samples_before(const std::int64_t first, const AccountBook::Part &part) const
 {
   if (part.take == 0 || (n_waiting_ == 0 && !stepping_))
@@ -188,8 +188,8 @@ void Engine::take_block(const SourceBlock &block)
     flush();
 }
 
-// A minute of samples that were taken already is more than a repetition after a lost connection; it does not move the
-// twin.
+// A minute of samples that were taken already is more than a repetition after a lost connection; it does not move
+// the twin.
 void Engine::tell_repetition(const SourceBlock &block)
 {
   const auto minute = std::llround(60 * source_->rate);

@@ -22,16 +22,14 @@ Json channels_json(const LiveSource &source, const AccountBook &book)
   Json list = Json::array();
   for (std::size_t c = 0; c < source.channels.size(); ++c) {
     const ChannelAccount &a = book.channels()[c];
-    list.push_back({
-        {"name",      source.channels[c].name},
-        {"unit",      source.channels[c].unit},
-        {"factor",    source.factor[c]       },
-        {"offered",   a.offered              },
-        {"processed", a.processed            },
-        {"missing",   a.missing              },
-        {"rejected",  a.rejected             },
-        {"overrun",   a.overrun              }
-    });
+    list.push_back({{"name", source.channels[c].name},
+                    {"unit", source.channels[c].unit},
+                    {"factor", source.factor[c]},
+                    {"offered", a.offered},
+                    {"processed", a.processed},
+                    {"missing", a.missing},
+                    {"rejected", a.rejected},
+                    {"overrun", a.overrun}});
   }
   return list;
 }
@@ -41,20 +39,16 @@ Json adopted_json(const TwinModel &model)
   Json springs = Json::array();
   for (std::size_t i = 0; i < model.chain.K.size(); ++i) {
     const Parameter &K = model.chain.K[i];
-    springs.push_back({
-        {"value",    K.value                     },
-        {"error",    K.error_estimate            },
-        {"measured", K.source == Source::measured},
-        {"method",   K.method                    },
-        {"at",       K.at.text()                 }
-    });
+    springs.push_back({{"value", K.value},
+                       {"error", K.error_estimate},
+                       {"measured", K.source == Source::measured},
+                       {"method", K.method},
+                       {"at", K.at.text()}});
   }
-  return {
-      {"file",    model.adopted               },
-      {"source",  model.source                },
-      {"damping", model.dynamics.modal_damping},
-      {"springs", springs                     }
-  };
+  return {{"file", model.adopted},
+          {"source", model.source},
+          {"damping", model.dynamics.modal_damping},
+          {"springs", springs}};
 }
 
 // Springs and damping of an adopted proposal in place of the case's own.
@@ -109,24 +103,16 @@ struct Engine::Stored {
 nlohmann::json Engine::state()
 {
   flush();
-  Json state{
-      {"format",    state_format},
-      {"case_hash", model_.hash }
-  };
-  state["tuning"] = {
-      {"spring",  tuning_.spring },
-      {"damping", tuning_.damping}
-  };
+  Json state{{"format", state_format}, {"case_hash", model_.hash}};
+  state["tuning"] = {{"spring", tuning_.spring}, {"damping", tuning_.damping}};
   if (!model_.adopted.empty())
     state["adopted"] = adopted_json(model_);
   if (!source_ || !book_->begun() || book_->next() == std::numeric_limits<std::int64_t>::min())
     return state;
-  state["source"] = {
-      {"name",        source_->name      },
-      {"rate",        source_->rate      },
-      {"start",       source_->start_time},
-      {"start_known", start_known_       }
-  };
+  state["source"]   = {{"name", source_->name},
+                       {"rate", source_->rate},
+                       {"start", source_->start_time},
+                       {"start_known", start_known_}};
   state["channels"] = channels_json(*source_, *book_);
   state["next"]     = book_->next();
   state["doubled"]  = book_->doubled();
@@ -136,13 +122,11 @@ nlohmann::json Engine::state()
   state["settled"]  = settled_at_;
   state["stepped"]  = stepped_;
   if (stepping_)
-    state["motion"] = {
-        {"displacement", numbers(stepper_->displacement())},
-        {"velocity",     numbers(stepper_->velocity())    },
-        {"reference",    stepper_->reference()            },
-        {"force",        stepper_->last_force()           },
-        {"mean",         mean_                            }
-    };
+    state["motion"] = {{"displacement", numbers(stepper_->displacement())},
+                       {"velocity", numbers(stepper_->velocity())},
+                       {"reference", stepper_->reference()},
+                       {"force", stepper_->last_force()},
+                       {"mean", mean_}};
   return state;
 }
 

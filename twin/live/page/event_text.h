@@ -207,7 +207,7 @@ struct ProposedValue {
   std::string unit;                      ///< "N/m"
   double from = unknown, to = unknown;   ///< in that unit
   double low = unknown, high = unknown;  ///< 95 % interval of `to`
-  bool identified = true;  ///< by the data
+  bool identified = true;                ///< by the data
 };
 struct PageProposal {
   std::int64_t id = 0;

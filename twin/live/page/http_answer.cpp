@@ -68,9 +68,6 @@ std::string event_stream_head()
 
 std::string error_json(const std::string &message)
 {
-  return nlohmann::json{
-      {"error", message}
-  }
-      .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return nlohmann::json{{"error", message}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
 }  // namespace mill::live

@@ -18,14 +18,12 @@ struct CommandRow {
   const char *needs;     // "" : nothing
   const char *may_have;  // ""
 };
-constexpr std::array<CommandRow, 6> command_rows{
-    {{"set", PageCommandKind::set, "factor", "key"},
-     {"reset", PageCommandKind::reset, "", "key"},
-     {"adopt", PageCommandKind::adopt, "id", ""},
-     {"acknowledge", PageCommandKind::acknowledge, "id", ""},
-     {"place", PageCommandKind::place, "place", ""},
-     {"advice", PageCommandKind::advice, "", ""}}
-};
+constexpr std::array<CommandRow, 6> command_rows{{{"set", PageCommandKind::set, "factor", "key"},
+                                                  {"reset", PageCommandKind::reset, "", "key"},
+                                                  {"adopt", PageCommandKind::adopt, "id", ""},
+                                                  {"acknowledge", PageCommandKind::acknowledge, "id", ""},
+                                                  {"place", PageCommandKind::place, "place", ""},
+                                                  {"advice", PageCommandKind::advice, "", ""}}};
 
 [[noreturn]] void refuse_command(const std::string &why)
 {

@@ -19,10 +19,10 @@ struct RouteRow {
   bool token;
 };
 constexpr RouteRow route_rows[] = {
-    {"/stand",   PageRoute::stand,   "GET",  true },
-    {"/events",  PageRoute::events,  "GET",  true },
-    {"/metrics", PageRoute::metrics, "GET",  false},
-    {"/command", PageRoute::command, "POST", true },
+    {"/stand", PageRoute::stand, "GET", true},
+    {"/events", PageRoute::events, "GET", true},
+    {"/metrics", PageRoute::metrics, "GET", false},
+    {"/command", PageRoute::command, "POST", true},
 };
 
 RequestVerdict refused(const int status, const char *error)
@@ -90,16 +90,16 @@ const std::vector<PageFile> &page_files()
 {
   static const char *const script = "text/javascript; charset=utf-8";
   static const std::vector<PageFile> all{
-      {"/",             "text/html; charset=utf-8", embedded::index_html  },
-      {"/page.css",     "text/css; charset=utf-8",  embedded::page_css    },
-      {"/page.js",      script,                     embedded::page_js     },
-      {"/canvas.js",    script,                     embedded::canvas_js   },
-      {"/stand.js",     script,                     embedded::stand_js    },
-      {"/charts.js",    script,                     embedded::charts_js   },
-      {"/histories.js", script,                     embedded::histories_js},
-      {"/tables.js",    script,                     embedded::tables_js   },
-      {"/answers.js",   script,                     embedded::answers_js  },
-      {"/icon.svg",     "image/svg+xml",            embedded::icon_svg    },
+      {"/", "text/html; charset=utf-8", embedded::index_html},
+      {"/page.css", "text/css; charset=utf-8", embedded::page_css},
+      {"/page.js", script, embedded::page_js},
+      {"/canvas.js", script, embedded::canvas_js},
+      {"/stand.js", script, embedded::stand_js},
+      {"/charts.js", script, embedded::charts_js},
+      {"/histories.js", script, embedded::histories_js},
+      {"/tables.js", script, embedded::tables_js},
+      {"/answers.js", script, embedded::answers_js},
+      {"/icon.svg", "image/svg+xml", embedded::icon_svg},
   };
   return all;
 }

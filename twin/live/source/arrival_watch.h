@@ -15,10 +15,10 @@ struct ClockReading {
 struct ArrivalRule {
   double window    = 20;    ///< s, that a rate is measured over, longer where blocks are long
   double tolerance = 0.02;  ///< -, of the stated rate
-  int in_a_row     = 3;     ///< windows with the same deviation before it is reported, or without one before it is over
-  double played    = 3;     ///< times the stated rate: a record that is played, no rate that is wrong
-  double jump      = 2;     ///< s, of a clock or of the numbers
-  double behind    = 0.5;   ///< s of samples that wait: then it is the twin that is slow
+  int in_a_row  = 3;  ///< windows with the same deviation before it is reported, or without one before it is over
+  double played = 3;  ///< times the stated rate: a record that is played, no rate that is wrong
+  double jump   = 2;  ///< s, of a clock or of the numbers
+  double behind = 0.5;  ///< s of samples that wait: then it is the twin that is slow
 };
 
 /// Whether samples arrive as fast as their source states, and whether its numbers or the clock of this machine

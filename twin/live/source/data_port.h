@@ -18,7 +18,8 @@ struct DataPortSettings {
 class DataPort {
 public:
   /// Listens when it returns.
-  /// @throws InputError  not a literal address, not an address of this machine, taken, not loopback and without a token
+  /// @throws InputError  not a literal address, not an address of this machine, taken, not loopback and without a
+  /// token
   DataPort(const DataPortSettings &settings, SampleQueue &queue);
   ~DataPort();  ///< closes every connection
   DataPort(const DataPort &)            = delete;

@@ -133,9 +133,7 @@ LineSession::Answer LineSession::head(const LineContent &content)
   bad_in_a_row_ = 0;
   Answer answer;
   answer.message = head;
-  nlohmann::ordered_json reply{
-      {"millstand", 1}
-  };
+  nlohmann::ordered_json reply{{"millstand", 1}};
   if (rules_.next)
     if (const auto next = rules_.next())
       reply["next"] = *next;

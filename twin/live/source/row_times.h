@@ -10,8 +10,8 @@ namespace mill::live {
 /// @throws InputError  fewer; one in a hundred of the times stands still
 double rate_of_times(const std::vector<double> &seconds);
 
-/// Times of the rows of a file that grows, compared with each other: a clock that jumps, a recorder that was set to
-/// another rate.
+/// Times of the rows of a file that grows, compared with each other: a clock that jumps, a recorder that was set
+/// to another rate.
 class RowTimes {
 public:
   /// Beyond these a time is not believed until the next row follows it.
