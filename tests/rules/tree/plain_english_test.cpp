@@ -23,7 +23,7 @@ const OddPhrase odd_phrases[]{
     {"is no ", R"(\bis no (?!longer\b|more\b))", "\"is not a ..\", \"must be one of ..\", \"no .. is given\""},
     {"none of", R"(\bnone of\b)", "\"not one of\", \"no ..\""},
     {"obody", R"(\b[Nn]obody\b)", "\"no one\", \"not known\", \"not given\""},
-    {"told", R"(\btold\b)", "\"identified\", \"distinguishable\", \"reported\""},
+    {"told", R"((^|[^.\w])told\b)", "\"identified\", \"distinguishable\", \"reported\""},
     {"beside", R"(\bstands? beside\b)", "\"compared with\", \"given together with\""},
     {"there", R"(\bstands? there\b)", "\"appears\", \"is given\""},
     {"anew", R"(\banew\b)", "\"again\", \"recomputed\""},
@@ -31,11 +31,10 @@ const OddPhrase odd_phrases[]{
     {"counts", R"(\bcounts\b)", "\"is included\", \"decides\", \"is measured from\""},
 };
 
-// Rooms whose text is plain, and those inside them that are not yet.
-const std::vector<std::string> plain_rooms{"core", "app", "cases", "docs/input.md"};
-const std::vector<std::string> not_yet{
-    "core/base/csv_sheet", "core/base/input_file", "core/base/units", "app/twin",
-    "app/export",          "app/cluster",          "app/chatter"};
+// Rooms and pages with text for users.
+const std::vector<std::string> plain_rooms{
+    "core", "meshes", "reduce",        "fem",       "dynamics",   "report",          "twin",
+    "app",  "cases",  "docs/input.md", "README.md", "docs/howto", "docs/tutorial.md"};
 
 std::string read(const fs::path &file)
 {
@@ -123,11 +122,9 @@ std::vector<fs::path> files_of(const std::string &room)
 
 bool is_read_by_users(const fs::path &file)
 {
-  const std::string name = fs::relative(file, plain_root).string(), ending = file.extension().string();
-  const bool later = std::any_of(not_yet.begin(), not_yet.end(),
-                                 [&](const std::string &prefix) { return name.rfind(prefix, 0) == 0; });
-  return !later && (ending == ".cpp" || ending == ".h" || ending == ".toml" || ending == ".md" ||
-                    ending == ".js" || ending == ".html");
+  const std::string ending = file.extension().string();
+  return ending == ".cpp" || ending == ".h" || ending == ".toml" || ending == ".md" || ending == ".js" ||
+         ending == ".html";
 }
 }  // namespace
 
@@ -139,8 +136,10 @@ TEST(PlainEnglish, TextForUsersHasNoOddPhrases)
       if (!is_read_by_users(file))
         continue;
       const std::string ending = file.extension().string(), content = read(file);
-      for (const std::string &text :
-           ending == ".cpp" || ending == ".h" ? string_literals(content) : lines_of(content)) {
+      const bool source = ending == ".cpp" || ending == ".h";
+      for (const std::string &text : source ? string_literals(content) : lines_of(content)) {
+        if (source && text.find(' ') == std::string::npos)
+          continue;  // one word is a key of a file
         ++n_texts;
         for (const std::string &phrase : odd_english(text))
           ADD_FAILURE() << fs::relative(file, plain_root).string() << ": " << phrase;

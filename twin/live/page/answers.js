@@ -69,7 +69,7 @@ export function takeBands(mill, chatter) {
 }
 
 /** Largest level over its calm level, of bands and places; null when no calm level is known.  What stands at the limit
-    of an alarm counts at once. */
+    of an alarm takes effect at once. */
 export function loudest(mill) {
   let best = null;
   const limit = alarmRatio(mill);
