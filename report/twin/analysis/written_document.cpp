@@ -15,7 +15,8 @@ json written_document(const std::string &directory, const std::string &file, con
   json document = json::parse(text, nullptr, false);
   if (!document.is_object() || !std::all_of(needed.begin(), needed.end(),
                                             [&](const std::string &member) { return document.contains(member); }))
-    throw InputError(Place{directory + "/" + file, 1, 1}, "this is no " + file + " of this program; " + again);
+    throw InputError(Place{directory + "/" + file, 1, 1},
+                     "this is not a file " + file + " of this program; " + again);
   return document;
 }
 

@@ -85,7 +85,7 @@ TEST(Advise, LeavesRankedActionsTablesAndAPage)
   for (const auto &[name, value] : advice["values"].items())
     EXPECT_EQ(name.find("advice.level"), std::string::npos) << "no level without a measured force";
   const std::string page = mill::read_text(folder + "/out/report.html");
-  for (const char *title : {"Ranked actions", "Below the line", "Before and after", "Tuned damper", "Slopes"})
+  for (const char *title : {"Ranked actions", "Rejected actions", "Before and after", "Tuned damper", "Slopes"})
     EXPECT_NE(page.find(title), std::string::npos) << title;
   EXPECT_EQ(mill::read_text(folder + "/out/advice.csv").find("rank,action,verified change [%]"), 0u);
   fs::remove(folder + "/out/report.html");
@@ -315,7 +315,7 @@ TEST(Advise, Refusals)
   };
   const std::vector<std::string> few{"advice.band=[\"600 Hz\",\"700 Hz\"]", "advice.tuned_mass=\"0 %\""};
   EXPECT_EQ(refused(chain, {"advice.place=upper_workroll"}, "", "out"),
-            "advice.place = \"upper_workroll\" is no place of the stand; did you mean 'upper_work_roll'?");
+            "advice.place = \"upper_workroll\": the stand has no such place; did you mean 'upper_work_roll'?");
   EXPECT_EQ(
       refused(chain, {"advice.springs=[\"K4\"]"}, "", "out"),
       "advice.springs names K4, which is zero here (dynamics.force_meaning = \"measured\" holds it in the force); "
@@ -327,10 +327,9 @@ TEST(Advise, Refusals)
   EXPECT_EQ(refused(chain, {}, "absent", "out"),
             "--measured absent: this folder does not exist; give the folder of the records, or one of them");
   fs::create_directories(folder + "/none");
-  EXPECT_EQ(
-      refused(chain, {}, "none", "out"),
-      "--measured none: the folder holds no record; one ends with .csv, .npy, .uff or .mat (.txt, .tsv, .asc, "
-      ".unv)");
+  EXPECT_EQ(refused(chain, {}, "none", "out"),
+            "--measured none: the folder holds no record; one ends with .csv, .npy, .npz, .uff, "
+            ".mat, .wav or .lvm (.txt, .tsv, .asc, .unv)");
   std::ofstream notes(folder + "/other.csv");
   notes << "time [s],upper_work_roll [g]\n";
   for (int i = 0; i < 4000; ++i)

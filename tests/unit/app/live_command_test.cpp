@@ -331,7 +331,7 @@ TEST(LiveCommand, GoesOnFromItsStateOrSaysWhyNot)
       "live " + stand + " --input " + file + " --speed max --listen none --limit \"0.01 m/s2\" --record " + out;
   const Outcome first = millstand(command);
   ASSERT_EQ(first.exit_code, 0) << first.err;
-  EXPECT_NE(first.out.find(" is above the limit of 0.01 m/s2 that is set for this mill\n"), std::string::npos)
+  EXPECT_NE(first.out.find(" is above the limit of 0.01 m/s2 that is set for this mill"), std::string::npos)
       << first.out;
   const auto read = [&] {
     std::ifstream state(out + "/state.json");

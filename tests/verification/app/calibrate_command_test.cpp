@@ -231,7 +231,8 @@ TEST(CalibrateCommand, TakesTheStatedErrorsAsDeviationsBeforeTheRecords)
   stand.file("stated.toml", text);
   ASSERT_EQ(millstand("calibrate stated.toml --plan -q -o plan", stand.folder).exit_code, 0);
   std::map<std::string, double> prior;
-  for (const auto &unknown : nlohmann::json::parse(read_text(stand.folder + "/plan/plan.json"))["unknowns"])
+  const auto plan = nlohmann::json::parse(read_text(stand.folder + "/plan/plan.json"));
+  for (const auto &unknown : plan["unknowns"])
     prior[unknown["name"]] = unknown["prior_sd"];
   EXPECT_EQ(prior.at("K2"), 0.82);
   EXPECT_EQ(prior.at("M3"), 0.04);
