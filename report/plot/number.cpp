@@ -73,13 +73,7 @@ std::string significant(const double value, const int digits)
 
 std::string known_digits(const double value, const double relative_error, const int most_digits)
 {
-  const double error = std::abs(value * relative_error);
-  if (!std::isfinite(error) || error == 0)
-    return significant(value, most_digits);
-  const int first  = int(std::floor(std::log10(error)));  // decade of the first digit of the error
-  const int last   = error / std::pow(10.0, first) < 3.55 ? first - 1 : first;
-  const int digits = int(std::floor(std::log10(std::abs(value)))) - last + 1;
-  return significant(value, std::clamp(digits, 1, most_digits));
+  return significant(value, mill::known_digits(value, relative_error, most_digits));
 }
 
 std::string frequency_text(const double frequency, const double relative_error)
