@@ -320,6 +320,21 @@ TEST(Tests, EveryTestExpectsSomething)
   }
 }
 
+// Two numbers are compared by near() of tests/support/near.h, which refuses a tolerance without a reason.
+TEST(Tests, AToleranceHasItsReason)
+{
+  const std::vector<std::string> bare{std::string("EXPECT_") + "NEAR(", std::string("ASSERT_") + "NEAR("};
+  std::size_t with_reason = 0;
+  for (const Source &source : sources({"tests"}))
+    for (std::size_t i = 0; i < source.lines.size(); ++i) {
+      for (const std::string &word : bare)
+        EXPECT_EQ(source.lines[i].find(word), std::string::npos)
+            << source.name << ":" << i + 1 << ": write EXPECT_TRUE(near(.., within(.., \"reason\")))";
+      with_reason += source.lines[i].find("within") != std::string::npos;
+    }
+  EXPECT_GT(with_reason, 1000u) << "the comparisons are no longer found";
+}
+
 TEST(Tree, HasNoPathOfAMachineAndNothingLeftOpen)
 {
   const std::regex machine("(^|[^.a-zA-Z0-9])/(work|home|root|tmp|farm)/[a-z]");

@@ -132,7 +132,8 @@ TEST(Levels, TwoLevelsDetermineOneNumber)
   for (Eigen::Index j = 0; j < 2; ++j) {
     EXPECT_TRUE(near(slopes.rms[j], known["rms"][std::size_t(j)], within(1e-3, "integral over frequency")));
     for (Eigen::Index q = 0; q < 4; ++q)
-      EXPECT_NEAR(slopes.slope(j, q), known["jacobian"][std::size_t(j)][std::size_t(q)].get<double>(), 1e-3);
+      EXPECT_TRUE(near(slopes.slope(j, q), known["jacobian"][std::size_t(j)][std::size_t(q)].get<double>(),
+                       within_absolute(1e-3, "TW-16: grid of 0.02 Hz against the integral")));
   }
   const Eigen::MatrixXd A  = slopes.slope.transpose() * slopes.slope / (0.03 * 0.03);
   const Identification all = identification(A, {{"zeta", 0.7}, {"bandwidth", 0.7}, {"K3", 0.05}, {"K5", 0.05}});
@@ -214,7 +215,8 @@ TEST(Calibration, AProfileIsTheMinimumOverAllOthers)
   }
   // The ends of the interval lie where the deviance is 3.84.
   for (const Eigen::Index side : {0, 1})
-    EXPECT_NEAR(lowest_over_K2(all.interval(0, side)), 3.84, 0.15);
+    EXPECT_TRUE(near(lowest_over_K2(all.interval(0, side)), 3.84,
+                     within_absolute(0.15, "grid of 0.01 over the other spring and 13 points of the profile")));
 }
 
 TEST(Calibration, AlignsTwoClocksWhenTheDelayIsAnUnknown)
@@ -228,10 +230,13 @@ TEST(Calibration, AlignsTwoClocksWhenTheDelayIsAnUnknown)
     }
   late.input.clipped     = {"pass.csv: load_cell"};
   const Calibration done = calibrate(late.input, {});
-  EXPECT_NEAR(done.unknowns[1].estimate, 0.002, 4 * done.unknowns[1].sd);
+  EXPECT_TRUE(near(done.unknowns[1].estimate, 0.002,
+                   within_absolute(4 * done.unknowns[1].sd, "four deviations of the fit")));
   EXPECT_LT(done.unknowns[1].sd, 1e-6);
-  EXPECT_NEAR(done.unknowns[0].estimate, 0.3365, 4 * done.unknowns[0].sd);
-  EXPECT_NEAR(done.check.after, 1, 0.08);
+  EXPECT_TRUE(near(done.unknowns[0].estimate, 0.3365,
+                   within_absolute(4 * done.unknowns[0].sd, "four deviations of the fit")));
+  EXPECT_TRUE(near(done.check.after, 1,
+                   within_absolute(0.08, "1760 complex numbers of a check of one second: three deviations")));
   // nothing else is wrong
   ASSERT_EQ(done.refusals.size(), 1u);
   EXPECT_EQ(done.refusals[0], "pass.csv: load_cell is clipped");
@@ -260,12 +265,14 @@ TEST(Calibration, ReportsADelayThatIsNotAnUnknown)
   EXPECT_FALSE(right.delay->significant());
   EXPECT_TRUE(right.refusals.empty());
   const Calibration one = with_late_clock(1);  // 0.050 ms of the 0.056 ms that are allowed up to 900 Hz
-  EXPECT_NEAR(one.delay->seconds, 5e-5, 4 * one.delay->deviation);
+  EXPECT_TRUE(
+      near(one.delay->seconds, 5e-5, within_absolute(4 * one.delay->deviation, "four deviations of the delay")));
   EXPECT_LT(one.delay->deviation, 5e-7) << "a hundredth of a sample";
   EXPECT_TRUE(one.delay->significant());
   EXPECT_FALSE(one.delay->too_large());
   const Calibration far = with_late_clock(40);
-  EXPECT_NEAR(far.delay->seconds, 0.002, 4 * far.delay->deviation);
+  EXPECT_TRUE(
+      near(far.delay->seconds, 0.002, within_absolute(4 * far.delay->deviation, "four deviations of the delay")));
   EXPECT_TRUE(far.delay->too_large());
   EXPECT_EQ(std::count(far.refusals.begin(), far.refusals.end(), far.delay->words(20000)), 1);
 }

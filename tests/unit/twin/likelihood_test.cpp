@@ -45,7 +45,9 @@ void expect_slopes(const std::vector<Unknown> &unknowns, const double delay_at =
       return likelihood(stand, unknowns, moved, data, noise, Wanted::cost).cost;
     };
     const double difference = (cost_at(h) - cost_at(-h)) / (2 * h);
-    EXPECT_NEAR(at.slope[Eigen::Index(i)], difference, 2e-6 * (std::abs(difference) + 1e-3 * at.cost))
+    EXPECT_TRUE(near(at.slope[Eigen::Index(i)], difference,
+                     within_absolute(2e-6 * (std::abs(difference) + 1e-3 * at.cost),
+                                     "difference quotient: its own error and rounding of the cost")))
         << unknowns[i].name;
   }
 }
@@ -106,7 +108,10 @@ TEST(Likelihood, InformationIsThatOfTheResponseSlopes)
   const Eigen::MatrixXd A    = 2 * left.transpose() * left / 2.5e-5;
   for (int i = 0; i < 7; ++i)
     for (int j = 0; j < 7; ++j)
-      EXPECT_NEAR(at.information(i, j), A(i, j), 1e-7 * std::sqrt(A(i, i) * A(j, j))) << i << " " << j;
+      EXPECT_TRUE(near(
+          at.information(i, j), A(i, j),
+          within_absolute(1e-7 * std::sqrt(A(i, i) * A(j, j)), "sums in another order, relative to the diagonal")))
+          << i << " " << j;
 }
 
 // A piece cut out of the middle rings on from before it; without the transients its bins would be wrong by far
@@ -129,7 +134,8 @@ TEST(Likelihood, ExplainsAPieceThatStillRingsFromBefore)
   const NoiseDensity noise = {Eigen::MatrixXd::Constant(band.angular.size(), 2, 1e-6)};
   const auto left          = residuals(calibration::stand_r(), unknowns, truth, data, noise);
   const double all         = 1e-6 * double(left[0].size());
-  EXPECT_NEAR(left[0].squaredNorm() / all, 1, 0.06);  // 1056 bins of two sensors: 0.022
+  EXPECT_TRUE(
+      near(left[0].squaredNorm() / all, 1, within_absolute(0.06, "1056 bins of two sensors: deviation 0.022")));
   const StandAt at = stand_at(calibration::stand_r(), unknowns, truth);
   dynamics::SlopedStand s;
   s.frequency = at.frequency, s.damping = at.damping, s.force = at.force;
@@ -162,7 +168,8 @@ TEST(Likelihood, EstimatesOfARecordWhoseTruthIsKnown)
   const double before =
       misfit_on(calibration::stand_r(), unknowns, Eigen::VectorXd::Zero(7), check, data, fit.noise);
   EXPECT_TRUE(near(before, known["heldout"]["before"]["misfit"], within(0.03, "noise of the residuals")));
-  EXPECT_NEAR(misfit_on(calibration::stand_r(), unknowns, fit.estimate, check, data, fit.noise), 1, 0.03);
+  EXPECT_TRUE(near(misfit_on(calibration::stand_r(), unknowns, fit.estimate, check, data, fit.noise), 1,
+                   within_absolute(0.03, "noise of the residuals, as the misfit before")));
 }
 
 TEST(Likelihood, RefusesUnknownsThatTheChainDoesNotHave)

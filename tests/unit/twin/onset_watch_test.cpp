@@ -60,12 +60,18 @@ TEST(OnsetWatch, SameAsTheWholeRecord)
       for (std::size_t k = 0; k < told.level.size(); ++k)
         ASSERT_TRUE(
             near(told.level[k], std::abs(whole.z[0][Eigen::Index(k)]), within(1e-11, "sums in another order")));
-      EXPECT_NEAR(told.time.back(), whole.start[0] + double(told.level.size() - 1) / 50, 1e-9);
+      EXPECT_TRUE(near(told.time.back(), whole.start[0] + double(told.level.size() - 1) / 50,
+                       within_absolute(1e-9, "sample number over the rate, rounding")));
       ASSERT_EQ(told.alarms.size(), found.size());
-      EXPECT_NEAR(told.alarms[0].time, found[0].time, 1e-9);
-      EXPECT_NEAR(told.alarms[0].baseline, found[0].baseline, 1e-12);
-      EXPECT_NEAR(told.alarms[0].to_limit, found[0].to_limit, 1e-9);
-      EXPECT_NEAR(told.growth[0], growth_rate(whole).sigma, 1e-9) << "the record is shorter than the 60 s kept";
+      EXPECT_TRUE(near(told.alarms[0].time, found[0].time,
+                       within_absolute(1e-9, "sample number over the rate, rounding")));
+      EXPECT_TRUE(
+          near(told.alarms[0].baseline, found[0].baseline, within_absolute(1e-12, "sums in another order")));
+      EXPECT_TRUE(near(told.alarms[0].to_limit, found[0].to_limit,
+                       within_absolute(1e-9, "sums in another order, divided by the growth rate")));
+      EXPECT_TRUE(
+          near(told.growth[0], growth_rate(whole).sigma,
+               within_absolute(1e-9, "sums in another order; the record is shorter than the 60 s that are kept")));
     }
   }
 }
@@ -85,9 +91,13 @@ TEST(OnsetWatch, BaselineByDefinition)
     const std::size_t from = k > 1500 ? std::size_t(k - 1500) : 0, to = std::size_t(k - 50);
     std::vector<double> part(squares.begin() + std::ptrdiff_t(from), squares.begin() + std::ptrdiff_t(to));
     std::sort(part.begin(), part.end());
-    EXPECT_NEAR(watch.baseline(), std::sqrt(part[part.size() / 2] / std::log(2.)), 1e-12) << k;
+    EXPECT_TRUE(near(watch.baseline(), std::sqrt(part[part.size() / 2] / std::log(2.)),
+                     within_absolute(1e-12, "median by sorting, rounding")))
+        << k;
   }
-  EXPECT_NEAR(watch.baseline(), std::sqrt(2.), 0.08) << "rms of |z| of two normals";
+  EXPECT_TRUE(
+      near(watch.baseline(), std::sqrt(2.), within_absolute(0.08, "median of 1450 squares, three deviations")))
+      << "rms of |z| of two normals";
 }
 
 TEST(OnsetWatch, MissingValuesBeginANewPiece)
@@ -106,7 +116,8 @@ TEST(OnsetWatch, MissingValuesBeginANewPiece)
   RunningEnvelopes envelopes(rate, 2, Eigen::VectorXd::Constant(1, 0.));
   int finite = 0, missing = 0;
   envelopes.take(0, x, [&](double, const Eigen::MatrixXcd &z) {
-    EXPECT_NEAR(z(0, 0).real(), 2, 1e-12) << "0-peak of what mixes to zero frequency";
+    EXPECT_TRUE(
+        near(z(0, 0).real(), 2, within_absolute(1e-12, "0-peak of what mixes to zero frequency, rounding")));
     (std::isfinite(std::abs(z(0, 1))) ? finite : missing)++;
   });
   EXPECT_EQ(missing, 6) << "every tenth of the 51 places of the missing sample in the filter of 0.1 s";
@@ -130,7 +141,9 @@ TEST(OnsetWatch, ACarriedBaselineHoldsUntilThereIsAnother)
   watch.carry(0.1);
   for (Eigen::Index k = 0; k < 400; ++k)
     watch.take(double(k) / 50, {noise[2 * k], noise[2 * k + 1]});
-  EXPECT_NEAR(watch.baseline(), std::sqrt(2.), 0.3) << "its own, after six seconds";
+  EXPECT_TRUE(
+      near(watch.baseline(), std::sqrt(2.), within_absolute(0.3, "median of 350 squares, five deviations")))
+      << "its own, after six seconds";
   OnsetWatch other(band, 50, {});
   other.carry(std::nan(""));
   EXPECT_TRUE(std::isnan(other.baseline()));

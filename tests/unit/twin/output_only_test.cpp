@@ -65,7 +65,10 @@ TEST(OutputOnly, SlopesAreThoseOfTheCost)
       return output_only_likelihood(record, moved, noise, Wanted::cost).cost;
     };
     const double difference = (cost_at(1e-5) - cost_at(-1e-5)) / 2e-5;
-    EXPECT_NEAR(at.slope[i], difference, 2e-6 * (std::abs(difference) + 1e-3 * at.cost)) << i;
+    EXPECT_TRUE(near(at.slope[i], difference,
+                     within_absolute(2e-6 * (std::abs(difference) + 1e-3 * at.cost),
+                                     "difference quotient: its own error and rounding of the cost")))
+        << i;
   }
 }
 
@@ -105,7 +108,10 @@ TEST(OutputOnly, CostAndInformationAreThoseOfGaussianAccelerations)
   EXPECT_EQ(at.residual, 0);
   for (int a = 0; a < 7; ++a)
     for (int c = 0; c < 7; ++c)
-      EXPECT_NEAR(at.information(a, c), A(a, c), 1e-7 * std::sqrt(A(a, a) * A(c, c))) << a << " " << c;
+      EXPECT_TRUE(near(
+          at.information(a, c), A(a, c),
+          within_absolute(1e-7 * std::sqrt(A(a, a) * A(c, c)), "sums in another order, relative to the diagonal")))
+          << a << " " << c;
 }
 
 // What the plan foretells is what estimates of many records scatter by.  MILLSTAND_STANDS=60 runs more of them.
@@ -149,7 +155,10 @@ TEST(OutputOnly, EstimatesScatterByThePlannedDeviation)
   for (int q = 0; q < 3; ++q) {
     const double scatter = std::sqrt(square[q] / records);
     // four deviations of a root mean square of so many normal numbers
-    EXPECT_NEAR(scatter, 1, 4 / std::sqrt(2.0 * records)) << found.names[std::size_t(q)];
+    EXPECT_TRUE(near(scatter, 1,
+                     within_absolute(4 / std::sqrt(2.0 * records),
+                                     "four deviations of a root mean square of so many normal numbers")))
+        << found.names[std::size_t(q)];
     EXPECT_LT(std::abs(sum[q] / records), 4 / std::sqrt(double(records))) << found.names[std::size_t(q)];
     if (asked)
       std::printf("%s: scatter %.3f, mean %.3f of the planned deviation\n", found.names[std::size_t(q)].c_str(),
@@ -187,8 +196,9 @@ TEST(OutputOnly, WrongDampingFailsInTheLevelsAndAWrongSpringInTheRatios)
   EXPECT_GT(wrong(at("zeta", 0.4), usual_model_error).first, 1)
       << "a damping that is off by half is no model error";
   EXPECT_GT(wrong(at("K3", 0.02), 0).second, 0);
-  EXPECT_NEAR(output_only_misfit(record, at("", 0), noise, 20, 900), 1, 0.03);  // 17601 complex numbers: 0.008
-  EXPECT_GT(output_only_misfit(record, at("K3", 0.02), noise, 20, 900), 1.1);   // a dozen deviations
+  EXPECT_TRUE(near(output_only_misfit(record, at("", 0), noise, 20, 900), 1,
+                   within_absolute(0.03, "17601 complex numbers: deviation 0.008")));
+  EXPECT_GT(output_only_misfit(record, at("K3", 0.02), noise, 20, 900), 1.1);  // a dozen deviations
 }
 
 namespace {
@@ -228,11 +238,16 @@ ScannedFit scanned_wells(const FitProblem &problem)
 TEST(OutputOnly, PrefersTheMinimumNearThePriorsWhenTwoExplainTheRecordAlike)
 {
   const ScannedFit scan = scanned_wells(two_wells(7.5));
-  EXPECT_NEAR(scan.best.estimate[0], 0.05 / 1.04, 1e-3);
+  EXPECT_TRUE(
+      near(scan.best.estimate[0], 0.05 / 1.04,
+           within_absolute(1e-3, "curvature of the well and of the prior; the other well adds less than 1e-3")));
   ASSERT_FALSE(scan.basins.empty());
-  EXPECT_NEAR(scan.basins[0].theta, -0.35 / 1.04, 1e-3);
+  EXPECT_TRUE(
+      near(scan.basins[0].theta, -0.35 / 1.04,
+           within_absolute(1e-3, "curvature of the well and of the prior; the other well adds less than 1e-3")));
   const double deviance = 2 * (0.5 * 0.35 * 0.35 / (0.01 + 0.0004) - 7.5 - 0.5 * 0.05 * 0.05 / (0.01 + 0.0004));
-  EXPECT_NEAR(scan.basins[0].deviance, deviance, 1e-3);
+  EXPECT_TRUE(near(scan.basins[0].deviance, deviance,
+                   within_absolute(1e-3, "closed form of two parabolas; the fit ends at 1e-6")));
   const auto judged = judged_with_minima(scan);
   EXPECT_FALSE(judged[0].identified);
   EXPECT_EQ(judged[0].why_not, "not identified by these data: a second minimum at -28.6 %, deviance -3.5");
@@ -241,7 +256,9 @@ TEST(OutputOnly, PrefersTheMinimumNearThePriorsWhenTwoExplainTheRecordAlike)
 TEST(OutputOnly, KeepsAMinimumBeyondThePriorsWhenItIsMuchLower)
 {
   const ScannedFit scan = scanned_wells(two_wells(12));
-  EXPECT_NEAR(scan.best.estimate[0], -0.35 / 1.04, 1e-3);  // and is refused by its 3.4 deviations
+  EXPECT_TRUE(
+      near(scan.best.estimate[0], -0.35 / 1.04,
+           within_absolute(1e-3, "curvature of the well and of the prior; the other well adds less than 1e-3")));
 }
 
 // The ends of the interval of a scanned spring say more of another one than the curvature at its best place.
@@ -259,7 +276,7 @@ TEST(OutputOnly, IntervalCoversTheEndsOfOtherProfiles)
   EXPECT_TRUE(judged[0].identified);  // the second minimum lies inside its interval
   EXPECT_EQ(judged[1].low, -0.15);
   EXPECT_EQ(judged[1].high, 0.06);
-  EXPECT_NEAR(judged[1].sd, 0.21 / 3.92, 1e-12);
+  EXPECT_TRUE(near(judged[1].sd, 0.21 / 3.92, within_absolute(1e-12, "closed form, rounding")));
   EXPECT_FALSE(judged[1].identified);
   EXPECT_EQ(judged[1].why_not, "not identified by these data: 54 % of the prior's deviation is left");
 }
@@ -277,11 +294,12 @@ TEST(OutputOnly, AFlatProfileIsNotIdentified)
   scan.profiles       = {profile};
   const auto low      = judged_with_minima(scan);
   EXPECT_FALSE(low[0].identified);
-  EXPECT_NEAR(low[0].sd, 0.5 / 6, 1e-12);
+  EXPECT_TRUE(near(low[0].sd, 0.5 / 6, within_absolute(1e-12, "closed form, rounding")));
   EXPECT_EQ(low[0].why_not, "not identified by these data: 83 % of the prior's deviation is left");
   scan.profiles[0].deviance *= 2;
   scan.profiles[0].deviance[8] = 0;
   const auto high              = judged_with_minima(scan);
   EXPECT_TRUE(high[0].identified);
-  EXPECT_NEAR(high[0].sd, 2 * 0.75 * 0.03125 / 6, 1e-12);  // 9 of 12 on the way to both neighbours
+  EXPECT_TRUE(near(high[0].sd, 2 * 0.75 * 0.03125 / 6,
+                   within_absolute(1e-12, "closed form, rounding; 9 of 12 on the way to both neighbours")));
 }

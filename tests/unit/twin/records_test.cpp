@@ -39,7 +39,8 @@ void expect_sample(const RawRecord &record, const std::string &force, const std:
   }
   if (record.time.size() > 0)
     for (int i = 0; i < 40; ++i)
-      EXPECT_NEAR(record.time[i], i / 20000.0, 1e-9) << record.file;
+      EXPECT_TRUE(near(record.time[i], i / 20000.0, within_absolute(1e-9, "digits of the file: a nanosecond")))
+          << record.file;
   else
     EXPECT_DOUBLE_EQ(record.rate, 20000) << record.file;
 }
@@ -112,8 +113,8 @@ TEST_F(Records, OscilloscopesCountVolts)
   EXPECT_EQ(keysight.notes[0], "units were taken from line 2, below the names");
   ReadOptions calibrated;
   calibrated.units = {{"2", "g"}};
-  EXPECT_NEAR(read_csv_record(samples + "oscilloscope-keysight.csv", calibrated).find("2")->value[1],
-              acceleration_at(1), 1e-4);
+  EXPECT_TRUE(near(read_csv_record(samples + "oscilloscope-keysight.csv", calibrated).find("2")->value[1],
+                   acceleration_at(1), within_absolute(1e-4, "digits of the file")));
 }
 
 TEST_F(Records, ArraysOfNumpy)
@@ -149,17 +150,19 @@ TEST_F(Records, TimesInSeveralForms)
     EXPECT_EQ(record.time.size(), 3) << text;
     return record.time[2];
   };
-  EXPECT_NEAR(third("t [ms];a [g]\n100,0;1\n100,5;2\n101,0;3\n"), 1e-3, 1e-12);
-  EXPECT_NEAR(third("a [g],Time (us)\n1,0\n2,50\n3,100\n"), 1e-4, 1e-15);
-  EXPECT_NEAR(third("time,a [g]\n2026-01-05T10:00:00Z,1\n2026-01-05T10:00:00.5Z,2\n2026-01-05T10:00:01Z,3\n"), 1,
-              0);
-  EXPECT_NEAR(
+  EXPECT_TRUE(near(third("t [ms];a [g]\n100,0;1\n100,5;2\n101,0;3\n"), 1e-3,
+                   within_absolute(1e-12, "rounding of a time in s")));
+  EXPECT_TRUE(
+      near(third("a [g],Time (us)\n1,0\n2,50\n3,100\n"), 1e-4, within_absolute(1e-15, "rounding of a time in s")));
+  EXPECT_TRUE(near(third("time,a [g]\n2026-01-05T10:00:00Z,1\n2026-01-05T10:00:00.5Z,2\n2026-01-05T10:00:01Z,3\n"),
+                   1, within_absolute(0, "exact: whole seconds and binary fractions")));
+  EXPECT_TRUE(near(
       third("Zeitstempel;a [g]\n05.01.2026 10:00:00,25;1\n05.01.2026 10:00:00,5;2\n05.01.2026 10:00:00,75;3\n",
             {{}, "Europe/Berlin"}),
-      0.5, 0);
-  EXPECT_NEAR(
+      0.5, within_absolute(0, "exact: whole seconds and binary fractions")));
+  EXPECT_TRUE(near(
       third("Date,Time,a [g]\n2026-01-05,23:59:59,1\n2026-01-06,00:00:00,2\n2026-01-06,00:00:01,3\n", {{}, "UTC"}),
-      2, 0);
+      2, within_absolute(0, "exact: whole seconds and binary fractions")));
   const RawRecord dated = csv("time,a [g]\n2026-01-05T11:00:00+01:00,1\n2026-01-05T11:00:01+01:00,2\n");
   ASSERT_TRUE(dated.start);
   EXPECT_EQ(*dated.start, 1767607200.0);

@@ -91,7 +91,8 @@ TEST(ReducedStand, FollowsItsConnectionsAsTheWholeMatricesDo)
                      within(1e-5, "64 of 80 modes of the case carry the change of shape")));
     const double sign = at.force[i] * bars.b.dot(whole.shape.col(i)) < 0 ? -1 : 1;
     for (std::size_t p = 0; p < bars.points.size(); ++p)
-      EXPECT_NEAR(at.shape(Eigen::Index(p), i), sign * bars.points[p].row.dot(whole.shape.col(i)), 2e-5)
+      EXPECT_TRUE(near(at.shape(Eigen::Index(p), i), sign * bars.points[p].row.dot(whole.shape.col(i)),
+                       within_absolute(2e-5, "64 of 80 modes of the case carry the change of shape")))
           << "mode " << i + 1 << " at " << bars.points[p].name;
   }
 }
@@ -106,9 +107,10 @@ TEST(ReducedStand, SlopesAreThoseOfDifferences)
     const Eigen::Vector4d aside = step * Eigen::Vector4d::Unit(p);
     const StandAt up = stand_at(stand, moved, theta + aside), down = stand_at(stand, moved, theta - aside);
     for (Eigen::Index i = 0; i < stand.detailed->kept; ++i)  // dw^2/dtheta = v' K_p v
-      EXPECT_NEAR(at.stiffness[std::size_t(p)](i, i),
-                  (std::pow(up.frequency[i], 2) - std::pow(down.frequency[i], 2)) / (2 * step),
-                  1e-6 * std::pow(at.frequency[i], 2))
+      EXPECT_TRUE(near(at.stiffness[std::size_t(p)](i, i),
+                       (std::pow(up.frequency[i], 2) - std::pow(down.frequency[i], 2)) / (2 * step),
+                       within_absolute(1e-6 * std::pow(at.frequency[i], 2),
+                                       "difference quotient of the squared frequency, relative to it")))
           << "mode " << i + 1;
   }
 }

@@ -58,13 +58,18 @@ TEST(RunningComparison, LevelsOfASecond)
   x[700]         = NAN;
   const auto all = rows(x, y);
   ASSERT_EQ(all.size(), 2u);
-  EXPECT_NEAR(all[1].measured.rms, std::sqrt(2.), 1e-12);
-  EXPECT_NEAR(all[1].measured.peak, 2, 1e-12);
-  EXPECT_NEAR(all[1].measured.crest, std::sqrt(2.), 1e-12);
-  EXPECT_NEAR(all[1].measured.offset, 0.25, 1e-12);
-  EXPECT_NEAR(all[1].ratio, 20 * std::log10(2.), 1e-12);
-  EXPECT_NEAR(all[0].missing, 1. / 2000, 1e-12);
-  EXPECT_NEAR(all[1].delay.value, 0, 1e-9) << "one line says it up to its period; the least of them is taken";
+  EXPECT_TRUE(near(all[1].measured.rms, std::sqrt(2.),
+                   within_absolute(1e-12, "closed form of a sine over whole periods, rounding")));
+  EXPECT_TRUE(near(all[1].measured.peak, 2, within_absolute(1e-12, "a sample lies on the crest, rounding")));
+  EXPECT_TRUE(near(all[1].measured.crest, std::sqrt(2.),
+                   within_absolute(1e-12, "closed form of a sine over whole periods, rounding")));
+  EXPECT_TRUE(near(all[1].measured.offset, 0.25,
+                   within_absolute(1e-12, "closed form of a sine over whole periods, rounding")));
+  EXPECT_TRUE(near(all[1].ratio, 20 * std::log10(2.),
+                   within_absolute(1e-12, "closed form of a sine over whole periods, rounding")));
+  EXPECT_TRUE(near(all[0].missing, 1. / 2000, within_absolute(1e-12, "one sample of 2000, rounding")));
+  EXPECT_TRUE(near(all[1].delay.value, 0,
+                   within_absolute(1e-9, "one line determines it up to its period; the least one is taken")));
   EXPECT_GT(all[1].delay.rival, 0.95) << "and it is said that others are as good";
 }
 
@@ -85,7 +90,8 @@ TEST(RunningComparison, DelayBetweenSamplesAndItsUncertainty)
     sum += z;
     EXPECT_GT(all[i].delay.sd, 1e-6);
     EXPECT_LT(all[i].delay.sd, 2e-5) << "a fiftieth of a sample and more";
-    EXPECT_NEAR(all[i].delay.correlation, std::sqrt(0.5), 0.08);
+    EXPECT_TRUE(near(all[i].delay.correlation, std::sqrt(0.5),
+                     within_absolute(0.08, "correlation estimated from one second")));
   }
   // errors over their own standard deviation; a Hann window uses less of the record than the law supposes
   EXPECT_GT(std::sqrt(squares / counted), 0.7);
@@ -97,7 +103,8 @@ TEST(RunningComparison, ReportsAnInvertedSensor)
 {
   const auto force = synthetic::band_force(21, 8000, rate, 1, 30, 800).force;
   const auto all   = rows(-delayed(force, -0.02), force);
-  EXPECT_NEAR(all[3].delay.value, -0.02, 1e-6);
+  EXPECT_TRUE(near(all[3].delay.value, -0.02,
+                   within_absolute(1e-6, "s; a copy without noise, interpolation of the peak")));
   EXPECT_LT(all[3].delay.correlation, -0.9);
 }
 
@@ -114,20 +121,24 @@ TEST(RunningComparison, IncoherentShareIsUnbiased)
   int bands = 0;
   for (const auto &band : all.back().bands) {
     const double bins = (band.high - band.low) / (rate / 1024);
-    EXPECT_NEAR(band.share, 1. / 3, 4 * std::sqrt(2. / 9 / (bins * 25))) << band.centre << " Hz";
+    EXPECT_TRUE(near(band.share, 1. / 3,
+                     within_absolute(4 * std::sqrt(2. / 9 / (bins * 25)),
+                                     "four deviations of a share over this number of bins")))
+        << band.centre << " Hz";
     bands += band.low > 30;
   }
   EXPECT_GE(bands, 13);
   EXPECT_LT(all.back().bands.back().high, rate / 2.56);
-  EXPECT_NEAR(all.back().bands.back().centre, 630.957, 0.01) << "centres are ten to a decade";
+  EXPECT_TRUE(near(all.back().bands.back().centre, 630.957,
+                   within_absolute(0.01, "six digits of 10^2.8; centres are ten to a decade")));
   const auto same = rows(y, y).back().bands;
   for (const auto &band : same)
-    EXPECT_NEAR(band.share, 0, 1e-12);
+    EXPECT_TRUE(near(band.share, 0, within_absolute(1e-12, "the same record twice, rounding")));
   double mean          = 0;
   const auto unrelated = rows(y, rest).back().bands;
   for (const auto &band : unrelated)
     mean += band.share / double(unrelated.size());
-  EXPECT_NEAR(mean, 1, 0.02) << "raw it would be 1 - 1/nd";
+  EXPECT_TRUE(near(mean, 1, within_absolute(0.02, "the bias is removed; a raw share would be 1 - 1/nd")));
 }
 
 TEST(RunningComparison, DoesNotDependOnBlockLengthAndStartsAgainAfterAGap)
@@ -147,8 +158,10 @@ TEST(RunningComparison, DoesNotDependOnBlockLengthAndStartsAgainAfterAGap)
   EXPECT_TRUE(after.seconds.empty()) << "of the second that is over only a fifth is there";
   const auto next = comparison.take(2600, x.segment(2600, 1400), y.segment(2600, 1400));
   ASSERT_EQ(next.seconds.size(), 1u);
-  EXPECT_NEAR(next.seconds[0][0].missing, 0, 1e-12);
+  EXPECT_TRUE(near(next.seconds[0][0].missing, 0, within_absolute(1e-12, "each sample is there, rounding")));
   ASSERT_EQ(next.spectra.size(), 1u);
   EXPECT_EQ(next.spectra[0].measured.size(), 513);
-  EXPECT_NEAR(next.spectra[0].measured.segment(20, 480).mean(), 1, 0.2) << "density of the noise";
+  EXPECT_TRUE(near(next.spectra[0].measured.segment(20, 480).mean(), 1,
+                   within_absolute(0.2, "three deviations of the mean of 480 bins of one segment")))
+      << "density of the noise";
 }

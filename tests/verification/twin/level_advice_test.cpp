@@ -167,9 +167,11 @@ TEST(LevelAdvice, SlopeOfADamperIsTheLimitOfDifferences)
     return std::log(levels(stand, {damper(1, 2, part * 1e5)}, force)[2] / level) / part;
   };
   const double limit = 2 * quotient(5e-5) - quotient(1e-4);  // the error of first order taken off
-  EXPECT_NEAR(first_order(stand, {}, {full}, force)[2], limit, 1e-7);
+  EXPECT_TRUE(near(first_order(stand, {}, {full}, force)[2], limit,
+                   within_absolute(1e-7, "extrapolated difference quotient: error of second order in 1e-4")));
   // From a thousandth, as in the reference: -0.25546.
-  EXPECT_NEAR(std::expm1(quotient(1e-3)), -0.25546057693484003, 1e-7);
+  EXPECT_TRUE(near(std::expm1(quotient(1e-3)), -0.25546057693484003,
+                   within_absolute(1e-7, "the value of the reference; grid of 0.1 Hz in place of 0.02 Hz")));
 }
 
 TEST(LevelAdvice, JoinedDampersAreTheEquationsOfMotion)
@@ -213,7 +215,8 @@ TEST(LevelAdvice, SlopesWithADamperOfTheBite)
   };
   const double step   = 1e-5;
   const double wanted = (at(1 + step) - at(1 - step)) / (2 * step);
-  EXPECT_NEAR(level_slopes(set_r().model, set_r().damping, 2e5, force).of(2, "K3"), wanted, 1e-6);
+  EXPECT_TRUE(near(level_slopes(set_r().model, set_r().damping, 2e5, force).of(2, "K3"), wanted,
+                   within_absolute(1e-6, "central difference with a step of 1e-5: rounding of the level")));
 }
 
 TEST(LevelAdvice, TunedDamperIsTheReference)
@@ -239,8 +242,10 @@ TEST(LevelAdvice, TunedDamperIsTheReference)
   EXPECT_TRUE(near(found.detuned_by(-0.05), wanted["detuned"][0][0].get<double>(), of_level));
   EXPECT_TRUE(near(found.detuned_by(0.05), wanted["detuned"][1][0].get<double>(), of_level));
   const Eigen::VectorXd after = levels(stand, {found.best}, force);
-  EXPECT_NEAR(after[2] / level[2] - 1, found.change, 1e-10);
-  EXPECT_NEAR(after[3] / level[3] - 1, 0, 1e-10) << "the lower half does not feel it";
+  EXPECT_TRUE(near(after[2] / level[2] - 1, found.change,
+                   within_absolute(1e-10, "the same equations with the same damper, rounding")));
+  EXPECT_TRUE(
+      near(after[3] / level[3] - 1, 0, within_absolute(1e-10, "the lower half does not feel it, rounding")));
 }
 
 // Nested golden sections over the equations of motion: another level and another search.
@@ -304,11 +309,11 @@ TEST(LevelAdvice, PairsAreRecomputed)
   for (std::size_t i = 0; i < 7; ++i)
     softer.K[i].value = in["K"][i].get<double>() * (i == 2 ? 0.8 : 1);
   const MillModel changed = dynamics::mill_model(softer, DynamicsSettings{});
-  EXPECT_NEAR(both.change,
-              level_by_equations(changed, {damper(1, 2, 1e5)}, 2, q.force) /
-                      level_by_equations(set_r().model, {}, 2, q.force) -
-                  1,
-              1e-9);
+  EXPECT_TRUE(near(both.change,
+                   level_by_equations(changed, {damper(1, 2, 1e5)}, 2, q.force) /
+                           level_by_equations(set_r().model, {}, 2, q.force) -
+                       1,
+                   within_absolute(1e-9, "one set of equations solved in two ways")));
 }
 
 TEST(LevelAdvice, RejectsActionsThatViolateALimit)
@@ -322,7 +327,8 @@ TEST(LevelAdvice, RejectsActionsThatViolateALimit)
   const double flexibility = 1 / 6.3086e9 + 1 / 10.233e9 + 2 / 40.191831577696884e9 + 1 / 29.301e9 + 1 / 6.8789e9;
   const double stiffness   = flexibility / (flexibility + (1 / 0.3 - 1) / 6.3086e9) - 1;
   const RatedAction &soft  = action(advice, "K1 x 0.3");
-  EXPECT_NEAR(effect(soft, "stiffness of the stand"), stiffness, 1e-9);
+  EXPECT_TRUE(near(effect(soft, "stiffness of the stand"), stiffness,
+                   within_absolute(1e-9, "springs in series, closed form")));
   EXPECT_EQ(soft.against.front(), "the stand gets softer by 43.2 %, at most 10 % are allowed");
   EXPECT_EQ(action(advice, "K3 x 1.2").against, std::vector<std::string>{"raises the level"});
   ASSERT_EQ(above_the_line(advice.actions), 1u);
@@ -384,7 +390,9 @@ TEST(LevelAdvice, ScaleOfTheForceAndUnitsOfThePlaceDoNotMatter)
   const LevelAdvice other = level_advice(set_r().advised, q);
   ASSERT_EQ(one.actions.size(), other.actions.size());
   for (std::size_t i = 0; i < one.actions.size(); ++i)
-    EXPECT_NEAR(one.actions[i].change, other.actions[i].change, 1e-6) << one.actions[i].name;
+    EXPECT_TRUE(near(one.actions[i].change, other.actions[i].change,
+                     within_absolute(1e-6, "ratios of levels do not depend on the scale of the force")))
+        << one.actions[i].name;
   EXPECT_EQ(set_r().advised.stand.place("upper_work_roll"), 2);
   EXPECT_EQ(set_r().advised.stand.place("upper work roll"), 2);
   EXPECT_EQ(set_r().advised.stand.place("upper chock"), -1);
@@ -431,7 +439,8 @@ TEST(LevelAdvice, ATunedDamperThatThePlaceDoesNotFeelDoesNothing)
   q.tuned                  = {TunedChoice{dynamics::lower_work_roll}};
   const LevelAdvice advice = level_advice(set_r().advised, q);
   ASSERT_EQ(advice.actions.size(), 1u);
-  EXPECT_NEAR(advice.actions.front().change, 0, 1e-10);
+  EXPECT_TRUE(
+      near(advice.actions.front().change, 0, within_absolute(1e-10, "the place does not feel it, rounding")));
   EXPECT_TRUE(std::isfinite(advice.tuned.front().best.mass));
   EXPECT_EQ(advice.actions.front().against, std::vector<std::string>{"changes this level by less than 0.1 %"});
 }
