@@ -32,8 +32,8 @@ void apply(const Model &model, RollerBearing &bearing, Reading &reading)
 // What was assumed stays open in the echo too, so that it runs to the same results.
 RollerBearing as_given(RollerBearing bearing)
 {
-  if (bearing.row_hands_assumed)
-    bearing.row_hands.clear();
+  if (bearing.arrangement_assumed)
+    bearing.arrangement.clear();
   if (bearing.chock_assumed) {
     bearing.chock.clear();
     bearing.chock_width = bearing.chock_height = bearing.chock_length = not_given;

@@ -75,8 +75,8 @@ void check_sizes(const RollerBearing &b, Reading &reading)
   }
   if (reading.usable({key("roller_length"), key("width"), key("rows"), key("cup_angle")})) {
     // Rows of opposite hand lean towards each other: their raceways on one ring lie closer than the rows.
-    const bool leaning = b.rows > 1 && b.row_hands.find('+') != std::string::npos &&
-                         b.row_hands.find('-') != std::string::npos && std::isfinite(b.roller_diameter);
+    const bool leaning = b.rows > 1 && b.arrangement.find('+') != std::string::npos &&
+                         b.arrangement.find('-') != std::string::npos && std::isfinite(b.roller_diameter);
     const double axis = b.cup_angle - b.roller_cone_angle / 2;
     const double along =
         b.roller_length * std::cos(b.cup_angle) + (leaning ? b.roller_diameter * std::sin(axis) : 0);
@@ -111,8 +111,8 @@ void check_angles(const RollerBearing &b, Reading &reading)
 void check_arrangement(const RollerBearing &b, Reading &reading)
 {
   const std::string key = "bearing." + b.name + ".arrangement", rows = "bearing." + b.name + ".rows";
-  if (reading.places.count(key) && reading.usable({key, rows}) && int(b.row_hands.size()) > b.rows)
-    contradict(reading, key, fmt::format("arranges {} rows; the bearing has {}", b.row_hands.size(), b.rows),
+  if (reading.places.count(key) && reading.usable({key, rows}) && int(b.arrangement.size()) > b.rows)
+    contradict(reading, key, fmt::format("arranges {} rows; the bearing has {}", b.arrangement.size(), b.rows),
                {rows});
 }
 
@@ -294,12 +294,12 @@ void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading
     b.roller_law = drawn ? "fe" : "iso";
   if (left_out("rings"))
     b.rings = drawn ? "elastic" : "rigid";
-  b.row_hands_assumed     = is_tapered(b) && b.rows > 1 && left_out("arrangement");
+  b.arrangement_assumed   = is_tapered(b) && b.rows > 1 && left_out("arrangement");
   const std::size_t hands = b.rows < 4 ? 2 : 4;
-  if (b.row_hands == "back-to-back")
-    b.row_hands = std::string("+-+-", hands);
-  if (b.row_hands == "face-to-face")
-    b.row_hands = std::string("-+-+", hands);
+  if (b.arrangement == "back-to-back")
+    b.arrangement = std::string("+-+-", hands);
+  if (b.arrangement == "face-to-face")
+    b.arrangement = std::string("-+-+", hands);
   if (!counts_its_chock(b))
     return;
   b.chock_assumed = true;

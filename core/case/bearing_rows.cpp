@@ -69,7 +69,7 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        absent,
        "70 deg",
        "of the rib's face normal against the radial plane; when absent along the roller's axis"},
-      {"arrangement", &T::row_hands, "back-to-back | face-to-face | +-+- | -+-+ | ++-- | --++ | +- | -+ | + | -",
+      {"arrangement", &T::arrangement, "back-to-back | face-to-face | +-+- | -+-+ | ++-- | --++ | +- | -+ | + | -",
        any, absent, "face-to-face",
        "arrangement of the rows of a tapered bearing: a word, or the axial direction in which the cup of each row "
        "carries, repeated over the rows. back-to-back is +- (of four rows: two double cups, TQI), face-to-face "

@@ -7,11 +7,11 @@
 // back.
 namespace mill {
 namespace {
-std::string cut_to(const std::string &row_hands, const int rows)
+std::string cut_to(const std::string &arrangement, const int rows)
 {
   std::string hands;
-  for (int r = 0; r < rows && !row_hands.empty(); ++r)
-    hands += row_hands[std::size_t(r) % row_hands.size()];
+  for (int r = 0; r < rows && !arrangement.empty(); ++r)
+    hands += arrangement[std::size_t(r) % arrangement.size()];
   return hands;
 }
 }  // namespace
@@ -32,7 +32,7 @@ std::vector<std::string> usual_arrangements(const int rows)
   return out;
 }
 
-std::string arrangement_name(const std::string &row_hands, const int rows)
+std::string arrangement_name(const std::string &arrangement, const int rows)
 {
   static const std::map<std::string, std::string> names{
       {"+-", "back to back (TDO)"},
@@ -42,7 +42,7 @@ std::string arrangement_name(const std::string &row_hands, const int rows)
       {"++--", "two tandem pairs back to back"},
       {"--++", "two tandem pairs face to face"},
   };
-  const std::string hands = cut_to(row_hands, rows);
+  const std::string hands = cut_to(arrangement, rows);
   const auto name         = names.find(hands);
   if (name != names.end())
     return hands + ", " + name->second;

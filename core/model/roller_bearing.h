@@ -31,16 +31,16 @@ struct RollerBearing {
   double roller_cone_angle   = 0;          ///< rad, included
   double cup_angle           = 0;          ///< rad, contact angle on the outer ring
   double rib_angle           = not_given;  ///< rad, of the rib's normal; absent: along the roller's axis
-  std::string row_hands =
+  std::string arrangement =
       "+-+-";  ///< key `arrangement`: axial direction in which each row carries, repeated over the rows
-  bool row_hands_assumed  = false;      ///< the case does not say how the rows of a tapered bearing are arranged
-  double radial_clearance = 0;          ///< m, diametral
-  double end_play         = not_given;  ///< m, axial; replaces radial_clearance
-  double preload          = not_given;  ///< N, axial, of each row; replaces radial_clearance
-  std::string profile     = "none";     ///< none | iso | log | lundberg | three-parameter | crown | table
-  double crown_drop       = not_given;  ///< m, drop of the roller end: crown, three-parameter
-  double profile_load     = not_given;  ///< N, on one roller, for which log, lundberg, three-parameter are ground
-  double profile_share    = 1;          ///< -, three-parameter: crowned part of the length
+  bool arrangement_assumed = false;      ///< the case does not say how the rows of a tapered bearing are arranged
+  double radial_clearance  = 0;          ///< m, diametral
+  double end_play          = not_given;  ///< m, axial; replaces radial_clearance
+  double preload           = not_given;  ///< N, axial, of each row; replaces radial_clearance
+  std::string profile      = "none";     ///< none | iso | log | lundberg | three-parameter | crown | table
+  double crown_drop        = not_given;  ///< m, drop of the roller end: crown, three-parameter
+  double profile_load      = not_given;  ///< N, on one roller, for which log, lundberg, three-parameter are ground
+  double profile_share     = 1;          ///< -, three-parameter: crowned part of the length
   std::vector<std::array<double, 2>> profile_table;  ///< m, (x from mid-roller, drop of one contact)
   double youngs_modulus      = 206e9;    ///< Pa, bearing steel: rollers, rings, and with them neck and chock
   double poisson_ratio       = 0.3;      ///< -
@@ -88,15 +88,15 @@ bool counts_its_chock(const RollerBearing &bearing);
 std::vector<std::string> usual_arrangements(int rows);
 
 /// "+-+-, pairs of rows back to back (TQI)": hands cut or repeated to the rows, with the name of the arrangement.
-std::string arrangement_name(const std::string &row_hands, int rows);
+std::string arrangement_name(const std::string &arrangement, int rows);
 
 // A bearing with all that its equilibrium follows.  Type follows from the angles; name and the values that were
 // filled in are for messages; catalogue and ratings are read off the state afterwards.
 template <class Io> void each_member(Io &&io, const RollerBearing &record)
 {
   const auto &[name, type, bore, outside_diameter, width, pitch_diameter, rows, rollers_per_row, roller_length,
-               roller_total_length, roller_diameter, roller_cone_angle, cup_angle, rib_angle, row_hands,
-               row_hands_assumed, radial_clearance, end_play, preload, profile, crown_drop, profile_load,
+               roller_total_length, roller_diameter, roller_cone_angle, cup_angle, rib_angle, arrangement,
+               arrangement_assumed, radial_clearance, end_play, preload, profile, crown_drop, profile_load,
                profile_share, profile_table, youngs_modulus, poisson_ratio, yield_pressure, roller_law, rings,
                slices, chock, chock_width, chock_height, chock_length, chock_support_width, chock_support_gap,
                chock_assumed, support_assumed, filled, designation, catalogue, catalogue_source, dynamic_rating,
@@ -114,8 +114,8 @@ template <class Io> void each_member(Io &&io, const RollerBearing &record)
   io("roller_cone_angle", roller_cone_angle);
   io("cup_angle", cup_angle);
   io("rib_angle", rib_angle);
-  io("row_hands", row_hands);
-  io("row_hands_assumed", row_hands_assumed);
+  io("arrangement", arrangement);
+  io("arrangement_assumed", arrangement_assumed);
   io("radial_clearance", radial_clearance);
   io("end_play", end_play);
   io("preload", preload);

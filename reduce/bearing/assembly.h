@@ -86,7 +86,7 @@ struct AssemblyCurve {
 /// the one equilibrium from any start. Source: ISO/TS 16281; T. C. Lim, R. Singh, J. Sound Vib. 139 (1990) 179.
 class BearingAssembly {
 public:
-  /// @throws InputError   apex condition not closed by more than 0.5 deg; several rows without width; row_hands
+  /// @throws InputError   apex condition not closed by more than 0.5 deg; several rows without width; arrangement
   ///                      unknown; flexibility of another number of rows; preload on a radial bearing
   /// @throws SolverError  no offsets of the rows give the preload
   explicit BearingAssembly(BearingModel model);

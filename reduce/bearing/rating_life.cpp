@@ -15,7 +15,8 @@ constexpr double lambda_nu      = 0.83;  // line contacts that are not loaded ev
 
 bool carries_both_ways(const RollerBearing &b)
 {
-  return b.rows > 1 && b.row_hands.find('+') != std::string::npos && b.row_hands.find('-') != std::string::npos;
+  return b.rows > 1 && b.arrangement.find('+') != std::string::npos &&
+         b.arrangement.find('-') != std::string::npos;
 }
 
 // (60) of ISO/TS 16281: what the end of a contact adds to the load of slice k of n.

@@ -26,7 +26,7 @@ Eigen::VectorXd levers(const RollerBearing &b)
   const double rim      = pitch_diameter(b) / 2 * std::tan(b.cup_angle);
   Eigen::VectorXd lever = row_positions(b);
   for (Eigen::Index r = 0; r < lever.size(); ++r)
-    lever[r] -= rim * (b.row_hands.at(std::size_t(r) % b.row_hands.size()) == '+' ? 1 : -1);
+    lever[r] -= rim * (b.arrangement.at(std::size_t(r) % b.arrangement.size()) == '+' ? 1 : -1);
   return lever;
 }
 

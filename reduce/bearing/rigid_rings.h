@@ -27,7 +27,7 @@ struct BearingState {
 /// @param bearing      tapered or cylindrical; `radial_clearance` is diametral, measured radially on the drawing
 /// @param radial_load  N, > 0, of the whole bearing
 /// @param tilt         rad, of the inner ring; needs `width` and a pitch diameter, from which the places of the
-///                     rollers follow, and takes `row_hands`: the rim's axial motion is used
+///                     rollers follow, and takes `arrangement`: the rim's axial motion is used
 ///
 /// @throws InputError   load not positive (no roller would carry, or the stiffness would be zero);
 ///                      apex condition not closed by more than 0.5 deg; tilt without width or pitch diameter;

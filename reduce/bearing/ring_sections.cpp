@@ -42,7 +42,7 @@ std::vector<int> hands(const RollerBearing &b)
 {
   std::vector<int> out;
   for (int r = 0; r < b.rows; ++r)
-    out.push_back(b.row_hands.empty() || b.row_hands[std::size_t(r) % b.row_hands.size()] == '+' ? 1 : -1);
+    out.push_back(b.arrangement.empty() || b.arrangement[std::size_t(r) % b.arrangement.size()] == '+' ? 1 : -1);
   return out;
 }
 

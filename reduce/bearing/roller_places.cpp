@@ -4,14 +4,14 @@
 #include <cmath>
 
 namespace mill::bearing {
-Eigen::VectorXd row_hands(const RollerBearing &b)
+Eigen::VectorXd row_signs(const RollerBearing &b)
 {
-  if (b.row_hands.find_first_not_of("+-") != std::string::npos || b.row_hands.empty())
-    throw InputError("bearing." + b.name + ": row_hands = \"" + b.row_hands +
+  if (b.arrangement.find_first_not_of("+-") != std::string::npos || b.arrangement.empty())
+    throw InputError("bearing." + b.name + ": arrangement = \"" + b.arrangement +
                      "\" must be + and - only, for example \"+-+-\"");
   Eigen::VectorXd hands(b.rows);
   for (int r = 0; r < b.rows; ++r)
-    hands[r] = b.row_hands[std::size_t(r) % b.row_hands.size()] == '+' ? 1 : -1;
+    hands[r] = b.arrangement[std::size_t(r) % b.arrangement.size()] == '+' ? 1 : -1;
   return hands;
 }
 
@@ -22,7 +22,7 @@ RollerPlaces roller_places(const RollerBearing &b, const double cage_angle, cons
   places.rollers = b.rollers_per_row;
   places.modes   = modes;
   places.azimuth = roller_azimuths(b).array() + cage_angle;
-  places.hand    = row_hands(b);
+  places.hand    = row_signs(b);
   places.z       = row_positions(b);
   if (!places.z.allFinite())
     throw InputError("bearing." + b.name +

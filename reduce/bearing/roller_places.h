@@ -18,7 +18,7 @@ struct RollerPlaces {
 /// @throws InputError  several rows without width; hands other than + and -; bearing without pitch diameter
 RollerPlaces roller_places(const RollerBearing &bearing, double cage_angle, int modes);
 
-/// (rows) +1, -1 from row_hands, repeated over the rows.
+/// (rows) +1, -1 from arrangement, repeated over the rows.
 /// @throws InputError  empty, or another character
-Eigen::VectorXd row_hands(const RollerBearing &bearing);
+Eigen::VectorXd row_signs(const RollerBearing &bearing);
 }  // namespace mill::bearing

@@ -22,7 +22,7 @@ std::string arrangement_sentence(const BearingInfo &info)
   const double rows = info("rows"), angle = info("cup_angle");
   if (!(rows > 1) || !(angle > 0) || info.hands.empty())
     return "";
-  const bool assumed = info("row_hands_assumed") > 0;
+  const bool assumed = info("arrangement_assumed") > 0;
   return " Rows: <code>" + escaped(arrangement_name(info.hands, int(rows))) + "</code>" +
          (assumed ? ", <b>assumed</b>: the case does not give <code>arrangement</code>"
                   : ", as the case gives it") +

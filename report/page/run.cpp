@@ -145,7 +145,7 @@ BearingInfo bearing_of(const Json &json)
   for (const auto &[key, value] : json.items())
     if (value.is_number())
       bearing.size[key] = value.get<double>();
-  bearing.hands = text_at(json, "row_hands");
+  bearing.hands = text_at(json, "arrangement");
   return bearing;
 }
 

@@ -246,7 +246,7 @@ ordered_json sample_bearing_dimensions()
   trb["roller_diameter"]     = 0.0215;
   trb["roller_cone_angle"]   = 2.5 * pi / 180;
   trb["cup_angle"]           = 19.66 * pi / 180;
-  trb["row_hands"]           = "+-+-";
+  trb["arrangement"]         = "+-+-";
   trb["chock_width"]         = 0.6;
   trb["chock_height"]        = 0.56;
   trb["chock_support_width"] = 0.3;

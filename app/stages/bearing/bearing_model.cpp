@@ -352,9 +352,9 @@ std::vector<std::string> said_of_bearings(const Case &the_case)
       out.push_back(fmt::format(
           "bearing.{}: the apex condition closes at a cup angle of {:.4g} deg; cup_angle is {:.4g} deg", b.name,
           closing * 180 / M_PI, b.cup_angle * 180 / M_PI));
-    if (b.row_hands_assumed)
+    if (b.arrangement_assumed)
       out.push_back(fmt::format("bearing.{}: arrangement is not given; {} is assumed", b.name,
-                                arrangement_name(b.row_hands, b.rows)));
+                                arrangement_name(b.arrangement, b.rows)));
   }
   return out;
 }

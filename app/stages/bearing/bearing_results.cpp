@@ -30,7 +30,7 @@ std::vector<Check> comparisons(const BearingStudy &s, const StateNumber &number,
     return checks;
   const RollerBearing &b = s.question.bearing;
   checks.push_back(
-      {"rows " + arrangement_name(b.row_hands, b.rows) + ", rigid rings", number(s.rigid), "assumed"});
+      {"rows " + arrangement_name(b.arrangement, b.rows) + ", rigid rings", number(s.rigid), "assumed"});
   for (const StudyVariant &v : s.arrangements)
     checks.push_back({"rows " + v.about + ", rigid rings", number(v.at), "not excluded by the case"});
   return checks;
@@ -222,7 +222,7 @@ namespace {
 void warn_of_arrangement(RunContext &run, const std::string &prefix, const BearingStudy &s)
 {
   const RollerBearing &b = s.question.bearing;
-  if (!b.row_hands_assumed)
+  if (!b.arrangement_assumed)
     return;
   const auto range = [&](const StateNumber &number, const char *format, const double unit) {
     double low = number(s.rigid), high = low;
@@ -251,7 +251,7 @@ void warn_of_arrangement(RunContext &run, const std::string &prefix, const Beari
       "bearing {}: arrangement is not given; {} is assumed, and {}.tilting, the axial forces of the rows "
       "and, under tilt, their shares depend on it (alternatives: {}). {}{}. Give bearing.{}.arrangement as the "
       "drawing shows it",
-      b.name, arrangement_name(b.row_hands, b.rows), prefix, others, tilting, shares, b.name));
+      b.name, arrangement_name(b.arrangement, b.rows), prefix, others, tilting, shares, b.name));
 }
 
 void say_supports(RunContext &run, const std::string &prefix, const BearingStudy &s)

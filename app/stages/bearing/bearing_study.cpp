@@ -73,12 +73,13 @@ std::vector<BearingVariant> arrangements_of(const BearingStudy &s, const bearing
 {
   std::vector<BearingVariant> out;
   const RollerBearing &b = s.question.bearing;
-  if (!b.row_hands_assumed)
+  if (!b.arrangement_assumed)
     return out;
   for (const std::string &hands : usual_arrangements(b.rows))
-    if (const std::string name = arrangement_name(hands, b.rows); name != arrangement_name(b.row_hands, b.rows)) {
+    if (const std::string name = arrangement_name(hands, b.rows);
+        name != arrangement_name(b.arrangement, b.rows)) {
       out.push_back({name, rigid});
-      out.back().model.bearing.row_hands = hands;
+      out.back().model.bearing.arrangement = hands;
     }
   return out;
 }

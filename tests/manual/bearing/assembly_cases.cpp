@@ -159,7 +159,7 @@ std::vector<Check> tilt_rows()
       {"-+-+", {16.4, 2.8, 48.3, 32.5}}, {"++--", {-11.2, 1.4, 46.5, 63.4}}, {"--++", {16.9, 32.5, 17.4, 33.1}}};
   for (const auto &[hands, shares] : others) {
     RollerBearing other = bearing_266();
-    other.row_hands     = hands;
+    other.arrangement   = hands;
     const auto state    = radial(other, 1000 * kN, 0.5e-3);
     for (int r = 0; r < 4; ++r)
       checks.push_back({fmt::format("share of row {}, 1000 kN, 0.5 mrad, rows {}", r + 1, hands), "%",

@@ -30,7 +30,7 @@ bearing::BearingModel bearing_hh926700()
   b.name              = "HH926700";
   b.type              = "two-row tapered";
   b.rows              = 2;
-  b.row_hands         = "+-";
+  b.arrangement       = "+-";
   b.width             = 4 * 37.98 * mm;  // rows at -37.98 and +37.98 mm
   b.rollers_per_row   = 14;
   b.roller_length     = 57.02 * mm;

@@ -43,7 +43,7 @@ Vector5 resultant(const BearingModel &model, const AssemblyState &state)
   for (int r = 0; r < b.rows; ++r)
     for (int j = 0; j < b.rollers_per_row; ++j)
       for (Eigen::Index k = 0; k < model.roller.position.size(); ++k) {
-        const double s = b.row_hands[std::size_t(r)] == '+' ? 1 : -1, psi = state.azimuth[j],
+        const double s = b.arrangement[std::size_t(r)] == '+' ? 1 : -1, psi = state.azimuth[j],
                      x = model.roller.position[k], ca = std::cos(b.cup_angle), sa = std::sin(b.cup_angle);
         const Eigen::Vector3d e(std::cos(psi), std::sin(psi), 0), z(0, 0, 1);
         const Eigen::Vector3d n = ca * e + s * sa * z, t = -s * sa * e + ca * z;
@@ -232,14 +232,14 @@ TEST(BearingAssembly, HandsDecideWhichRowsCarryAxially)
 {
   RollerBearing b = demo_bearing(20);
   for (const char *hands : {"+-+-", "++--", "+"}) {
-    b.row_hands                = hands;
+    b.arrangement              = hands;
     const auto state           = BearingAssembly(rigid_model(b)).solve([] {
       RingLoading loading;
       loading.value << 0, 0, 2e5, 0, 0;
       loading.prescribed = {true, true, false, true, true};
       return loading;
     }());
-    const Eigen::VectorXd hand = row_hands(b);
+    const Eigen::VectorXd hand = row_signs(b);
     const double carrying      = (hand.array() > 0).count();
     for (int r = 0; r < 4; ++r)
       EXPECT_TRUE(near(state.row_axial[r], hand[r] > 0 ? 2e5 / carrying : 0, within(1e-9, "equal rows", 1e5)));
@@ -369,7 +369,7 @@ TEST(BearingAssembly, AnyMixOfLoadsConverges)
       for (const double clearance : {0.0, 1e-4, -5e-5, 2e-3})
         for (const bool elastic : {false, true}) {
           BearingModel model             = elastic_model(3, law);
-          model.bearing.row_hands        = hands;
+          model.bearing.arrangement      = hands;
           model.bearing.radial_clearance = clearance;
           if (!elastic)
             model.rings = {};
@@ -393,7 +393,7 @@ TEST(BearingAssembly, RefusesContradictions)
 {
   const auto built = [](RollerBearing b) { return BearingAssembly(rigid_model(b)); };
   RollerBearing b  = demo_bearing(20);
-  b.row_hands      = "+x";
+  b.arrangement    = "+x";
   EXPECT_THROW(built(b), InputError);
   b       = demo_bearing(20);
   b.width = not_given;

@@ -119,7 +119,7 @@ TEST_F(Cases, ABearingCaseIsReadInSi)
   const RollerBearing &trb = bearing_of(spec.bearings, spec.load.bearing);
   EXPECT_EQ(trb.roller_law, "fe");
   EXPECT_EQ(trb.rings, "elastic");
-  EXPECT_EQ(trb.row_hands, "+-+-");
+  EXPECT_EQ(trb.arrangement, "+-+-");
   EXPECT_EQ(spec.load.radial, 1e6);
   EXPECT_EQ(spec.load.loads[1], 4e6);
   EXPECT_TRUE(std::isnan(spec.motion.mass));
@@ -154,7 +154,7 @@ TEST_F(Cases, AnOldNameOfAKeyIsAcceptedWithAWarning)
 {
   const std::string file = "cases/bearing-266.toml";
   const Case old         = read_case(file, {"bearing.trb.row_hands=-+-+"});
-  EXPECT_EQ(std::get<BearingCase>(old.spec).bearings.at(0).row_hands, "-+-+");
+  EXPECT_EQ(std::get<BearingCase>(old.spec).bearings.at(0).arrangement, "-+-+");
   ASSERT_EQ(old.warnings.size(), 1u);
   EXPECT_EQ(old.warnings[0].message,
             "bearing.trb.row_hands is the old name of the key arrangement; write arrangement");
@@ -170,16 +170,16 @@ TEST_F(Cases, TheArrangementOfTheRowsMustBeConfirmed)
   const auto trb = [](const std::vector<std::string> &sets) {
     return std::get<BearingCase>(read_case("cases/bearing-266.toml", sets).spec).bearings.at(0);
   };
-  EXPECT_TRUE(trb({}).row_hands_assumed);
-  EXPECT_FALSE(trb({"bearing.trb.arrangement=+-+-"}).row_hands_assumed);
-  EXPECT_FALSE(trb({"bearing.trb.rows=1"}).row_hands_assumed);
-  EXPECT_EQ(trb({"bearing.trb.rows=2", "bearing.trb.arrangement=+-"}).row_hands, "+-");
+  EXPECT_TRUE(trb({}).arrangement_assumed);
+  EXPECT_FALSE(trb({"bearing.trb.arrangement=+-+-"}).arrangement_assumed);
+  EXPECT_FALSE(trb({"bearing.trb.rows=1"}).arrangement_assumed);
+  EXPECT_EQ(trb({"bearing.trb.rows=2", "bearing.trb.arrangement=+-"}).arrangement, "+-");
   EXPECT_EQ(refusal([&] {
               trb({"bearing.trb.rows=2", "bearing.trb.arrangement=-+-+"});
             }),
             "bearing.trb.arrangement = \"-+-+\" arranges 4 rows; the bearing has 2");
-  EXPECT_EQ(trb({"bearing.trb.arrangement=back-to-back"}).row_hands, "+-+-");
-  EXPECT_EQ(trb({"bearing.trb.rows=2", "bearing.trb.arrangement=face-to-face"}).row_hands, "-+");
+  EXPECT_EQ(trb({"bearing.trb.arrangement=back-to-back"}).arrangement, "+-+-");
+  EXPECT_EQ(trb({"bearing.trb.rows=2", "bearing.trb.arrangement=face-to-face"}).arrangement, "-+");
   EXPECT_EQ(arrangement_name("+-+-", 2), "+-, back to back (TDO)");
   EXPECT_EQ(arrangement_name("-+", 4), "-+-+, pairs face to face: two double cones (TQO)");
   EXPECT_EQ(usual_arrangements(2), (std::vector<std::string>{"-+", "+-"}));

@@ -180,7 +180,7 @@ TEST(BearingReport, StatesTheArrangementOfTheRows)
   auto run = read_run(write_sample_run(bearing_sample()));
   EXPECT_TRUE(
       says(html_page(run), "+-+-, pairs back to back: two double cups (TQI)</code>, as the case gives it"));
-  run.manifest.bearings["trb"].size["row_hands_assumed"] = 1;
+  run.manifest.bearings["trb"].size["arrangement_assumed"] = 1;
   EXPECT_TRUE(
       says(html_page(run), "(TQI)</code>, <b>assumed</b>: the case does not give <code>arrangement</code>"));
   run.manifest.bearings["trb"].size["cup_angle"] = 0;

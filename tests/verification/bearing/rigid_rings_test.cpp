@@ -168,7 +168,7 @@ TEST(BearingStiffness, ARollerAtRightAnglesDoesNotCount)
 TEST(BearingStiffness, RowsOfOneHandBalanceUnderTilt)
 {
   RollerBearing b = tapered("iso", 20);
-  b.row_hands     = "+";
+  b.arrangement   = "+";
   for (const double tilt : {0.5e-3, -0.5e-3}) {
     const BearingState state = solve_bearing(b, 1e5, tilt);
     EXPECT_TRUE(near(state.row_share.sum(), 1, within(1e-9, "equilibrium")));

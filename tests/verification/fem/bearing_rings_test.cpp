@@ -22,7 +22,7 @@ RollerBearing mill_bearing(const std::string &chock, const std::string &hands)
   RollerBearing b       = demo_bearing();
   b.rows                = int(hands.size());
   b.width               = 57.547 * mm * b.rows;
-  b.row_hands           = hands;
+  b.arrangement         = hands;
   b.chock               = chock;
   b.chock_width         = 600 * mm;
   b.chock_height        = 560 * mm;
