@@ -82,14 +82,16 @@ std::string engineering(const Parameter &p)
     double size;  // of the unit shown, in SI
     int digits;
   };
+  // Without a stated error four digits: more would look like accuracy.  A number without unit may be a count.
+  const auto digits = [&](const int most) { return std::isnan(p.error_estimate) && p.unit != "1" ? 4 : most; };
   static const Unit units[]{
       {"N/m", "kN/mm", 1e6, 5}, {"N/m2", "N/mm per mm", 1e6, 6}, {"m", "mm", 1e-3, 5}, {"Pa", "MPa", 1e6, 5},
       {"N", "kN", 1e3, 6},
   };
   for (const Unit &unit : units)
     if (p.unit == unit.si)
-      return number_within(p.value / unit.size, p.error_estimate, unit.digits) + " " + unit.shown;
-  const std::string number = number_within(p.value, p.error_estimate, 6);
+      return number_within(p.value / unit.size, p.error_estimate, digits(unit.digits)) + " " + unit.shown;
+  const std::string number = number_within(p.value, p.error_estimate, digits(6));
   return p.unit == "1" ? number : number + " " + p.unit;
 }
 

@@ -11,6 +11,7 @@ namespace mill {
 std::string run_summary(const Results &results, const std::string &name, const std::string &limits,
                         const std::string &page);
 
-/// "40200 kN/mm", "38.9 Hz": a value in a common unit, with the digits that its error allows.
+/// "40200 kN/mm", "38.9 Hz": a value in a common unit, with the digits that its error allows;
+/// four where no error is stated, six of a number without unit.
 std::string engineering(const Parameter &p);
 }  // namespace mill

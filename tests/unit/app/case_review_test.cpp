@@ -235,6 +235,23 @@ TEST_F(Reviewed, EstimatesAreRankedByTheirEffect)
     EXPECT_GE(largest(records[i - 1]), largest(records[i])) << records[i].estimate.key;
 }
 
+TEST(RunSummary, DigitsAreThoseThatTheErrorAllows)
+{
+  const auto shown = [](const double value, const char *unit, const double error = NAN) {
+    Parameter p;
+    p.value = value;
+    p.unit  = unit;
+    if (!std::isnan(error))
+      p.error_estimate = error;
+    return engineering(p);
+  };
+  EXPECT_EQ(shown(37.7941, "Hz"), "37.79 Hz") << "four digits without a stated error";
+  EXPECT_EQ(shown(846.349, "Hz"), "846.3 Hz");
+  EXPECT_EQ(shown(37.7941, "Hz", 0.01), "37.8 Hz") << "0.38 Hz: its first digit is the last that is known";
+  EXPECT_EQ(shown(4.01918e10, "N/m"), "40190 kN/mm");
+  EXPECT_EQ(shown(12345, "1"), "12345") << "a number of things";
+}
+
 TEST(RunSummary, HasAtMostTwentyFiveLines)
 {
   Results results;
