@@ -335,6 +335,27 @@ TEST(Tests, AToleranceHasItsReason)
   EXPECT_GT(with_reason, 1000u) << "the comparisons are no longer found";
 }
 
+// A reference file says where its numbers come from, and what it names is in the tree.
+TEST(Tests, AReferenceFileNamesItsSource)
+{
+  const std::regex from(R"re("(source|generator)": "[^"]{20,})re"),
+      script(R"re("(generator|recomputed_by)": "([^"]*)")re");
+  std::size_t seen = 0;
+  for (const auto &entry : fs::directory_iterator(root / "tests/reference")) {
+    if (entry.path().extension() != ".json")
+      continue;
+    ++seen;
+    std::ifstream in(entry.path());
+    std::string head;  // the members before the entries
+    for (std::string line; std::getline(in, line) && line.find("\"entries\"") == std::string::npos;)
+      head += line + "\n";
+    EXPECT_TRUE(std::regex_search(head, from)) << entry.path() << ": a member source or generator is missing";
+    for (std::sregex_iterator it(head.begin(), head.end(), script), end; it != end; ++it)
+      EXPECT_TRUE(fs::is_regular_file(root / (*it)[2].str())) << entry.path() << " names " << (*it)[2];
+  }
+  EXPECT_GE(seen, 4u);
+}
+
 TEST(Tree, HasNoPathOfAMachineAndNothingLeftOpen)
 {
   const std::regex machine("(^|[^.a-zA-Z0-9])/(work|home|root|tmp|farm)/[a-z]");
