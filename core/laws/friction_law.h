@@ -124,7 +124,7 @@ Friction with_number(Friction friction, double number);
 /// The friction as a plain number: Coulomb's mu, or the factors as they are.
 Friction as_number(const Friction &friction, double mu);
 
-/// Coulomb's mu where the law is no more than that; nan: a pass must give it, or the law has none.
+/// Coulomb's mu where the law is that coefficient alone; nan: a pass must give it, or the law has none.
 double plain_coefficient(const Friction &friction);
 
 /// What a result calls the friction: the coefficient, or the mean of both factors.

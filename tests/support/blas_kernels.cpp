@@ -1,4 +1,4 @@
-// Prints the kernels that OpenBLAS has to be told, or nothing (tests/fast_blas.cmake.in).
+// Prints the kernels that OpenBLAS must be given, or nothing (tests/fast_blas.cmake.in).
 #include "core/numerics/sparse.h"
 #include <cstdio>
 

@@ -12,49 +12,50 @@ constexpr double counted_line = 12;  // dB
 constexpr double few_decays   = 12;  // a mode that decays less often in the record cannot be separated from a line
 constexpr double reach_of_beat = 170;  // bins: modulation of the generator beats with 40 bins, four side bands
 
-std::vector<double> lines_told(const Analysis &analysis)
+std::vector<double> reported_lines(const Analysis &analysis)
 {
-  std::vector<double> told;
+  std::vector<double> reported;
   for (const Finding &finding : analysis.findings)
     if (finding.kind == "line" || finding.kind == "family") {
       if (finding.members.empty())
-        told.push_back(finding.frequency);
+        reported.push_back(finding.frequency);
       for (const FamilyMember &member : finding.members)
-        told.push_back(member.frequency);
+        reported.push_back(member.frequency);
     }
-  return told;
+  return reported;
 }
 
-bool is_true_line(const Content &content, const double told, const double bin)
+bool is_true_line(const Content &content, const double frequency, const double bin)
 {
   if (content.impacts > 0)
     return true;  // harmonics of impacts are lines where these are regular
-  if (content.growth > 0 && std::abs(told - content.growth_frequency) < 10 * bin + 2)
+  if (content.growth > 0 && std::abs(frequency - content.growth_frequency) < 10 * bin + 2)
     return true;
   return std::any_of(content.lines.begin(), content.lines.end(),
                      [&](const auto &line) {
-                       return std::abs(told - line.frequency) < (line.modulated ? reach_of_beat : 2) * bin;
+                       return std::abs(frequency - line.frequency) < (line.modulated ? reach_of_beat : 2) * bin;
                      }) ||
          std::any_of(content.modes.begin(), content.modes.end(), [&](const auto &mode) {
-           return mode.decays < few_decays && std::abs(told - mode.frequency) < 3 * bin;
+           return mode.decays < few_decays && std::abs(frequency - mode.frequency) < 3 * bin;
          });
 }
 
 void score_lines(Score &score, const Content &content, const Analysis &analysis, const double bin,
                  const std::string &name)
 {
-  const std::vector<double> told = lines_told(analysis);
+  const std::vector<double> reported = reported_lines(analysis);
   for (const auto &line : content.lines) {
     if (line.decibel < counted_line)
       continue;
     ++score.lines;
-    if (std::any_of(told.begin(), told.end(), [&](const double f) { return std::abs(f - line.frequency) < bin; }))
+    if (std::any_of(reported.begin(), reported.end(),
+                    [&](const double f) { return std::abs(f - line.frequency) < bin; }))
       ++score.lines_found;
     else
       score.missed +=
           fmt::format("{}: line of {:.2f} Hz, {:.1f} dB not found\n", name, line.frequency, line.decibel);
   }
-  for (const double f : told)
+  for (const double f : reported)
     if (!is_true_line(content, f, bin)) {
       ++score.false_lines;
       score.missed += fmt::format("{}: line of {:.2f} Hz is false\n", name, f);

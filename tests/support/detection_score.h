@@ -10,7 +10,7 @@ struct Score {
   long lines = 0, lines_found = 0, false_lines = 0;  ///< of 12 dB and more
   long modes = 0, modes_found = 0, false_modes = 0;  ///< of 20 dB and more
   long calm = 0, false_growth = 0;     ///< records without growth; of them with an alarm or a warning
-  long growing = 0, growth_found = 0;  ///< records with growth; of them told with its sign
+  long growing = 0, growth_found = 0;  ///< records with growth; of them reported with its sign
   double account_error = 0;            ///< -, largest distance of the sum of shares from one
   long fateless        = 0;            ///< candidates without a fate or a reason
   std::string missed;                  ///< what was wrong, a line each

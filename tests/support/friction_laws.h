@@ -2,7 +2,7 @@
 #include "core/model/strip.h"
 #include <vector>
 
-/// One friction law of every kind that is no plain coefficient: speed, film, factor.
+/// One friction law of every kind that is not a plain coefficient: speed, film, factor.
 inline std::vector<mill::Friction> laws_of_friction()
 {
   mill::Friction speed, film, factor;

@@ -75,7 +75,7 @@ inline std::string zlib_stream(const std::string &data)
   return "\x78\x01" + stored_blocks(data) + check;
 }
 
-/// A variable as MATLAB saves it when it is not told otherwise.
+/// A variable as MATLAB saves it unless it is asked for another form.
 inline std::string mat_compressed(const std::string &array)
 {
   const std::string packed = zlib_stream(array);

@@ -350,16 +350,17 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   json["response_to_force"] =
       analysis.forced.response.n == 0
           ? ordered_json(nullptr)
-          : ordered_json{
-                {"window", "Hann, periodic"},
-                {"L", analysis.forced.response.L},
-                {"rate", analysis.forced.response.rate},
-                {"segments", analysis.forced.response.n},
-                {"enbw", 1.5 * analysis.forced.response.resolution()},
-                {"delay", analysis.delay.told ? ordered_json(analysis.delay.seconds) : ordered_json(nullptr)},
-                {"delay_sd", analysis.delay.told ? ordered_json(analysis.delay.deviation) : ordered_json(nullptr)},
-                {"aligned", settings.align},
-                {"best_coherence", analysis.forced.best_coherence}};
+          : ordered_json{{"window", "Hann, periodic"},
+                         {"L", analysis.forced.response.L},
+                         {"rate", analysis.forced.response.rate},
+                         {"segments", analysis.forced.response.n},
+                         {"enbw", 1.5 * analysis.forced.response.resolution()},
+                         {"delay", analysis.delay.identified ? ordered_json(analysis.delay.seconds)
+                                                             : ordered_json(nullptr)},
+                         {"delay_sd", analysis.delay.identified ? ordered_json(analysis.delay.deviation)
+                                                                : ordered_json(nullptr)},
+                         {"aligned", settings.align},
+                         {"best_coherence", analysis.forced.best_coherence}};
   json["baseline"] = settings.baseline ? ordered_json{{"folder", settings.baseline->folder},
                                                       {"record", settings.baseline->record}}
                                        : ordered_json(nullptr);

@@ -120,11 +120,12 @@ void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChanne
   analysis.delay = force_delay(analysis.forced.modes, of_modes.quantity == Quantity::acceleration ? 2 : 1);
   const ForceDelay &delay = analysis.delay;
   const bool matters      = std::abs(delay.seconds) > std::max(3 * delay.deviation, 0.5 / record.rate);
-  if (!delay.told || !matters) {
+  if (!delay.identified || !matters) {
     if (settings.align)
-      analysis.notes.push_back(delay.told ? "--align: no delay between force and vibrations is seen"
-                                          : "--align: the record does not determine the delay between force and "
-                                            "vibrations; at least two modes must follow the force");
+      analysis.notes.push_back(delay.identified
+                                   ? "--align: no delay between force and vibrations is seen"
+                                   : "--align: the record does not determine the delay between force and "
+                                     "vibrations; at least two modes must follow the force");
     return;
   }
   if (settings.align)

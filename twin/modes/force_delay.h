@@ -7,7 +7,7 @@ namespace mill::twin {
 struct ForceDelay {
   double seconds   = 0;      ///< s, positive: the vibrations come late
   double deviation = 0;      ///< s, standard deviation
-  bool told        = false;  ///< one delay within +-50 ms fits, others do not
+  bool identified  = false;  ///< one delay within +-50 ms fits, others do not
 };
 
 /// From the phases of the residues, which real modes without a delay have at +-90 degrees.  theory.md (42.14)

@@ -35,6 +35,6 @@ inline double number_at(const char *bytes, const BinaryType &type)
   return double(bits);
 }
 
-/// "<f4", ">i2", "|u1" of numpy.  False where it is no number of this list.
+/// "<f4", ">i2", "|u1" of numpy.  False where it is not a number of this list.
 bool type_of_descriptor(const std::string &text, BinaryType &type);
 }  // namespace mill::twin

@@ -21,7 +21,7 @@ public:
 
   enum class Kind { samples, nothing, cut_off };
   /// @param last  the file ends behind this line without a line end: fewer cells are a line that is cut off
-  /// @throws InputError with file:line:column  a wrong number of cells, a cell that is no number or no time
+  /// @throws InputError with file:line:column  a wrong number of cells, a cell that is neither a number nor a time
   Kind take(std::string_view line, int number, bool last);
 
   /// Of the last line with samples.

@@ -23,7 +23,7 @@ public:
   /// What the instance does.
   void event(const std::string &message) const;
 
-  /// Switches categories on or off; none named: all.  @return  the name that is no category; empty: there is none
+  /// Switches categories on or off; none named: all.  @return  the name that is not a category; empty: each is one
   std::string enable(bool on, const std::vector<std::string> &categories);
 
 protected:

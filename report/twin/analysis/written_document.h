@@ -18,7 +18,7 @@ nlohmann::json written_document(const std::string &directory, const std::string 
 /// Folder and case of a document, for the frame of its page.
 Run run_of(const std::string &directory, const nlohmann::json &document);
 
-/// NaN where it is no number.
+/// NaN where it is not a number.
 double number_in(const nlohmann::json &value);
 
 /// Sentences as a list of the page.

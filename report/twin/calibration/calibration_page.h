@@ -4,8 +4,8 @@
 #include <string>
 
 namespace mill::report {
-/// The page of a calibration: verdict, unknowns with what is told, before and after on the check records,
-/// residuals per third octave, profiles, correlation.
+/// The page of a calibration: verdict, unknowns and which of them are identified, before and after on the check
+/// records, residuals per third octave, profiles, correlation.
 /// @param json    text of calibration.json
 /// @param tables  by name without ".csv"
 /// @throws InputError  no calibration.json of this program

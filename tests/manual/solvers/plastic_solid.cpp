@@ -149,7 +149,7 @@ PressedState press_plastic(const PressedSolid &solid)
       for (int k = 0; k < 10; ++k) {
         const double slope = (now.force).dot(step);
         const Forces then  = forces(solid, out.displacement + length * step, false);
-        // Close to the end the energy is no criterion: rounding of a sum is not a rise.
+        // Close to the end the energy is not a criterion: rounding of a sum is not a rise.
         if (then.energy <= now.energy + 1e-4 * length * slope + 1e-12 * std::abs(now.energy))
           break;
         length *= 0.5;

@@ -296,8 +296,8 @@ TEST(LiveCommand, DoesNotWriteThroughALink)
   EXPECT_EQ(std::string((std::istreambuf_iterator<char>(target)), {}), "mine");
 }
 
-// The bands of [monitoring], for a stand of any kind: 400 Hz is no mode of this stand and in none of the usual
-// bands.
+// The bands of [monitoring], for a stand of any kind: 400 Hz is not a mode of this stand and not in one of the
+// usual bands.
 TEST(LiveCommand, WatchesTheBandsOfMonitoring)
 {
   const std::string folder = scratch("live-bands"), path = folder + "/mill.csv";

@@ -32,10 +32,10 @@ public:
   void keep(const std::optional<ArrivalWatch::News> &news)
   {
     if (news)
-      told.push_back(*news);
+      reports.push_back(*news);
   }
   ArrivalWatch watch;
-  std::vector<ArrivalWatch::News> told;
+  std::vector<ArrivalWatch::News> reports;
   double steady = 0, sent = 0, set = 0;
   std::int64_t last = 0;
 };
@@ -46,7 +46,7 @@ TEST(ArrivalWatch, ReportsNothingForTheStatedRate)
   for (const double factor : {1.0, 1.015, 0.985}) {
     MadeSource source;
     source.run(300, factor);
-    EXPECT_TRUE(source.told.empty()) << source.told[0].text;
+    EXPECT_TRUE(source.reports.empty()) << source.reports[0].text;
     EXPECT_TRUE(
         near(source.watch.rate(), 1000 * factor, within_absolute(0.5, "whole samples arrive every 0.1 s")));
   }
@@ -56,38 +56,38 @@ TEST(ArrivalWatch, ReportsAWrongRateOnceUntilItIsRight)
 {
   MadeSource source;
   source.run(55, 1.25);
-  EXPECT_TRUE(source.told.empty()) << "two windows are not enough";
+  EXPECT_TRUE(source.reports.empty()) << "two windows are not enough";
   source.run(60, 1.25);
-  ASSERT_EQ(source.told.size(), 1u);
-  EXPECT_EQ(source.told[0].kind, Kind::wrong_rate);
+  ASSERT_EQ(source.reports.size(), 1u);
+  EXPECT_EQ(source.reports[0].kind, Kind::wrong_rate);
   EXPECT_EQ(
-      source.told[0].text,
+      source.reports[0].text,
       "samples arrive at 1250 Hz by the clock of this machine, 3 times in a row over 20 s, where their source "
       "states 1000 Hz: 25.0 % more. Every frequency and growth rate is wrong by as much; correct the rate "
       "(\"rate\" of the head, --rate for a file without times), or the clock of the source");
   EXPECT_TRUE(source.watch.wrong());
   source.run(100, 1);
-  ASSERT_EQ(source.told.size(), 2u);
-  EXPECT_EQ(source.told[1].kind, Kind::right_again);
-  EXPECT_EQ(source.told[1].text, "samples arrive at 1000 Hz again, as their source states");
+  ASSERT_EQ(source.reports.size(), 2u);
+  EXPECT_EQ(source.reports[1].kind, Kind::right_again);
+  EXPECT_EQ(source.reports[1].text, "samples arrive at 1000 Hz again, as their source states");
   MadeSource slow;
   slow.run(70, 0.5);
-  ASSERT_EQ(slow.told.size(), 1u);
-  EXPECT_NE(slow.told[0].text.find("states 1000 Hz: 50.0 % less"), std::string::npos) << slow.told[0].text;
+  ASSERT_EQ(slow.reports.size(), 1u);
+  EXPECT_NE(slow.reports[0].text.find("states 1000 Hz: 50.0 % less"), std::string::npos) << slow.reports[0].text;
 }
 
 TEST(ArrivalWatch, DoesNotReportPlayedOrWaitingSources)
 {
   MadeSource played;
   played.run(200, 50);
-  ASSERT_EQ(played.told.size(), 1u);
-  EXPECT_EQ(played.told[0].kind, Kind::played);
-  EXPECT_EQ(played.told[0].text,
+  ASSERT_EQ(played.reports.size(), 1u);
+  EXPECT_EQ(played.reports[0].kind, Kind::played);
+  EXPECT_EQ(played.reports[0].text,
             "samples arrive 50 times as fast as the 1000 Hz of their source: taken for a record "
             "that is played, or for one that catches up");
   MadeSource busy;  // the twin does not keep pace and stops reading: that is not the source's rate
   busy.run(200, 0.8, 1.9);
-  EXPECT_TRUE(busy.told.empty());
+  EXPECT_TRUE(busy.reports.empty());
 }
 
 TEST(ArrivalWatch, ClocksAndNumbersThatJump)
@@ -97,20 +97,20 @@ TEST(ArrivalWatch, ClocksAndNumbersThatJump)
   source.sent += 60e3;
   source.last += 60000;  // the block itself is as long as ever
   source.run(1, 1);
-  ASSERT_EQ(source.told.size(), 1u);
-  EXPECT_EQ(source.told[0].kind, Kind::jump);
-  EXPECT_EQ(source.told[0].text.substr(0, 77),
+  ASSERT_EQ(source.reports.size(), 1u);
+  EXPECT_EQ(source.reports[0].kind, Kind::jump);
+  EXPECT_EQ(source.reports[0].text.substr(0, 77),
             "the numbers of the samples jump ahead by 60.0 s more than has passed: the clo");
   source.set = -3600;
   source.run(2, 1);
-  ASSERT_EQ(source.told.size(), 2u);
+  ASSERT_EQ(source.reports.size(), 2u);
   EXPECT_EQ(
-      source.told[1].text,
+      source.reports[1].text,
       "the clock of this machine was set back by 3600.0 s: times of alarms and of a source that does not say "
       "when it began follow it, numbers of samples do not");
   source.steady += 60;  // lost meanwhile, and counted by their numbers: no jump
   source.sent += 60e3;
   source.last += 60000;
   source.run(70, 1);
-  EXPECT_EQ(source.told.size(), 2u);
+  EXPECT_EQ(source.reports.size(), 2u);
 }

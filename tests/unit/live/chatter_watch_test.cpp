@@ -125,7 +125,7 @@ struct Announced {
 
 Announced watched(Comparison &comparison, const ChatterRun &record)
 {
-  Announced told;
+  Announced announced;
   for (Eigen::Index at = 0; at < record.measured.rows(); at += 100) {
     LiveBlock block;
     block.first     = at;
@@ -136,18 +136,20 @@ Announced watched(Comparison &comparison, const ChatterRun &record)
     block.simulated = Eigen::MatrixXd::Zero(100, 2);
     const auto news = comparison.take(block);
     if (news.chatter)
-      told.rows.push_back(*news.chatter);
+      announced.rows.push_back(*news.chatter);
     for (const PageAlarm &alarm : news.alarms) {
-      told.alarms.push_back(alarm);
+      announced.alarms.push_back(alarm);
       if (alarm.level != "alarm" || alarm.over)
         continue;
-      double &first = alarm.text.find("speed of") != std::string::npos ? told.speed : told.onset;
+      double &first = alarm.text.find("speed of") != std::string::npos ? announced.speed : announced.onset;
       if (first < 0)
         first = double(at + 100) / rate;  // when the block was there
     }
   }
-  told.first = told.onset < 0 ? told.speed : told.speed < 0 ? told.onset : std::min(told.onset, told.speed);
-  return told;
+  announced.first = announced.onset < 0   ? announced.speed
+                    : announced.speed < 0 ? announced.onset
+                                          : std::min(announced.onset, announced.speed);
+  return announced;
 }
 
 double rms(const Eigen::VectorXd &x)
@@ -169,14 +171,14 @@ TEST(ChatterWatch, AnnouncesChatterBeforeTheLimitInAllRuns)
       ++over;
     ASSERT_LT(over, record.amplitude.size()) << "every run reaches the limit, seed " << seed;
     Comparison comparison(setup_of(stand, limit));
-    const Announced told = watched(comparison, record);
-    const double reached = double(over) / rate;
-    EXPECT_GT(told.onset, 12) << "calm before the ramp, seed " << seed;
-    EXPECT_LT(told.onset, reached) << "the vibration alone announces it, seed " << seed;
-    EXPECT_GT(told.speed, 12) << "seed " << seed;
-    EXPECT_LT(told.speed, reached) << "so does the speed, seed " << seed;
-    by_vibration.push_back(reached - told.onset);
-    by_speed.push_back(reached - told.speed);
+    const Announced announced = watched(comparison, record);
+    const double reached      = double(over) / rate;
+    EXPECT_GT(announced.onset, 12) << "calm before the ramp, seed " << seed;
+    EXPECT_LT(announced.onset, reached) << "the vibration alone announces it, seed " << seed;
+    EXPECT_GT(announced.speed, 12) << "seed " << seed;
+    EXPECT_LT(announced.speed, reached) << "so does the speed, seed " << seed;
+    by_vibration.push_back(reached - announced.onset);
+    by_speed.push_back(reached - announced.speed);
   }
   std::sort(by_vibration.begin(), by_vibration.end());
   std::sort(by_speed.begin(), by_speed.end());
@@ -193,13 +195,14 @@ TEST(ChatterWatch, RaisesNoAlarmInACalmHour)
   const double calm = std::sqrt(2.) * rms(stand.run(1, 17, 17, 0, 1, 60, 1e4).measured.col(0));
   for (int part = 0; part < parts; ++part) {
     Comparison comparison(setup_of(stand, limit_over_calm * calm));
-    const Announced told = watched(comparison, stand.run(std::uint64_t(50000 + part), 17, 17, 0, 1, 300, 1e4));
-    EXPECT_LT(told.first, 0) << "part " << part;
-    ASSERT_EQ(told.alarms.size(), 1u) << "part " << part;
-    EXPECT_EQ(told.alarms[0].level, "warning");
-    EXPECT_NE(told.alarms[0].text.find("within its interval"), std::string::npos) << told.alarms[0].text;
-    ASSERT_GE(told.rows.size(), 299u);
-    const PageChatter &row = told.rows.back();
+    const Announced announced =
+        watched(comparison, stand.run(std::uint64_t(50000 + part), 17, 17, 0, 1, 300, 1e4));
+    EXPECT_LT(announced.first, 0) << "part " << part;
+    ASSERT_EQ(announced.alarms.size(), 1u) << "part " << part;
+    EXPECT_EQ(announced.alarms[0].level, "warning");
+    EXPECT_NE(announced.alarms[0].text.find("within its interval"), std::string::npos) << announced.alarms[0].text;
+    ASSERT_GE(announced.rows.size(), 299u);
+    const PageChatter &row = announced.rows.back();
     EXPECT_TRUE(
         near(row.critical, 18.2073, within_absolute(0.15, "the reference of this condition; inputs have noise")));
     EXPECT_TRUE(near(row.speed, 17, within_absolute(0.01, "the streamed speed has noise")));

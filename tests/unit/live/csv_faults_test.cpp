@@ -171,7 +171,7 @@ TEST(CsvFaults, RefusesTimesThatDoNotDetermineARate)
     lines.line(fmt::format("{:.3f},{}", std::floor(k * 0.75) * 1e-3, 900 + k));
   try {
     lines.end();
-    FAIL() << "a rate was told";
+    FAIL() << "a rate was reported";
   } catch (const InputError &error) {
     EXPECT_EQ(error.problems.front().message,
               "25 of 99 times stand still: the time column is too coarse, give the samples per second with --rate "
@@ -187,7 +187,7 @@ TEST(CsvFaults, RefusesTimesThatRunBackwards)
   lines.rows(100, 9, -1e-3);
   try {
     lines.end();
-    FAIL() << "a rate was told";
+    FAIL() << "a rate was reported";
   } catch (const InputError &error) {
     EXPECT_EQ(error.problems.front().message,
               "the times do not increase; give the samples per second with --rate 20000");
@@ -293,7 +293,7 @@ TEST(CsvFaults, AHeadWithoutRowsIsWaitedFor)
 }
 
 // TW-31, short form of the fuzz run (MILLSTAND_PASSES times as many files): bytes that change, lines that are cut,
-// told twice or exchanged, times that jump.  Nothing but a sentence may come of it, and the account holds.
+// sent twice or exchanged, times that jump.  Nothing but a sentence may come of it, and the account holds.
 TEST(CsvFaults, AnyFileIsReadOrRefused)
 {
   const char *const passes = std::getenv("MILLSTAND_PASSES");

@@ -48,7 +48,7 @@ TEST(DataPort, AcknowledgesBlocks)
   EXPECT_EQ(queue.samples(), 20);
 }
 
-// A full queue is no loss: the sender waits for its acknowledgement.
+// A full queue loses nothing: the sender waits for its acknowledgement.
 TEST(DataPort, AFullQueueStopsTheReading)
 {
   live::SampleQueue queue;  // two seconds: 2000 samples

@@ -128,7 +128,7 @@ TEST(LiveGaps, ASecondRecordOfTheSameClockCountsWhatIsBetween)
   EXPECT_EQ(run.engine().book()->channels()[0].missing, 3000);
 }
 
-// A source whose clock was set back sends what was there already: after a minute of it somebody is told, once.
+// A source whose clock was set back sends what was there already: after a minute of it one message says so.
 TEST(LiveGaps, ReportsAMinuteThatComesAgain)
 {
   LiveSamples run(published(), 100);

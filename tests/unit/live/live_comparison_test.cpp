@@ -62,7 +62,7 @@ ComparisonSetup setup_of(const SixMasses &stand)
 }
 
 // Blocks of 20 ms as the engine hands them on: the mill has another K3 than the twin.
-struct Told {
+struct Reported {
   std::vector<PageLevels> levels;
   std::vector<PageModes> modes;
   std::vector<PageAlarm> alarms;
@@ -70,8 +70,8 @@ struct Told {
   int spectra = 0;
 };
 
-Told run(Comparison &comparison, const SixMasses &stand, const double k3, const std::uint64_t seed,
-         const double seconds, const double from)
+Reported run(Comparison &comparison, const SixMasses &stand, const double k3, const std::uint64_t seed,
+             const double seconds, const double from)
 {
   const auto n               = Eigen::Index(seconds * rate);
   const auto force           = synthetic::band_force(seed, n, rate, 1000, 0, 1000);
@@ -81,7 +81,7 @@ Told run(Comparison &comparison, const SixMasses &stand, const double k3, const 
   measured << (force.force.array() + 976.2e3).matrix(),
       mill.col(2) + synthetic::white(seed + 1000, n, rate, 0.005),
       mill.col(3) + synthetic::white(seed + 1001, n, rate, 0.005), Eigen::VectorXd::Constant(n, 4.0);
-  Told told;
+  Reported reported;
   const auto first = std::int64_t(from * rate);
   for (Eigen::Index at = 0; at < n; at += 50) {
     LiveBlock block;
@@ -95,14 +95,14 @@ Told run(Comparison &comparison, const SixMasses &stand, const double k3, const 
     block.simulated  = twin.middleRows(at, 50);
     const auto news  = comparison.take(block);
     if (news.levels)
-      told.levels.push_back(*news.levels);
+      reported.levels.push_back(*news.levels);
     if (news.modes)
-      told.modes.push_back(*news.modes);
-    told.alarms.insert(told.alarms.end(), news.alarms.begin(), news.alarms.end());
-    told.proposals.insert(told.proposals.end(), news.proposals.begin(), news.proposals.end());
-    told.spectra += int(news.spectra.size());
+      reported.modes.push_back(*news.modes);
+    reported.alarms.insert(reported.alarms.end(), news.alarms.begin(), news.alarms.end());
+    reported.proposals.insert(reported.proposals.end(), news.proposals.begin(), news.proposals.end());
+    reported.spectra += int(news.spectra.size());
   }
-  return told;
+  return reported;
 }
 
 Case given_case(const std::string &folder)
@@ -125,7 +125,7 @@ TEST(LiveComparison, ProposesASofterContact)
   Comparison comparison(setup_of(stand));
   ASSERT_TRUE(comparison.notes().empty()) << comparison.notes()[0];
 
-  const Told calm = run(comparison, stand, 1, 41, 33, 0);
+  const Reported calm = run(comparison, stand, 1, 41, 33, 0);
   ASSERT_EQ(calm.modes.size(), 3u);
   EXPECT_GE(calm.levels.size(), 30u);
   EXPECT_LE(calm.levels.size(), 31u) << "each second but those of settling";
@@ -148,7 +148,7 @@ TEST(LiveComparison, ProposesASofterContact)
   EXPECT_LT(std::abs(highest.deviation), 4);
   EXPECT_EQ(calm.modes.back().modes.at(2).state, "not identified") << "218 Hz does not move the work rolls";
 
-  const Told softer = run(comparison, stand, 0.95, 43, 55, 34);
+  const Reported softer = run(comparison, stand, 0.95, 43, 55, 34);
   ASSERT_FALSE(softer.alarms.empty());
   EXPECT_EQ(softer.alarms[0].kind, "drift");
   const std::string &alarm = softer.alarms[0].text;
@@ -185,7 +185,7 @@ TEST(LiveComparison, ProposesASofterContact)
   EXPECT_EQ(page.text.find("Mode 6 has fallen by "), 0u) << page.text;
 
   // nothing is adopted by itself: the twin is compared as before, minutes later
-  const Told later = run(comparison, stand, 0.95, 45, 24, 90);
+  const Reported later = run(comparison, stand, 0.95, 45, 24, 90);
   EXPECT_TRUE(later.proposals.empty());
   EXPECT_TRUE(near(later.modes.back().modes.at(5).twin_frequency, stand.chain(1).frequency[5],
                    within_absolute(1e-9, "the twin is as it was, rounding")));
@@ -206,7 +206,7 @@ TEST(LiveComparison, KeepsItsDriftOverARestart)
   ASSERT_FALSE(before.alarm);
   Comparison again(setup_of(stand));
   ASSERT_EQ(again.resume(first.state()), "");
-  Told whole, parted;
+  Reported whole, parted;
   for (int i = 1; i < 6 && whole.alarms.empty(); ++i) {
     whole  = run(through, stand, slightly, std::uint64_t(51 + 2 * i), 23, 23.0 * i);
     parted = run(again, stand, slightly, std::uint64_t(51 + 2 * i), 23, 23.0 * i);

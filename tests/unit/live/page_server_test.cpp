@@ -220,7 +220,7 @@ TEST(PageServer, ARequestHasFiveSeconds)
   EXPECT_LT(took, 7.5);
   drop_by_drop.join();
   EXPECT_EQ(head.rest(3).compare(0, 12, "HTTP/1.1 408"), 0);
-  EXPECT_EQ(silent.rest(3), "");  // said nothing, is told nothing
+  EXPECT_EQ(silent.rest(3), "");  // it asked for nothing and receives nothing
   EXPECT_EQ(served.commands, 0);
 }
 

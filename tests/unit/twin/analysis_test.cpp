@@ -229,7 +229,7 @@ TEST(Analysis, AnImageOfALineIsNamed)
 {
   const double fs   = 2000;
   Eigen::VectorXd x = synthetic::white(5, 40000, fs, 0.002);
-  for (Eigen::Index k = 0; k < x.size(); ++k)  // a line that is no sinus: its second harmonic is 1262.6 Hz
+  for (Eigen::Index k = 0; k < x.size(); ++k)  // a line that is not a sine: its second harmonic is 1262.6 Hz
     x[k] += std::cos(2 * M_PI * 631.3 * double(k) / fs) + 0.1 * std::cos(2 * M_PI * 1262.6 * double(k) / fs);
   RawRecord raw;
   raw.file = "r.csv";

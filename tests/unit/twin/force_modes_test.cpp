@@ -124,12 +124,12 @@ TEST(ForceModes, TheEdgeOfTheForceIsNoMode)
   EXPECT_GE(confirmed, 2) << "of three below 300 Hz";
 }
 
-TEST(ForceModes, ADelayOfTheOtherClockIsTold)
+TEST(ForceModes, ADelayOfTheOtherClockIsIdentified)
 {
   const auto chain = chain_of_reference();
   Record late      = record(chain, 57, 0.002);
   const auto none  = force_delay(modes_of(late).modes, 2);
-  EXPECT_TRUE(none.told);
+  EXPECT_TRUE(none.identified);
   EXPECT_LT(std::abs(none.seconds), std::max(4 * none.deviation, 2e-5));
   constexpr Eigen::Index samples = 7;
   late.force.value = late.force.value.tail(late.force.value.size() - samples).eval();  // the force comes early
@@ -140,7 +140,7 @@ TEST(ForceModes, ADelayOfTheOtherClockIsTold)
   }
   ForcedModes found      = modes_of(late);
   const ForceDelay delay = force_delay(found.modes, 2);
-  EXPECT_TRUE(delay.told);
+  EXPECT_TRUE(delay.identified);
   EXPECT_TRUE(near(delay.seconds, samples / rate,
                    within_absolute(std::max(4 * delay.deviation, 2e-5),
                                    "four deviations; at least the least delay that is reported, 20 us")));
@@ -149,7 +149,7 @@ TEST(ForceModes, ADelayOfTheOtherClockIsTold)
   align(found.response, delay.seconds);
   const auto k = Eigen::Index(std::lround(chain.frequency[5] / found.response.resolution()));
   EXPECT_LT(std::abs(std::abs(std::arg(found.response.H(k, 2))) - M_PI / 2), 0.25);
-  EXPECT_FALSE(force_delay({}, 2).told);
+  EXPECT_FALSE(force_delay({}, 2).identified);
 }
 
 TEST(ForceModes, NothingFollowsAForceOfAnotherMill)

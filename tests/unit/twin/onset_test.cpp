@@ -155,16 +155,16 @@ TEST(Onset, ASteadyToneIsNoInstability)
     }
 }
 
-// What is near instability is told as before: no line of it is taken for a tone.
+// A mode near instability is reported as before: its line is not taken for a tone.
 TEST(Onset, AModeNearInstabilityIsNoTone)
 {
   for (const double sigma : {-0.02, -0.05, -0.1, -0.2, -0.3}) {
-    int told = 0;
+    int n_near = 0;
     for (std::uint64_t seed = 1; seed <= 20; ++seed) {
       const GrowthRate growth = growth_of_values(noisy_mode(seed, sigma));
-      told += growth.near_instability();
+      n_near += growth.near_instability();
     }
-    EXPECT_GE(told, 19) << "sigma " << sigma;
+    EXPECT_GE(n_near, 19) << "sigma " << sigma;
   }
   for (const double sigma : {0.02, 0.1}) {
     Eigen::VectorXcd growing = steady_tone(1, 2) + 0.1 * noisy_mode(3, -3);

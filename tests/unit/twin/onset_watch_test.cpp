@@ -18,28 +18,28 @@ Eigen::VectorXd run_into_chatter(const std::uint64_t seed, const Eigen::Index n)
   return synthetic::onset(seed, n, rate, band, 0.05, 0.002, sigma).signal;
 }
 
-struct Told {
+struct Watched {
   std::vector<double> time, level, growth;
   std::vector<Alarm> alarms;
 };
 
-Told streamed(const Eigen::MatrixXd &x, const Eigen::Index column, const Eigen::Index block)
+Watched streamed(const Eigen::MatrixXd &x, const Eigen::Index column, const Eigen::Index block)
 {
   RunningEnvelopes envelopes(rate, x.cols(), Eigen::Vector2d(60, band));
   AlarmSettings rule;
   rule.limit = 2;
   OnsetWatch watch(band, envelopes.rate(), rule);
-  Told told;
+  Watched watched;
   for (Eigen::Index at = 0; at < x.rows(); at += block)
     envelopes.take(at, x.middleRows(at, std::min(block, x.rows() - at)),
                    [&](const double time, const Eigen::MatrixXcd &z) {
                      if (const auto alarm = watch.take(time, z(1, column)))
-                       told.alarms.push_back(*alarm);
-                     told.time.push_back(time);
-                     told.level.push_back(watch.level());
+                       watched.alarms.push_back(*alarm);
+                     watched.time.push_back(time);
+                     watched.level.push_back(watch.level());
                    });
-  told.growth.push_back(watch.growth().sigma);
-  return told;
+  watched.growth.push_back(watch.growth().sigma);
+  return watched;
 }
 }  // namespace
 
@@ -55,22 +55,22 @@ TEST(OnsetWatch, SameAsTheWholeRecord)
     const auto found = alarms(whole, rule);
     ASSERT_FALSE(found.empty());
     for (const Eigen::Index block : {Eigen::Index(1), Eigen::Index(333), n}) {
-      const Told told = streamed(x, column, block);
-      ASSERT_EQ(Eigen::Index(told.level.size()), whole.z[0].size());
-      for (std::size_t k = 0; k < told.level.size(); ++k)
+      const Watched watched = streamed(x, column, block);
+      ASSERT_EQ(Eigen::Index(watched.level.size()), whole.z[0].size());
+      for (std::size_t k = 0; k < watched.level.size(); ++k)
         ASSERT_TRUE(
-            near(told.level[k], std::abs(whole.z[0][Eigen::Index(k)]), within(1e-11, "sums in another order")));
-      EXPECT_TRUE(near(told.time.back(), whole.start[0] + double(told.level.size() - 1) / 50,
+            near(watched.level[k], std::abs(whole.z[0][Eigen::Index(k)]), within(1e-11, "sums in another order")));
+      EXPECT_TRUE(near(watched.time.back(), whole.start[0] + double(watched.level.size() - 1) / 50,
                        within_absolute(1e-9, "sample number over the rate, rounding")));
-      ASSERT_EQ(told.alarms.size(), found.size());
-      EXPECT_TRUE(near(told.alarms[0].time, found[0].time,
+      ASSERT_EQ(watched.alarms.size(), found.size());
+      EXPECT_TRUE(near(watched.alarms[0].time, found[0].time,
                        within_absolute(1e-9, "sample number over the rate, rounding")));
       EXPECT_TRUE(
-          near(told.alarms[0].baseline, found[0].baseline, within_absolute(1e-12, "sums in another order")));
-      EXPECT_TRUE(near(told.alarms[0].to_limit, found[0].to_limit,
+          near(watched.alarms[0].baseline, found[0].baseline, within_absolute(1e-12, "sums in another order")));
+      EXPECT_TRUE(near(watched.alarms[0].to_limit, found[0].to_limit,
                        within_absolute(1e-9, "sums in another order, divided by the growth rate")));
       EXPECT_TRUE(
-          near(told.growth[0], growth_rate(whole).sigma,
+          near(watched.growth[0], growth_rate(whole).sigma,
                within_absolute(1e-9, "sums in another order; the record is shorter than the 60 s that are kept")));
     }
   }

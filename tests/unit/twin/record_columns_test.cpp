@@ -13,7 +13,7 @@ using namespace mill::twin;
 namespace {
 constexpr int n = 3000;
 
-// A vibration that is no ramp, of four digits.
+// A vibration that is not a ramp, of four digits.
 double swing(const int i)
 {
   return 0.01 * ((37 * i) % 101 - 50);

@@ -12,7 +12,7 @@ using namespace mill::twin;
 namespace {
 constexpr double rate = 2000;  // Hz
 
-// The same band-limited noise, later by a time that is no multiple of the step: phases of its lines turned.
+// The same band-limited noise, later by a time that is not a multiple of the step: phases of its lines turned.
 Eigen::VectorXd delayed(const Eigen::VectorXd &x, const double tau)
 {
   Eigen::FFT<double> fft;

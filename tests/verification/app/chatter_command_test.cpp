@@ -106,7 +106,7 @@ TEST(ChatterCommand, TheResolvedCaseGivesTheSameResults)
   EXPECT_EQ(results_of("first").at("values"), results_of("again").at("values"));
 }
 
-// A range without a crossing says so, with the margin, and is no failure.
+// A range without a crossing says so, with the margin, and is not a failure.
 TEST(ChatterCommand, AStableRangeHasNoCriticalSpeedButAMargin)
 {
   const auto outcome = chatter(condition_2(), "stable", R"(--set 'analysis.speeds=["8 m/s", "15 m/s"]')");

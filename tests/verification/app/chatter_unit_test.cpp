@@ -283,8 +283,8 @@ TEST(ChatterUnit, AMotionThatCannotGoOnEndsTheRunWithAReason)
   ASSERT_EQ(begin(client), 0) << client.logged();
   client.set("dh_entry", 1e-2);  // strip that no roll of this mill can take
   EXPECT_EQ(client.step(0, 0.01), fmi2Error);
-  const std::string told = client.logged();
-  EXPECT_EQ(told.find("fmi2DoStep: at "), 0u) << told;
+  const std::string logged = client.logged();
+  EXPECT_EQ(logged.find("fmi2DoStep: at "), 0u) << logged;
   EXPECT_EQ(client.step(0.01, 1e-3), fmi2Error);
   EXPECT_EQ(client.logged(), "fmi2DoStep is not allowed after a failure\n");
   ASSERT_EQ(FMI2(client, Reset)(client.c), fmi2OK);

@@ -320,8 +320,8 @@ TEST_F(LivePage, NothingIsCutAtAnySizeOrTheme)
   EXPECT_TRUE(browser->wait_for("return document.getElementById('alarm-banner').hidden"));
 }
 
-// A narrow band swings above twice its calm level by itself: one event of it is no louder mill; at the limit of an
-// alarm one is enough.
+// A narrow band swings above twice its calm level by itself: one event of it is not a louder mill; at the limit of
+// an alarm one is enough.
 TEST_F(LivePage, OneFluctuationOfABandIsNotLouder)
 {
   live::PageChatter swing;

@@ -132,12 +132,12 @@ TEST_F(LiveBrowser, CommandsOfThePageReachTheProgram)
       << text("alarm-text");
   browser->type("a");
   EXPECT_TRUE(browser->wait_for("return document.getElementById('alarm-banner').hidden"));
-  // Another reader is told that it was seen.
+  // Another reader receives that it was seen.
   RawClient other(program->port());
   other.send(get_request(program->port(), "/events?token=" + program->token()));
-  const std::string told = other.until("\"acknowledged\":true");
-  EXPECT_NE(told.find("400 samples before"), std::string::npos);
-  EXPECT_NE(told.find("\"acknowledged\":true"), std::string::npos);
+  const std::string received = other.until("\"acknowledged\":true");
+  EXPECT_NE(received.find("400 samples before"), std::string::npos);
+  EXPECT_NE(received.find("\"acknowledged\":true"), std::string::npos);
 
   browser->run(
       "document.querySelector('[data-tab=advice]').click(); document.getElementById('ask-advice').click()");
@@ -253,11 +253,11 @@ TEST(LiveBrowserMasses, MoveByTheSpringsAtTheStatedScale)
   ASSERT_TRUE(
       browser.wait_for(at_rest + " && document.getElementById('fact-time').textContent !== '" + before + "'", 10));
   // Two springs in series on either side hold the backup rolls.
-  const auto told = nlohmann::json::parse(
+  const auto stand_data = nlohmann::json::parse(
       ask(program.port(), get_request(program.port(), "/stand", "X-Millstand-Token: " + program.token() + "\r\n"))
           .body);
   const auto K = [&](const std::size_t number) {
-    return told.at("springs").at(number - 1).at("value").get<double>();
+    return stand_data.at("springs").at(number - 1).at("value").get<double>();
   };
   const double left = rise * std::exp(-2.0), up = left * (1 / K(1) + 1 / K(2)),
                down        = left * (1 / K(6) + 1 / K(7));

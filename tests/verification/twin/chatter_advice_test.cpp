@@ -307,7 +307,7 @@ TEST(ChatterAdvice, SpreadOfAChangeIsWhatItsNumbersDo)
   const Tolerance differences = within(5e-3, "differences of a twentieth of each doubt");
   EXPECT_TRUE(near(advice.spread, std::sqrt(of_speed), differences));
   EXPECT_TRUE(near(action(advice, names[0]).spread, std::sqrt(of_oil), differences));
-  // 6.4 and 2.7 %: told apart by these doubts if their difference is above its own deviation.
+  // 6.4 and 2.7 %: distinguishable within these doubts if their difference is above its own deviation.
   const double apart = action(advice, names[0]).change - action(advice, names[1]).change;
   const bool said    = !action(advice, names[1]).remarks.empty();
   EXPECT_EQ(said, apart < std::sqrt(of_both)) << apart << " " << std::sqrt(of_both);

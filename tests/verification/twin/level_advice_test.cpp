@@ -287,7 +287,8 @@ TEST(LevelAdvice, PairsAreRecomputed)
     ++n;
     EXPECT_GT(std::abs(pair.change - pair.apart), 1e-3) << pair.name << " is not its parts one after the other";
     const bool tuned = pair.name.find("tuned") != std::string::npos;
-    // A second damper on the same mode finds less to take than alone, and a retuned mass is no worse than either.
+    // A second damper on the same mode finds less to take than alone, and a retuned mass is at least as good as
+    // either.
     EXPECT_GT(pair.change, pair.apart) << pair.name;
     if (tuned)
       EXPECT_LT(pair.change, advice.tuned.front().change) << pair.name;

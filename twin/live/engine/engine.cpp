@@ -192,10 +192,10 @@ void Engine::take_block(const SourceBlock &block)
 // the twin.
 void Engine::tell_repetition(const SourceBlock &block)
 {
-  const auto minute = std::llround(60 * source_->rate);
-  const bool told   = repeated_ > minute;
+  const auto minute           = std::llround(60 * source_->rate);
+  const bool already_reported = repeated_ > minute;
   repeated_ += block.value.rows();
-  if (!told && repeated_ > minute)
+  if (!already_reported && repeated_ > minute)
     say("clock",
         fmt::format(
             "a minute of samples that were taken already has come again, up to s = {} where {} is the next: "
