@@ -14,8 +14,8 @@ constexpr double largest_in_cell = 1e15;  ///< nothing a mill records reaches th
 /// Without blanks, tabs and carriage returns at both ends.
 std::string_view without_blanks(std::string_view text);
 
-/// A cell with its place; the column counts characters.  Its text stays where it is in the file: a record of 100 s
-/// has millions of cells.
+/// A cell with its place; the column is a number of characters.  Its text stays where it is in the file: a record
+/// of 100 s has millions of cells.
 struct Cell {
   std::string_view text;
   int line, column;

@@ -24,7 +24,7 @@ struct Unit {
 /// The closed list of units.
 const std::vector<Unit> &all_units();
 
-/// Unit of a spelling: "N.s/m", "N*s/m" and "N s/m" are one, the micro sign counts as u.  nullptr when unknown.
+/// Unit of a spelling: "N.s/m", "N*s/m" and "N s/m" are one, the micro sign is read as u.  nullptr when unknown.
 const Unit *find_unit(std::string_view spelling);
 
 /// Unit named in this program's own tables; an unknown one is our bug and is caught by an assertion.

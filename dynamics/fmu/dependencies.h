@@ -14,7 +14,7 @@ public:
   std::vector<unsigned> at_communication(const Variable &output) const;
   /// Knowns that decide an output or a calculated parameter in initialization.
   std::vector<unsigned> at_start(const Variable &unknown) const;
-  /// Those of a list that are inputs: FMI 2 counts no others at communication points.
+  /// Those of a list that are inputs: FMI 2 knows only these at communication points.
   std::vector<unsigned> inputs_of(const std::vector<unsigned> &knowns) const;
 
 private:

@@ -41,7 +41,7 @@ Shape shape_of_channel(const Eigen::VectorXd &all)
   return shape;
 }
 
-// The step that nearly all neighbours have, 0: none.  `others` counts the steps that differ.
+// The step that nearly all neighbours have, 0: none.  `others` is the number of steps that differ.
 double common_step(const Shape &shape, Eigen::Index &others)
 {
   std::vector<double> steps;

@@ -167,7 +167,7 @@ std::string curves_drawing(const Table &table, const Axis &x, const Axis &y, con
   return svg_plot(plot);
 }
 
-// Figures and tunings are those of the six masses, also where a detailed model counts.
+// Figures and tunings are those of the six masses, also where a detailed model decides.
 std::string of_six_masses(const json &document)
 {
   return has_other_models(document)

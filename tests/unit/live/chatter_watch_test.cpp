@@ -130,7 +130,7 @@ Announced watched(Comparison &comparison, const ChatterRun &record)
     LiveBlock block;
     block.first     = at;
     block.rate      = rate;
-    block.settling  = true;  // no model of the levels here: only what is measured counts
+    block.settling  = true;  // no model of the levels here: only what is measured decides
     block.force     = Eigen::VectorXd::Zero(100);
     block.measured  = record.measured.middleRows(at, 100);
     block.simulated = Eigen::MatrixXd::Zero(100, 2);

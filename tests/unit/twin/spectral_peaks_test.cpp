@@ -128,8 +128,8 @@ TEST(SpectralPeaks, AToneIsFoundInEveryRecord)
   EXPECT_EQ(others, 0);
 }
 
-// The threshold counts bins: in 100 channels of noise a tenth of a false line is expected, and the same tone is
-// found above it.
+// The threshold depends on the number of bins: in 100 channels of noise a tenth of a false line is expected, and
+// the same tone is found above it.
 TEST(SpectralPeaks, NoiseAloneHasNoCandidate)
 {
   int candidates = 0;

@@ -1,4 +1,4 @@
-// Time of a unit through its C interface, in processor time, so that a busy machine counts the same.
+// Time of a unit through its C interface, in processor time, so that a busy machine gives the same.
 #include "tests/support/unit_client.h"
 #include <cmath>
 #include <ctime>

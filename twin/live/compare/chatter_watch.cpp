@@ -72,7 +72,7 @@ std::optional<PageChatter> ChatterWatch::take(const LiveBlock &block, const doub
   for (Eigen::Index done = 0; done < rows;) {
     const std::int64_t at = block.first + done, this_second = at / per_second;
     const auto end = std::min<Eigen::Index>(rows, done + Eigen::Index((this_second + 1) * per_second - at));
-    if (second >= 0 && this_second != second) {  // after a gap the rest of a second counts as one
+    if (second >= 0 && this_second != second) {  // after a gap the rest of a second is taken as one
       row = close_second(block.start_time + double(at) / double(per_second), growth, book);
     }
     second = this_second;

@@ -13,7 +13,7 @@
 namespace mill::live {
 /// Lines of ten seconds, and when that was.
 struct ModeBlock {
-  std::int64_t number = 0;           ///< counts the blocks
+  std::int64_t number = 0;           ///< of the block, from the first
   double utc          = 0;           ///< s since 1970, of its end
   double load         = 0;           ///< N, mean force
   twin::BlockSpectra spectra;        ///< up to 1.3 times the highest mode

@@ -16,7 +16,7 @@ bool is_display(const std::string &event)
   return others.count(event) == 0;
 }
 
-// Of these every event counts, not the latest alone.
+// Of these every event is sent, not the latest alone.
 bool is_history(const std::string &event)
 {
   return event == event_names::alarm || event == event_names::proposal;

@@ -11,7 +11,7 @@ struct ClockReading {
   double utc    = 0;  ///< s since 1970, may be set
 };
 
-/// When a source counts as one whose rate or clock is wrong.
+/// When the rate or the clock of a source is judged wrong.
 struct ArrivalRule {
   double window    = 20;    ///< s, that a rate is measured over, longer where blocks are long
   double tolerance = 0.02;  ///< -, of the stated rate
