@@ -46,9 +46,9 @@ struct Sheet {
   {
     return cells[row * header.size() + column];
   }
-  template <class CellOrHeader> Place place(const CellOrHeader &at) const
+  template <class CellOrHeader> Place place(const CellOrHeader &cell) const
   {
-    return {file, at.line, at.column};
+    return {file, cell.line, cell.column};
   }
 };
 

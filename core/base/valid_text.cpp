@@ -53,11 +53,11 @@ bool is_utf8(const std::string_view text)
 {
   if (is_ascii(text))
     return true;
-  for (std::size_t at = 0; at < text.size();) {
-    const std::size_t n = character_length(text.substr(at, 4));
+  for (std::size_t position = 0; position < text.size();) {
+    const std::size_t n = character_length(text.substr(position, 4));
     if (n == 0)
       return false;
-    at += n;
+    position += n;
   }
   return true;
 }
@@ -110,10 +110,10 @@ std::string valid_file_text(std::string bytes, std::string &encoding)
     return bytes;
   encoding = "Windows-1252";
   std::string text;
-  for (std::size_t at = 0; at < bytes.size();) {
-    const std::size_t end = std::min(bytes.find('\n', at), bytes.size() - 1) + 1;
-    text += valid_text(std::string_view(bytes).substr(at, end - at));
-    at = end;
+  for (std::size_t position = 0; position < bytes.size();) {
+    const std::size_t end = std::min(bytes.find('\n', position), bytes.size() - 1) + 1;
+    text += valid_text(std::string_view(bytes).substr(position, end - position));
+    position = end;
   }
   return text;
 }

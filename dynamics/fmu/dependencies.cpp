@@ -121,12 +121,12 @@ bool Dependencies::feels_force(const Variable &acceleration) const
   const std::size_t j = std::size_t(acceleration.index);
   if (model_.kind == "chain")
     return model_.bite_row[j] != 0;
-  const bool chatter            = model_.kind == "chatter";
-  const std::vector<double> &at = chatter ? model_.chatter.point : model_.shape;
-  const std::vector<double> &b  = chatter ? model_.chatter.force_row : model_.bite_mode;
+  const bool chatter               = model_.kind == "chatter";
+  const std::vector<double> &point = chatter ? model_.chatter.point : model_.shape;
+  const std::vector<double> &b     = chatter ? model_.chatter.force_row : model_.bite_mode;
   Sum sum;
   for (std::size_t k = 0; k < b.size(); ++k)
-    sum.add(at[j * b.size() + k] * b[k]);
+    sum.add(point[j * b.size() + k] * b[k]);
   return !sum.is_zero();
 }
 

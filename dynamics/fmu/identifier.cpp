@@ -48,13 +48,13 @@ const char *letters_of(const std::uint32_t point)
 }
 
 // The code point of two bytes of UTF-8, which all tables lie in; 0 for any other byte.
-std::uint32_t two_byte_point(const std::string &name, const std::size_t at)
+std::uint32_t two_byte_point(const std::string &name, const std::size_t position)
 {
   const auto byte = [&](const std::size_t i) {
     return i < name.size() ? static_cast<unsigned char>(name[i]) : 0u;
   };
-  return (byte(at) & 0xE0) == 0xC0 && (byte(at + 1) & 0xC0) == 0x80
-             ? (byte(at) & 0x1F) << 6 | (byte(at + 1) & 0x3F)
+  return (byte(position) & 0xE0) == 0xC0 && (byte(position + 1) & 0xC0) == 0x80
+             ? (byte(position) & 0x1F) << 6 | (byte(position + 1) & 0x3F)
              : 0;
 }
 

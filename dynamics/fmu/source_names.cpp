@@ -15,10 +15,12 @@ std::set<std::string> exported_names(const std::string &version)
     if (std::string(file.name) != begin + "_interface.h")
       continue;
     const std::string text = file.bytes();
-    for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at + 1)) {
-      const std::size_t bracket = text.find('(', at);
+    for (std::size_t position = text.find(mark); position != std::string::npos;
+         position             = text.find(mark, position + 1)) {
+      const std::size_t bracket = text.find('(', position);
       std::size_t first         = bracket;
-      while (first > at && (std::isalnum(static_cast<unsigned char>(text[first - 1])) || text[first - 1] == '_'))
+      while (first > position &&
+             (std::isalnum(static_cast<unsigned char>(text[first - 1])) || text[first - 1] == '_'))
         --first;
       names.insert(text.substr(first, bracket - first));
     }

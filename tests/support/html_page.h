@@ -15,7 +15,8 @@ inline bool says(const std::string &text, const std::string &what)
 inline int count(const std::string &text, const std::string &what)
 {
   int n = 0;
-  for (std::size_t at = text.find(what); at != std::string::npos; at = text.find(what, at + what.size()))
+  for (std::size_t position = text.find(what); position != std::string::npos;
+       position             = text.find(what, position + what.size()))
     ++n;
   return n;
 }
@@ -25,9 +26,10 @@ inline std::vector<std::string> elements(const std::string &html, const std::str
 {
   std::vector<std::string> found;
   const std::string open = "<" + name, close = "</" + name.substr(0, name.find(' ')) + ">";
-  for (std::size_t at = html.find(open); at != std::string::npos; at = html.find(open, at + 1)) {
-    const std::size_t end = html.find(close, at);
-    found.push_back(html.substr(at, end - at));
+  for (std::size_t position = html.find(open); position != std::string::npos;
+       position             = html.find(open, position + 1)) {
+    const std::size_t end = html.find(close, position);
+    found.push_back(html.substr(position, end - position));
   }
   return found;
 }
@@ -44,8 +46,9 @@ inline std::string without_scripts(std::string html)
 inline std::string unbalanced(const std::string &html)
 {
   std::vector<std::string> open;
-  for (std::size_t at = html.find('<'); at != std::string::npos; at = html.find('<', at + 1)) {
-    const std::string tag  = html.substr(at + 1, html.find('>', at) - at - 1);
+  for (std::size_t position = html.find('<'); position != std::string::npos;
+       position             = html.find('<', position + 1)) {
+    const std::string tag  = html.substr(position + 1, html.find('>', position) - position - 1);
     const bool closing     = tag[0] == '/';
     const std::string name = tag.substr(closing, tag.find_first_of(" />", closing) - closing);
     if (tag.back() == '/' || tag[0] == '!')

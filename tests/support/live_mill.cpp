@@ -160,9 +160,9 @@ void LiveMill::advance(const double seconds)
 {
   Eigen::VectorXd extended(14);
   for (auto n = std::int64_t(std::llround(seconds * rate)); n > 0; --n) {
-    const auto at = std::size_t(s_ % second), next = std::size_t((s_ + 1) % second);
+    const auto index = std::size_t(s_ % second), next = std::size_t((s_ + 1) % second);
     for (Model *model : {&twin_, &mill_}) {
-      extended << model->state, force_[at], force_[next] - force_[at];
+      extended << model->state, force_[index], force_[next] - force_[index];
       model->state = (model->step * extended).head(12);
     }
     ++s_;

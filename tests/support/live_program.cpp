@@ -115,6 +115,6 @@ std::string LiveProgram::printed() const
 long LiveProgram::counter(const std::string &name) const
 {
   const std::string text = ask(port_, get_request(port_, "/metrics")).body;
-  const auto at          = text.find("\nmillstand_" + name + " ");
-  return at == std::string::npos ? -1 : std::atol(text.c_str() + text.find(' ', at + 1) + 1);
+  const auto position    = text.find("\nmillstand_" + name + " ");
+  return position == std::string::npos ? -1 : std::atol(text.c_str() + text.find(' ', position + 1) + 1);
 }

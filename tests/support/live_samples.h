@@ -23,9 +23,9 @@ public:
   /// Force in N, in blocks; NaN: null.
   void send(const Eigen::VectorXd &force, const Eigen::Index length, std::int64_t first = 0)
   {
-    for (Eigen::Index at = 0; at < force.size(); at += length) {
-      const Eigen::Index n = std::min(length, force.size() - at);
-      engine_->take(mill::live::SourceBlock{first + at, force.segment(at, n)});
+    for (Eigen::Index begin = 0; begin < force.size(); begin += length) {
+      const Eigen::Index n = std::min(length, force.size() - begin);
+      engine_->take(mill::live::SourceBlock{first + begin, force.segment(begin, n)});
     }
     engine_->flush();
   }

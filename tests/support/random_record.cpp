@@ -182,9 +182,10 @@ Record make(const std::uint64_t seed, const Wish &wish)
   }
   if (content.impacts > 0) {
     const double size = draw.logarithmic(2, 30), damping = draw.uniform(0.02, 0.05), w = 2 * M_PI * content.ring;
-    for (double at = 0.1; at < T - 0.1; at += (1 + 0.01 * draw.normal()) / content.impacts)
-      for (auto k = Eigen::Index(std::ceil(at * rate)); k < std::min(n, Eigen::Index((at + 0.02) * rate)); ++k) {
-        const double s = double(k) / rate - at;
+    for (double time = 0.1; time < T - 0.1; time += (1 + 0.01 * draw.normal()) / content.impacts)
+      for (auto k = Eigen::Index(std::ceil(time * rate)); k < std::min(n, Eigen::Index((time + 0.02) * rate));
+           ++k) {
+        const double s = double(k) / rate - time;
         x[0][k] += size * std::exp(-damping * w * s) * std::sin(w * s);
       }
   }

@@ -124,9 +124,9 @@ HttpAnswer ask(RawClient &client, const std::string &request, const double secon
   client.send(request);
   std::string text      = client.until("\r\n\r\n", seconds);
   const std::string key = "Content-Length:";
-  const auto at         = text.find(key);
-  if (at != std::string::npos)
-    text += client.exactly(std::size_t(std::atol(text.c_str() + at + key.size())), seconds);
+  const auto position   = text.find(key);
+  if (position != std::string::npos)
+    text += client.exactly(std::size_t(std::atol(text.c_str() + position + key.size())), seconds);
   return taken_apart(text);
 }
 

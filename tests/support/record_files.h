@@ -54,9 +54,9 @@ inline std::string mat_structure(const std::string &name,
 inline std::string stored_blocks(const std::string &data)
 {
   std::string blocks;
-  for (std::size_t at = 0;; at += 65535) {
-    const std::string part = data.substr(at, 65535);
-    const bool last        = at + 65535 >= data.size();
+  for (std::size_t position = 0;; position += 65535) {
+    const std::string part = data.substr(position, 65535);
+    const bool last        = position + 65535 >= data.size();
     blocks += char(last) + little(part.size(), 2) + little(~part.size() & 0xFFFF, 2) + part;
     if (last)
       return blocks;

@@ -124,11 +124,11 @@ void write_roller(const fs::path &stem)
   VectorXd z(along * across), x(along * across), p(along * across);
   for (int k = 0; k < along; ++k)
     for (int i = 0; i < across; ++i) {
-      const int at      = k * across + i;
-      z[at]             = -0.0167 + 0.0334 * k / (along - 1);
-      x[at]             = 3.6e-4 * (2.0 * i / (across - 1) - 1);
-      const double half = 3e-4 * std::sqrt(std::max(0.0, 1 - std::pow(z[at] / 0.0167, 8)));
-      p[at]             = half > 0 ? 1.7e9 * std::sqrt(std::max(0.0, 1 - std::pow(x[at] / half, 2))) : 0;
+      const int index   = k * across + i;
+      z[index]          = -0.0167 + 0.0334 * k / (along - 1);
+      x[index]          = 3.6e-4 * (2.0 * i / (across - 1) - 1);
+      const double half = 3e-4 * std::sqrt(std::max(0.0, 1 - std::pow(z[index] / 0.0167, 8)));
+      p[index]          = half > 0 ? 1.7e9 * std::sqrt(std::max(0.0, 1 - std::pow(x[index] / half, 2))) : 0;
     }
   for (const char *raceway : {"inner", "outer"})
     write_csv(stem.string() + "-pressure-" + raceway + ".csv",

@@ -70,9 +70,9 @@ Browser::Browser()
   for (const double end = steady_seconds() + 20; port_ == 0 && steady_seconds() < end; wait_a_little()) {
     std::ifstream in(log);
     const std::string text{std::istreambuf_iterator<char>(in), {}};
-    const auto at = text.find(mark);
-    if (at != std::string::npos && text.find('.', at) != std::string::npos)
-      port_ = std::atoi(text.c_str() + at + mark.size());
+    const auto position = text.find(mark);
+    if (position != std::string::npos && text.find('.', position) != std::string::npos)
+      port_ = std::atoi(text.c_str() + position + mark.size());
   }
   if (port_ == 0)
     throw std::runtime_error("chromedriver has not said its port");
@@ -171,13 +171,13 @@ bool Browser::wait_for(const std::string &script, const double seconds)
 void Browser::type(const std::string &keys)
 {
   json steps = json::array();
-  for (std::size_t at = 0; at < keys.size();) {  // one key for each code point of UTF-8
+  for (std::size_t position = 0; position < keys.size();) {  // one key for each code point of UTF-8
     std::size_t n = 1;
-    while (at + n < keys.size() && (static_cast<unsigned char>(keys[at + n]) & 0xC0) == 0x80)
+    while (position + n < keys.size() && (static_cast<unsigned char>(keys[position + n]) & 0xC0) == 0x80)
       ++n;
     for (const char *step : {"keyDown", "keyUp"})
-      steps.push_back({{"type", step}, {"value", keys.substr(at, n)}});
-    at += n;
+      steps.push_back({{"type", step}, {"value", keys.substr(position, n)}});
+    position += n;
   }
   session("POST", "/actions",
           {{"actions", json::array({{{"type", "key"}, {"id", "keyboard"}, {"actions", steps}}})}});

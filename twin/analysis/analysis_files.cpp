@@ -14,14 +14,15 @@ using nlohmann::ordered_json;
 
 constexpr Eigen::Index most_rows_of_map = 250, most_columns_of_map = 150;  // frequencies, frames
 
-Parameter measured(const double value, const std::string &unit, const std::string &at, const std::string &method)
+Parameter measured(const double value, const std::string &unit, const std::string &operating_point,
+                   const std::string &method)
 {
   Parameter parameter;
   parameter.value  = value;
   parameter.unit   = unit;
   parameter.source = Source::measured;
   parameter.method = method;
-  parameter.at     = at;
+  parameter.at     = operating_point;
   return parameter;
 }
 
@@ -33,14 +34,14 @@ double scatter_of_rms(const WelchSpectrum &s, const double duration)
 }
 
 // The change of the rms velocity against an earlier record, and the levels in the bands.
-void add_levels(Results &results, const ChannelAnalysis &seen, const std::string &at, const double scatter,
-                const AnalysisSettings &settings)
+void add_levels(Results &results, const ChannelAnalysis &seen, const std::string &operating_point,
+                const double scatter, const AnalysisSettings &settings)
 {
   for (std::size_t i = 0; i < seen.band_rms.size() && i < settings.bands.size(); ++i)
     if (const ChatterBand &band = settings.bands[i];
         std::isfinite(seen.band_rms[i]) && is_vibration(seen.quantity)) {
       Parameter level =
-          measured(seen.band_rms[i], seen.unit, at,
+          measured(seen.band_rms[i], seen.unit, operating_point,
                    fmt::format("root of the area under the density, {:g} to {:g} Hz", band.low, band.high));
       level.error_lacks = {"a narrow band is one mode or two, and moves more than the whole level"};
       results.add(seen.name + "." + band.name + "_rms", level);
@@ -50,7 +51,7 @@ void add_levels(Results &results, const ChannelAnalysis &seen, const std::string
   const auto before = settings.baseline->velocity_rms.find(seen.name);
   if (before == settings.baseline->velocity_rms.end() || !(before->second > 0))
     return;
-  Parameter change      = measured(seen.velocity_rms / before->second, "1", at,
+  Parameter change      = measured(seen.velocity_rms / before->second, "1", operating_point,
                                    "rms velocity over that of the baseline " + settings.baseline->record);
   change.error_estimate = std::sqrt(2.0) * scatter;
   results.add(seen.name + ".velocity_rms_ratio", change);
@@ -59,9 +60,9 @@ void add_levels(Results &results, const ChannelAnalysis &seen, const std::string
 void add_values(Results &results, const ChannelAnalysis &seen, const CleanChannel &channel,
                 const CleanRecord &record, const AnalysisSettings &settings)
 {
-  const double used    = double(channel.n_used()) / record.rate;
-  const std::string at = fmt::format("{:.4g} s of the record", used);
-  Parameter rms        = measured(seen.rms, seen.unit, at, "samples, offset and drift taken off");
+  const double used                 = double(channel.n_used()) / record.rate;
+  const std::string operating_point = fmt::format("{:.4g} s of the record", used);
+  Parameter rms = measured(seen.rms, seen.unit, operating_point, "samples, offset and drift taken off");
   if (seen.spectrum.n > 0) {
     rms.error_estimate = scatter_of_rms(seen.spectrum, used);
     rms.checks.push_back({"root of the area under the density",
@@ -70,26 +71,28 @@ void add_values(Results &results, const ChannelAnalysis &seen, const CleanChanne
   }
   results.add(seen.name + ".rms", rms);
   Parameter peak =
-      measured(seen.peak, seen.unit, at,
+      measured(seen.peak, seen.unit, operating_point,
                channel.clipped > 0 ? "largest sample: a lower bound, since it is clipped" : "largest sample");
   peak.error_lacks = {"one record has one largest sample"};
   results.add(seen.name + ".peak", peak);
-  Parameter crest   = measured(seen.crest, "1", at, "peak over rms");
+  Parameter crest   = measured(seen.crest, "1", operating_point, "peak over rms");
   crest.error_lacks = peak.error_lacks;
   results.add(seen.name + ".crest", crest);
-  Parameter drift   = measured(channel.drift, seen.unit + "/s", at, "slope of the line through the channel");
+  Parameter drift =
+      measured(channel.drift, seen.unit + "/s", operating_point, "slope of the line through the channel");
   drift.error_lacks = {"what moves the offset of a sensor"};
   results.add(seen.name + ".drift", drift);
-  Parameter clipped      = measured(channel.clipped_share, "1", at, "share of the samples at a clip level");
+  Parameter clipped =
+      measured(channel.clipped_share, "1", operating_point, "share of the samples at a clip level");
   clipped.error_estimate = 0;
   results.add(seen.name + ".clipped", clipped);
   if (std::isfinite(seen.velocity_rms)) {
-    Parameter velocity      = measured(seen.velocity_rms, "m/s", at,
+    Parameter velocity      = measured(seen.velocity_rms, "m/s", operating_point,
                                        "density from 10 to 1000 Hz, divided by (2 pi f)^2 for an acceleration");
     velocity.error_estimate = rms.error_estimate;
     results.add(seen.name + ".velocity_rms", velocity);
   }
-  add_levels(results, seen, at, rms.error_estimate, settings);
+  add_levels(results, seen, operating_point, rms.error_estimate, settings);
 }
 
 ordered_json number(const double value)
@@ -198,10 +201,10 @@ Table waterfall_table(const Analysis &analysis)
       Eigen::VectorXd time(n), frequency(n), speed(n);
       for (Eigen::Index j = 0; j < small.cols(); ++j)
         for (Eigen::Index i = 0; i < small.rows(); ++i) {
-          const Eigen::Index at = j * small.rows() + i;
-          time[at]              = seen.map.time[j * bx];
-          frequency[at]         = double(i * by) * seen.map.rate / double(seen.map.L);
-          speed[at]             = seen.map.speed.size() > 0 ? seen.map.speed[j * bx] : 0;
+          const Eigen::Index index = j * small.rows() + i;
+          time[index]              = seen.map.time[j * bx];
+          frequency[index]         = double(i * by) * seen.map.rate / double(seen.map.L);
+          speed[index]             = seen.map.speed.size() > 0 ? seen.map.speed[j * bx] : 0;
         }
       table.add("time", "s", time).add("frequency", "Hz", frequency);
       if (seen.map.speed.size() > 0)

@@ -41,12 +41,12 @@ Eigen::VectorXd spline_on_grid(const Eigen::Ref<const Eigen::VectorXd> &x,
     const auto second = curvatures(bx, by);
     Eigen::Index i    = first - from;
     for (; next < n; ++next) {
-      const double at = x0 + step * double(next);
-      if (at > x[last] && last < m - 1)
+      const double target = x0 + step * double(next);
+      if (target > x[last] && last < m - 1)
         break;
-      while (i + 1 < last - from && at > bx[i + 1])
+      while (i + 1 < last - from && target > bx[i + 1])
         ++i;
-      const double h = bx[i + 1] - bx[i], a = (bx[i + 1] - at) / h, b = (at - bx[i]) / h;
+      const double h = bx[i + 1] - bx[i], a = (bx[i + 1] - target) / h, b = (target - bx[i]) / h;
       values[next] =
           a * by[i] + b * by[i + 1] +
           ((a * a * a - a) * second[std::size_t(i)] + (b * b * b - b) * second[std::size_t(i + 1)]) * h * h / 6;

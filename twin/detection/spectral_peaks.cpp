@@ -58,12 +58,12 @@ Peak line_peak(const WelchSpectrum &s, const Eigen::Index k, const double next_t
 // Bins of a line that stand out of what is next to it.
 void take_out(Eigen::VectorXd &density, const Peak &line, const double next_to)
 {
-  const double at    = line.frequency / line.resolution;
+  const double bin   = line.frequency / line.resolution;
   Eigen::Index reach = 2;
   while (reach < 64 && line.density * leakage(double(reach)) > 0.5 * next_to)
     ++reach;
-  const auto first = std::max<Eigen::Index>(1, Eigen::Index(std::ceil(at)) - reach),
-             last  = std::min(density.size() - 2, Eigen::Index(at) + reach);
+  const auto first = std::max<Eigen::Index>(1, Eigen::Index(std::ceil(bin)) - reach),
+             last  = std::min(density.size() - 2, Eigen::Index(bin) + reach);
   for (Eigen::Index i = first; i <= last; ++i)
     density[i] = std::min(density[i], next_to);
 }

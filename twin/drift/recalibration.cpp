@@ -35,22 +35,23 @@ Eigen::VectorXd start_of(const FittedStand &stand, const std::vector<Unknown> &u
   const auto p          = Eigen::Index(unknowns.size());
   Eigen::VectorXd theta = Eigen::VectorXd::Zero(p);
   for (int round = 0; round < 5; ++round) {
-    const StandAt at  = stand_at(stand, unknowns, theta);
-    Eigen::MatrixXd A = Eigen::MatrixXd::Zero(p, p);
-    Eigen::VectorXd b = Eigen::VectorXd::Zero(p);
+    const StandAt changed = stand_at(stand, unknowns, theta);
+    Eigen::MatrixXd A     = Eigen::MatrixXd::Zero(p, p);
+    Eigen::VectorXd b     = Eigen::VectorXd::Zero(p);
     for (Eigen::Index j = 0; j < p; ++j) {
       const double sd = unknowns[std::size_t(j)].prior_sd;
       A(j, j)         = 1 / (sd * sd);
       b[j]            = -theta[j] / (sd * sd);
     }
-    for (std::size_t i = 0; i < record.modes.size() && Eigen::Index(i) < at.frequency.size(); ++i) {
+    for (std::size_t i = 0; i < record.modes.size() && Eigen::Index(i) < changed.frequency.size(); ++i) {
       if (!record.modes[i].why_not.empty())
         continue;
-      const double w = at.frequency[Eigen::Index(i)], off = std::log(2 * M_PI * record.modes[i].frequency / w),
+      const double w      = changed.frequency[Eigen::Index(i)],
+                   off    = std::log(2 * M_PI * record.modes[i].frequency / w),
                    sd     = std::max(record.modes[i].sd, frequency_floor);
       Eigen::VectorXd row = Eigen::VectorXd::Zero(p);  // d ln w / d theta: half the strain share
       for (Eigen::Index j = 0; j < p; ++j)
-        if (const auto &K = at.stiffness[std::size_t(j)]; K.size())
+        if (const auto &K = changed.stiffness[std::size_t(j)]; K.size())
           row[j] = 0.5 * K(Eigen::Index(i), Eigen::Index(i)) / (w * w);
       A += row * row.transpose() / (sd * sd);
       b += row * (off / (sd * sd));

@@ -55,14 +55,15 @@ ColumnHead head_of(const std::string_view text)
 {
   const std::string all = trimmed_cell(valid_text(text));
   for (const auto &[open, close] : {std::pair('[', ']'), std::pair('(', ')')})
-    if (const auto at = all.rfind(open); at != std::string::npos && !all.empty() && all.back() == close)
-      return {trimmed_cell(std::string_view(all).substr(0, at)),
-              trimmed_cell(std::string_view(all).substr(at + 1, all.size() - at - 2))};
+    if (const auto position = all.rfind(open);
+        position != std::string::npos && !all.empty() && all.back() == close)
+      return {trimmed_cell(std::string_view(all).substr(0, position)),
+              trimmed_cell(std::string_view(all).substr(position + 1, all.size() - position - 2))};
   for (const std::string_view word : {" in ", " / "})
-    if (const auto at = all.rfind(word); at != std::string::npos) {
-      const std::string unit = trimmed_cell(std::string_view(all).substr(at + word.size()));
+    if (const auto position = all.rfind(word); position != std::string::npos) {
+      const std::string unit = trimmed_cell(std::string_view(all).substr(position + word.size()));
       if (unit_of_column(unit, "").known || seconds_per(unit) > 0)
-        return {trimmed_cell(std::string_view(all).substr(0, at)), unit};
+        return {trimmed_cell(std::string_view(all).substr(0, position)), unit};
     }
   return {all, ""};
 }

@@ -185,43 +185,43 @@ void split_cells(std::string_view line, const char separator, std::deque<std::st
     line = without_blanks(line);
   cells.clear();
   unquoted.clear();
-  std::size_t at = 0;
+  std::size_t position = 0;
   while (true) {
-    while (at < line.size() && line[at] == ' ')
-      ++at;
-    if (at < line.size() && line[at] == '"') {
+    while (position < line.size() && line[position] == ' ')
+      ++position;
+    if (position < line.size() && line[position] == '"') {
       std::string &text = unquoted.emplace_back();
-      for (++at; at < line.size(); ++at) {
-        if (line[at] != '"')
-          text += line[at];
-        else if (at + 1 < line.size() && line[at + 1] == '"')
-          text += line[++at];
+      for (++position; position < line.size(); ++position) {
+        if (line[position] != '"')
+          text += line[position];
+        else if (position + 1 < line.size() && line[position + 1] == '"')
+          text += line[++position];
         else
           break;
       }
-      at = std::min(line.find(separator, std::min(at, line.size())), line.size());
+      position = std::min(line.find(separator, std::min(position, line.size())), line.size());
       cells.push_back(without_blanks(text));
     } else {
-      const auto end = std::min(line.find(separator, at), line.size());
-      cells.push_back(without_blanks(line.substr(at, end - at)));
-      at = end;
+      const auto end = std::min(line.find(separator, position), line.size());
+      cells.push_back(without_blanks(line.substr(position, end - position)));
+      position = end;
     }
-    if (at >= line.size())
+    if (position >= line.size())
       return;
-    ++at;
+    ++position;
   }
 }
 
 int column_of(const std::string_view line, const std::string_view cell, const std::size_t index,
               const char separator)
 {
-  std::size_t at = 0;
+  std::size_t position = 0;
   if (cell.data() >= line.data() && cell.data() <= line.data() + line.size())
-    at = std::size_t(cell.data() - line.data());
+    position = std::size_t(cell.data() - line.data());
   else
-    for (std::size_t i = 0; i < index && at < line.size(); ++at)
-      i += line[at] == separator;
-  const auto before = line.substr(0, std::min(at, line.size()));
+    for (std::size_t i = 0; i < index && position < line.size(); ++position)
+      i += line[position] == separator;
+  const auto before = line.substr(0, std::min(position, line.size()));
   return 1 + int(std::count_if(before.begin(), before.end(), [](const char c) { return (c & 0xC0) != 0x80; }));
 }
 

@@ -88,18 +88,18 @@ void CsvRows::prepare_clock(const std::vector<std::string> &head)
   }
   time_column_ = layout_.columns[std::size_t(time_)].place;
   cut(head[std::size_t(layout_.first_data_line - 1)]);
-  double number = 0;
-  const auto at = std::size_t(time_);
-  texts_        = at < cells_.size() && !read_number(cells_[at], decided_.style[at].style, number);
+  double number     = 0;
+  const auto column = std::size_t(time_);
+  texts_            = column < cells_.size() && !read_number(cells_[column], decided_.style[column].style, number);
   if (!texts_ && per_unit_ == 0 && !options_.rate) {
-    const std::string name = layout_.columns[at].head.name;
+    const std::string name = layout_.columns[column].head.name;
     throw InputError(time_column_,
                      fmt::format("column '{}' has no unit; write for example \"{} [s]\", or: {}", name, name,
                                  command_with(options_, file_, "--unit " + name + "=s")));
   }
   if (options_.rate) {
     notes_.push_back(
-        fmt::format("the column '{}' was not used: the rate was given", layout_.columns[at].head.name));
+        fmt::format("the column '{}' was not used: the rate was given", layout_.columns[column].head.name));
     time_ = -1;
   }
 }
@@ -142,10 +142,10 @@ void CsvRows::cut(const std::string_view line)
     return;
   }
   cells_.clear();
-  std::size_t at = 0;
+  std::size_t position = 0;
   while (true) {
-    const auto end   = std::min(line.find(layout_.separator, at), line.size());
-    std::size_t from = at, to = end;
+    const auto end   = std::min(line.find(layout_.separator, position), line.size());
+    std::size_t from = position, to = end;
     while (from < to && (line[from] == ' ' || line[from] == '\t'))
       ++from;
     while (to > from && (line[to - 1] == ' ' || line[to - 1] == '\t' || line[to - 1] == '\r'))
@@ -153,7 +153,7 @@ void CsvRows::cut(const std::string_view line)
     cells_.push_back(line.substr(from, to - from));
     if (end == line.size())
       return;
-    at = end + 1;
+    position = end + 1;
   }
 }
 
@@ -180,10 +180,10 @@ void CsvRows::take_time(const std::string_view line, const int number)
   const auto c  = std::size_t(time_);
   double second = 0;
   if (texts_) {
-    const Place at = place(line, c, number);
-    second         = date_ < 0
-                         ? clock_.seconds_of(cells_[c], at)
-                         : clock_.seconds_of(std::string(cells_[std::size_t(date_)]) + " " + std::string(cells_[c]), at);
+    const Place where = place(line, c, number);
+    second            = date_ < 0 ? clock_.seconds_of(cells_[c], where)
+                                  : clock_.seconds_of(std::string(cells_[std::size_t(date_)]) + " " + std::string(cells_[c]),
+                                                      where);
   } else if (double value = 0; read_number(cells_[c], decided_.style[c].style, value)) {
     second = clock_.relative(value * per_unit_);
   } else

@@ -41,10 +41,10 @@ private:
   std::vector<std::string> cells_of(const std::string_view line) const
   {
     std::vector<std::string> cells;
-    for (std::size_t at = 0; at <= line.size();) {
-      const auto end = std::min(line.find(separator, at), line.size());
-      cells.push_back(trimmed_cell(line.substr(at, end - at)));
-      at = end + 1;
+    for (std::size_t position = 0; position <= line.size();) {
+      const auto end = std::min(line.find(separator, position), line.size());
+      cells.push_back(trimmed_cell(line.substr(position, end - position)));
+      position = end + 1;
     }
     return cells;
   }
@@ -139,12 +139,12 @@ private:
   void take_row(const std::vector<std::string> &cells)
   {
     for (std::size_t c = 0; c < values.size(); ++c) {
-      double number         = std::nan("");
-      const std::size_t at  = cell_of(c);
-      const bool is_present = at < cells.size() && !cells[at].empty();
-      if (is_present && !read_number(cells[at], style, number) && lower(cells[at]) != "nan")
+      double number          = std::nan("");
+      const std::size_t cell = cell_of(c);
+      const bool is_present  = cell < cells.size() && !cells[cell].empty();
+      if (is_present && !read_number(cells[cell], style, number) && lower(cells[cell]) != "nan")
         throw InputError(place(),
-                         fmt::format("'{}' in the column of channel {} is not a number", cells[at], c + 1));
+                         fmt::format("'{}' in the column of channel {} is not a number", cells[cell], c + 1));
       values[c].push_back(number);
     }
     double x = std::nan("");

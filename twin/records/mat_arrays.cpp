@@ -49,15 +49,15 @@ public:
   {
   }
 
-  void read(std::size_t at)
+  void read(std::size_t position)
   {
-    while (at + 8 <= bytes.size()) {
-      const Element element = element_at(at, bytes.size());
+    while (position + 8 <= bytes.size()) {
+      const Element element = element_at(position, bytes.size());
       if (element.type == compressed)
         unpack(element);
       if (element.type == matrix)
         take(element, "", 0);
-      at = element.next;
+      position = element.next;
     }
   }
 
@@ -67,26 +67,26 @@ private:
     throw InputError(file + " " + what);
   }
 
-  std::size_t word(const std::size_t at) const
+  std::size_t word(const std::size_t position) const
   {
-    return std::size_t(number_at(&bytes[at], {'u', 4, big_endian}));
+    return std::size_t(number_at(&bytes[position], {'u', 4, big_endian}));
   }
 
-  Element element_at(const std::size_t at, const std::size_t end) const
+  Element element_at(const std::size_t position, const std::size_t end) const
   {
-    if (at + 8 > end)
+    if (position + 8 > end)
       refuse("ends inside a variable; it was cut off while it was written or copied");
     Element element;
-    const std::size_t tag = word(at);
+    const std::size_t tag = word(position);
     if (tag >> 16) {  // up to four byte, in the tag itself
-      element = {int(tag & 0xFFFF), tag >> 16, at + 4, at + 8};
+      element = {int(tag & 0xFFFF), tag >> 16, position + 4, position + 8};
       if (element.size > 4)
         refuse("is damaged: a small element of more than four byte");
       return element;
     }
     element.type = int(tag);
-    element.size = word(at + 4);
-    element.data = at + 8;
+    element.size = word(position + 4);
+    element.data = position + 8;
     if (element.size > end - element.data)
       refuse("ends inside a variable; it was cut off while it was written or copied");
     const std::size_t padded = element.type == compressed ? element.size : (element.size + 7) / 8 * 8;
@@ -158,13 +158,13 @@ private:
     return std::size_t(n);
   }
 
-  void take_numbers(const std::size_t at, const std::size_t end, const std::vector<std::size_t> &dimensions,
+  void take_numbers(const std::size_t position, const std::size_t end, const std::vector<std::size_t> &dimensions,
                     const std::string &name)
   {
     const std::size_t n = count_of(dimensions);
     if (n == 0 || dimensions.size() < 2)
       return;
-    const Element data = element_at(at, end);
+    const Element data = element_at(position, end);
     BinaryType type;
     if (!number_type(data.type, type))
       return leave_out(name, "numbers of an unknown type");
@@ -180,33 +180,33 @@ private:
     result.arrays.push_back(std::move(array));
   }
 
-  void take_fields(std::size_t at, const std::size_t end, const std::vector<std::size_t> &dimensions,
+  void take_fields(std::size_t position, const std::size_t end, const std::vector<std::size_t> &dimensions,
                    const std::string &name, const int depth)
   {
-    const Element length    = element_at(at, end);
+    const Element length    = element_at(position, end);
     const Element names     = element_at(length.next, end);
     const std::size_t width = length.size >= 4 ? word(length.data) : 0;
     const std::size_t n = count_of(dimensions), n_fields = width > 0 ? names.size / width : 0;
-    at = names.next;
+    position = names.next;
     for (std::size_t i = 0; i < std::min(n * n_fields, most_parts); ++i) {
-      const Element value = element_at(at, end);
+      const Element value = element_at(position, end);
       std::string field(bytes.substr(names.data + i % n_fields * width, width));
       field.resize(std::min(field.find('\0'), field.size()));
       const std::string outer = n == 1 ? name : fmt::format("{}_{}", name, i / n_fields + 1);
       if (value.type == matrix)
         take(value, outer + "." + field, depth + 1);
-      at = value.next;
+      position = value.next;
     }
   }
 
-  void take_cells(std::size_t at, const std::size_t end, const std::vector<std::size_t> &dimensions,
+  void take_cells(std::size_t position, const std::size_t end, const std::vector<std::size_t> &dimensions,
                   const std::string &name, const int depth)
   {
     for (std::size_t i = 0; i < std::min(count_of(dimensions), most_parts); ++i) {
-      const Element value = element_at(at, end);
+      const Element value = element_at(position, end);
       if (value.type == matrix)
         take(value, fmt::format("{}_{}", name, i + 1), depth + 1);
-      at = value.next;
+      position = value.next;
     }
   }
 

@@ -15,10 +15,10 @@ constexpr double most_rows = 4e9;
 // Value of 'key' in the header, a Python literal: from behind the colon to where brackets are closed again.
 std::string literal_of(const std::string &header, const std::string &key)
 {
-  const auto at = header.find("'" + key + "'");
-  if (at == std::string::npos)
+  const auto position = header.find("'" + key + "'");
+  if (position == std::string::npos)
     return "";
-  auto i = header.find(':', at);
+  auto i = header.find(':', position);
   std::string text;
   int depth = 0;
   for (++i; i < header.size(); ++i) {

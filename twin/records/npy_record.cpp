@@ -45,9 +45,9 @@ std::vector<Eigen::VectorXd> columns_of(InputFile &file, const NpyLayout &layout
       refuse(path, "is shorter than its header says; it was cut off while it was written or copied");
     for (std::size_t r = 0; r < rows; ++r)
       for (std::size_t c = 0; c < columns.size(); ++c) {
-        const std::size_t at = layout.columns_first ? (first + r) * columns.size() + c : 0;
+        const std::size_t index = layout.columns_first ? (first + r) * columns.size() + c : 0;
         if (layout.columns_first)  // the file runs down the columns
-          columns[at / std::size_t(n)][Eigen::Index(at % std::size_t(n))] =
+          columns[index / std::size_t(n)][Eigen::Index(index % std::size_t(n))] =
               number_at(&bytes[(r * columns.size() + c) * size], layout.fields[0].type);
         else
           columns[c][Eigen::Index(first + r)] =

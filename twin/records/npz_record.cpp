@@ -21,18 +21,18 @@ void take_array_of_archive(const std::string &path, const std::string &name, std
 {
   const std::string where  = path + ": '" + valid_text(name) + "'";
   const std::string scalar = "'shape': ()";
-  if (const auto at = bytes.substr(0, 256).find(scalar); at != std::string::npos)
-    bytes.replace(at, scalar.size(), "'shape':1, ");
+  if (const auto position = bytes.substr(0, 256).find(scalar); position != std::string::npos)
+    bytes.replace(position, scalar.size(), "'shape':1, ");
   const NpyLayout layout = npy_layout(bytes, where);
   const double needed    = double(layout.start) + layout.n * double(layout.row);
   if (needed > double(bytes.size()))
     throw InputError(where + " is shorter than its header says; it was cut off while it was written or copied");
   const auto n = Eigen::Index(layout.n), m = Eigen::Index(layout.fields.size());
   const auto value = [&](const Eigen::Index r, const Eigen::Index c) {
-    const NpyField &field = layout.fields[std::size_t(c)];
-    const std::size_t at  = layout.columns_first ? std::size_t(c * n + r) * std::size_t(field.type.size)
-                                                 : std::size_t(r) * layout.row + field.offset;
-    return number_at(&bytes[layout.start + at], field.type);
+    const NpyField &field  = layout.fields[std::size_t(c)];
+    const std::size_t byte = layout.columns_first ? std::size_t(c * n + r) * std::size_t(field.type.size)
+                                                  : std::size_t(r) * layout.row + field.offset;
+    return number_at(&bytes[layout.start + byte], field.type);
   };
   if (layout.plain) {
     NamedArray array{name, Eigen::MatrixXd(n, m)};

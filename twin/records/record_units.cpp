@@ -72,8 +72,9 @@ std::string plain_spelling(std::string text)
                                                                                    {"\u00b0", "deg"},
                                                                                    {"\u2103", "degC"}}};
   for (const auto &[from, to] : plain)
-    for (std::size_t at = text.find(from); at != std::string::npos; at = text.find(from, at + to.size()))
-      text.replace(at, from.size(), to);
+    for (std::size_t position = text.find(from); position != std::string::npos;
+         position             = text.find(from, position + to.size()))
+      text.replace(position, from.size(), to);
   for (const auto &[from, to] : spellings)
     if (text == from)
       return to;

@@ -7,11 +7,11 @@
 
 namespace mill::twin {
 namespace {
-std::int64_t big_endian(const std::string &bytes, const std::size_t at, const int n)
+std::int64_t big_endian(const std::string &bytes, const std::size_t position, const int n)
 {
   std::uint64_t value = 0;
   for (int i = 0; i < n; ++i)
-    value = value << 8 | std::uint8_t(bytes[at + std::size_t(i)]);
+    value = value << 8 | std::uint8_t(bytes[position + std::size_t(i)]);
   return n == 4 ? std::int64_t(std::int32_t(std::uint32_t(value))) : std::int64_t(value);
 }
 
@@ -20,9 +20,11 @@ struct Counts {
 };
 
 // Counts of the header at `at`, and the length of what follows it.
-Counts counts_at(const std::string &bytes, const std::size_t at)
+Counts counts_at(const std::string &bytes, const std::size_t position)
 {
-  const auto count = [&](const int i) { return std::size_t(big_endian(bytes, at + 20 + 4 * std::size_t(i), 4)); };
+  const auto count = [&](const int i) {
+    return std::size_t(big_endian(bytes, position + 20 + 4 * std::size_t(i), 4));
+  };
   return {count(0), count(1), count(2), count(3), count(4), count(5)};
 }
 
@@ -191,19 +193,19 @@ TimeZone::TimeZone(const std::string &name, const std::string &folder) : name_(n
   const std::size_t second = 44 + length_of(counts_at(bytes, 0), 4);  // the block with times of 64 bits
   if (bytes.size() < second + 44)
     throw InputError(refusal);
-  const Counts c       = counts_at(bytes, second);
-  const std::size_t at = second + 44;
-  if (c.types == 0 || bytes.size() < at + length_of(c, 8))
+  const Counts c             = counts_at(bytes, second);
+  const std::size_t position = second + 44;
+  if (c.types == 0 || bytes.size() < position + length_of(c, 8))
     throw InputError(refusal);
   const auto offset_of_type = [&](const std::size_t type) {
-    return std::int32_t(big_endian(bytes, at + c.changes * 9 + 6 * std::min(type, c.types - 1), 4));
+    return std::int32_t(big_endian(bytes, position + c.changes * 9 + 6 * std::min(type, c.types - 1), 4));
   };
   offset_.push_back(offset_of_type(0));
   for (std::size_t i = 0; i < c.changes; ++i) {
-    change_.push_back(big_endian(bytes, at + 8 * i, 8));
-    offset_.push_back(offset_of_type(std::uint8_t(bytes[at + 8 * c.changes + i])));
+    change_.push_back(big_endian(bytes, position + 8 * i, 8));
+    offset_.push_back(offset_of_type(std::uint8_t(bytes[position + 8 * c.changes + i])));
   }
-  goes_on_ = bytes.find(',', at + length_of(c, 8)) != std::string::npos;  // the rule as POSIX writes it
+  goes_on_ = bytes.find(',', position + length_of(c, 8)) != std::string::npos;  // the rule as POSIX writes it
 }
 
 std::vector<std::int64_t> TimeZone::utc_of(const std::int64_t local_seconds) const

@@ -22,8 +22,8 @@ constexpr int most_wav_channels = 1024;
 
 WavFormat wav_format(const std::string &bytes, const std::string &path)
 {
-  const auto number = [&](const std::size_t at, const int size) {
-    return at + std::size_t(size) <= bytes.size() ? number_at(&bytes[at], {'u', size, false}) : 0.0;
+  const auto number = [&](const std::size_t position, const int size) {
+    return position + std::size_t(size) <= bytes.size() ? number_at(&bytes[position], {'u', size, false}) : 0.0;
   };
   WavFormat format{int(number(0, 2)), int(number(2, 2)), int(number(14, 2)), number(4, 4)};
   if (format.coding == 0xFFFE)  // extensible: the coding is at the head of an identifier
@@ -86,14 +86,14 @@ RawRecord read_wav_record(const std::string &path, const ReadOptions &options)
   record.file   = path;
   record.format = "WAV";
   WavFormat format;
-  double at = 12;
+  double position = 12;
   while (true) {
     std::string chunk(8, '\0');
-    file.go_to(std::size_t(at));
+    file.go_to(std::size_t(position));
     if (file.read(chunk.data(), 8) != 8)
       refuse_wav(path, "has no samples (chunk 'data'); it was cut off while it was written or copied");
     double size     = number_at(&chunk[4], {'u', 4, false});
-    const auto left = file.size() - at - 8;
+    const auto left = file.size() - position - 8;
     if (chunk.compare(0, 4, "fmt ") == 0) {
       std::string bytes(std::size_t(std::min(size, 64.0)), '\0');
       bytes.resize(file.read(bytes.data(), bytes.size()));
@@ -112,7 +112,7 @@ RawRecord read_wav_record(const std::string &path, const ReadOptions &options)
         add_channel(record, {fmt::format("ch{}", c + 1), ""}, {path, 0, 0}, options, std::move(columns[c]));
       break;
     }
-    at += 8 + size + (std::fmod(size, 2) > 0 ? 1 : 0);
+    position += 8 + size + (std::fmod(size, 2) > 0 ? 1 : 0);
   }
   if (!options.scales.empty() && format.coding == 1)
     record.notes.push_back(

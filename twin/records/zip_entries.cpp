@@ -13,20 +13,20 @@ namespace {
 }
 
 // A number of two or four bytes.
-std::size_t number_in_zip(const std::string &file, const std::string_view archive, const std::size_t at,
+std::size_t number_in_zip(const std::string &file, const std::string_view archive, const std::size_t position,
                           const int size)
 {
-  if (at > archive.size() || archive.size() - at < std::size_t(size))
+  if (position > archive.size() || archive.size() - position < std::size_t(size))
     refuse_zip(file);
-  return std::size_t(number_at(archive.data() + at, {'u', size, false}));
+  return std::size_t(number_at(archive.data() + position, {'u', size, false}));
 }
 
-std::string_view bytes_in_zip(const std::string &file, const std::string_view archive, const std::size_t at,
+std::string_view bytes_in_zip(const std::string &file, const std::string_view archive, const std::size_t position,
                               const std::size_t n)
 {
-  if (at > archive.size() || archive.size() - at < n)
+  if (position > archive.size() || archive.size() - position < n)
     refuse_zip(file);
-  return archive.substr(at, n);
+  return archive.substr(position, n);
 }
 }  // namespace
 
@@ -35,25 +35,28 @@ std::vector<ZipEntry> zip_entries(const std::string &file, const std::string_vie
   const auto end = archive.rfind(std::string_view("PK\5\6", 4));
   if (end == std::string_view::npos)
     refuse_zip(file);
-  const auto number = [&](const std::size_t at, const int size) { return number_in_zip(file, archive, at, size); };
-  const std::size_t n = number(end + 10, 2);
-  std::size_t at      = number(end + 16, 4);
+  const auto number = [&](const std::size_t position, const int size) {
+    return number_in_zip(file, archive, position, size);
+  };
+  const std::size_t n  = number(end + 10, 2);
+  std::size_t position = number(end + 16, 4);
   std::vector<ZipEntry> entries;
   for (std::size_t i = 0; i < n; ++i) {
-    if (bytes_in_zip(file, archive, at, 4) != std::string_view("PK\1\2", 4))
+    if (bytes_in_zip(file, archive, position, 4) != std::string_view("PK\1\2", 4))
       refuse_zip(file);
-    const std::size_t name = number(at + 28, 2), extra = number(at + 30, 2), comment = number(at + 32, 2);
-    const std::size_t local = number(at + 42, 4);
+    const std::size_t name = number(position + 28, 2), extra = number(position + 30, 2),
+                      comment = number(position + 32, 2);
+    const std::size_t local   = number(position + 42, 4);
     ZipEntry entry;
-    entry.method = int(number(at + 10, 2));
-    entry.size   = number(at + 24, 4);
-    entry.name   = std::string(bytes_in_zip(file, archive, at + 46, name));
+    entry.method = int(number(position + 10, 2));
+    entry.size   = number(position + 24, 4);
+    entry.name   = std::string(bytes_in_zip(file, archive, position + 46, name));
     if (bytes_in_zip(file, archive, local, 4) != std::string_view("PK\3\4", 4))
       refuse_zip(file);
     entry.packed = bytes_in_zip(file, archive, local + 30 + number(local + 26, 2) + number(local + 28, 2),
-                                number(at + 20, 4));
+                                number(position + 20, 4));
     entries.push_back(std::move(entry));
-    at += 46 + name + extra + comment;
+    position += 46 + name + extra + comment;
   }
   return entries;
 }

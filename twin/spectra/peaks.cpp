@@ -97,13 +97,13 @@ std::vector<Peak> peaks(const WelchSpectrum &s, const double low, const double h
             [&](const Candidate &a, const Candidate &b) { return s.density[a.k] > s.density[b.k]; });
   std::vector<Span> taken;
   for (const auto &[k, median] : candidates) {
-    const Eigen::Index at = k;
-    const bool in_skirt   = std::any_of(taken.begin(), taken.end(),
-                                        [&](const Span &span) { return at >= span.begin && at <= span.end; });
+    const Eigen::Index bin = k;
+    const bool in_skirt    = std::any_of(taken.begin(), taken.end(),
+                                         [&](const Span &span) { return bin >= span.begin && bin <= span.end; });
     if (in_skirt && decibel(s.density[k] / median_around(s.density, k, 2, 12)) < least)
       continue;
     if (in_skirt &&
-        std::any_of(found.begin(), found.end(), [&](const Peak &p) { return std::abs(p.bin - at) <= 4; }))
+        std::any_of(found.begin(), found.end(), [&](const Peak &p) { return std::abs(p.bin - bin) <= 4; }))
       continue;  // a side lobe of the window
     found.push_back(peak_at(s, k, decibel(s.density[k] / median)));
     taken.push_back({k - skirt(s.density, k, median, -1), k + skirt(s.density, k, median, 1)});

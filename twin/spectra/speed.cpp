@@ -11,11 +11,11 @@ constexpr double tolerance_of_exponent = 0.1, spans_needed = 5;
 // ln of the density between two bins.
 double log_level(const Waterfall &map, const Eigen::Index frame, const double frequency)
 {
-  const double at = frequency * double(map.L) / map.rate;
-  const auto k    = Eigen::Index(at);
+  const double bin = frequency * double(map.L) / map.rate;
+  const auto k     = Eigen::Index(bin);
   if (k < 1 || k + 1 >= map.density.rows())
     return std::numeric_limits<double>::quiet_NaN();
-  const double tiny = 1e-30, part = at - double(k);
+  const double tiny = 1e-30, part = bin - double(k);
   return (1 - part) * std::log(double(map.density(k, frame)) + tiny) +
          part * std::log(double(map.density(k + 1, frame)) + tiny);
 }

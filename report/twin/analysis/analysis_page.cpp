@@ -122,13 +122,13 @@ std::string spectrum_drawing(const Table &table, const std::size_t column, const
   if (!length) {
     std::vector<double> marked;
     for (const json &f : findings)
-      if (const double at = number_in(f["frequency"]);
-          std::isfinite(at) && f["kind"] != "alarm" && f["kind"] != "bearing" && f["kind"] != "bearing fault" &&
-          f["kind"] != "lost samples" && marked.size() < 12 &&
+      if (const double frequency = number_in(f["frequency"]);
+          std::isfinite(frequency) && f["kind"] != "alarm" && f["kind"] != "bearing" &&
+          f["kind"] != "bearing fault" && f["kind"] != "lost samples" && marked.size() < 12 &&
           std::none_of(marked.begin(), marked.end(),
-                       [&](const double m) { return std::abs(m / at - 1) < 0.03; })) {
-        plot.marks.push_back({at, fixed(at, 1)});
-        marked.push_back(at);
+                       [&](const double m) { return std::abs(m / frequency - 1) < 0.03; })) {
+        plot.marks.push_back({frequency, fixed(frequency, 1)});
+        marked.push_back(frequency);
       }
   }
   return svg_plot(plot);

@@ -98,8 +98,8 @@ std::vector<std::string> lines_of(const std::string &text)
 std::vector<std::string> odd_english(std::string text)
 {
   const std::string usual = "there is no ";  // "there is no file x" is plain
-  for (auto at = text.find(usual); at != std::string::npos; at = text.find(usual))
-    text.replace(at, usual.size(), "no ");
+  for (auto position = text.find(usual); position != std::string::npos; position = text.find(usual))
+    text.replace(position, usual.size(), "no ");
   std::vector<std::string> found;
   for (const OddPhrase &phrase : odd_phrases) {
     std::smatch match;

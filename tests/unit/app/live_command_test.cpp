@@ -316,7 +316,8 @@ TEST(LiveCommand, WatchesTheBandsOfMonitoring)
         millstand("live " + stand + " --input " + path + " --speed max --listen none " + set, ".");
     EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
     int n = 0;
-    for (std::size_t at = 0; (at = outcome.out.find("alarm: chatter at 41", at)) != std::string::npos; ++at)
+    for (std::size_t position = 0;
+         (position = outcome.out.find("alarm: chatter at 41", position)) != std::string::npos; ++position)
       ++n;
     return n;
   };

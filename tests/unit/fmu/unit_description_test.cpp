@@ -340,13 +340,13 @@ std::vector<std::string> chunks_of(const std::string &png)
 {
   std::vector<std::string> kinds;
   EXPECT_EQ(png.substr(0, 8), "\x89PNG\r\n\x1a\n");
-  for (std::size_t at = 8; at + 12 <= png.size();) {
+  for (std::size_t position = 8; position + 12 <= png.size();) {
     std::size_t length = 0;
     for (int i = 0; i < 4; ++i)
-      length = 256 * length + static_cast<unsigned char>(png[at + std::size_t(i)]);
-    kinds.push_back(png.substr(at + 4, 4));
-    at += 12 + length;
-    EXPECT_LE(at, png.size());
+      length = 256 * length + static_cast<unsigned char>(png[position + std::size_t(i)]);
+    kinds.push_back(png.substr(position + 4, 4));
+    position += 12 + length;
+    EXPECT_LE(position, png.size());
   }
   return kinds;
 }

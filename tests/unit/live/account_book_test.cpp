@@ -33,12 +33,12 @@ struct Truth {
       ++next;
       return;
     }
-    const auto at = std::size_t(s - first);
-    if (s < first || of[0][at] != lost) {
+    const auto index = std::size_t(s - first);
+    if (s < first || of[0][index] != lost) {
       ++doubled;
       return;
     }
-    of[0][at] = of[1][at] = rejected;
+    of[0][index] = of[1][index] = rejected;
   }
   live::ChannelAccount account(const int channel) const
   {

@@ -126,13 +126,13 @@ struct Announced {
 Announced watched(Comparison &comparison, const ChatterRun &record)
 {
   Announced announced;
-  for (Eigen::Index at = 0; at < record.measured.rows(); at += 100) {
+  for (Eigen::Index begin = 0; begin < record.measured.rows(); begin += 100) {
     LiveBlock block;
-    block.first     = at;
+    block.first     = begin;
     block.rate      = rate;
     block.settling  = true;  // no model of the levels here: only what is measured decides
     block.force     = Eigen::VectorXd::Zero(100);
-    block.measured  = record.measured.middleRows(at, 100);
+    block.measured  = record.measured.middleRows(begin, 100);
     block.simulated = Eigen::MatrixXd::Zero(100, 2);
     const auto news = comparison.take(block);
     if (news.chatter)
@@ -143,7 +143,7 @@ Announced watched(Comparison &comparison, const ChatterRun &record)
         continue;
       double &first = alarm.text.find("speed of") != std::string::npos ? announced.speed : announced.onset;
       if (first < 0)
-        first = double(at + 100) / rate;  // when the block was there
+        first = double(begin + 100) / rate;  // when the block was there
     }
   }
   announced.first = announced.onset < 0   ? announced.speed

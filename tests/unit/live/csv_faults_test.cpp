@@ -306,8 +306,8 @@ TEST(CsvFaults, AnyFileIsReadOrRefused)
     for (int k = 0; k < 20 + int(random() % 400); ++k)
       text.push_back(fmt::format("{:.4f},{}", k * step + (random() % 100 ? 0 : double(random() % 9000)), 900 + k));
     for (unsigned faults = random() % 12; faults > 0; --faults) {
-      const std::size_t at = random() % text.size(), other = random() % text.size();
-      std::string &line = text[at];
+      const std::size_t position = random() % text.size(), other = random() % text.size();
+      std::string &line = text[position];
       switch (random() % 5) {
       case 0:
         line = line.substr(0, random() % (line.size() + 1));

@@ -236,23 +236,23 @@ TEST(LineSession, SurvivesAnyInput)
   for (int i = 0; i < rounds; ++i) {
     std::string line = seeds[random() % seeds.size()];
     for (auto n = random() % 6; n > 0; --n) {
-      const auto at = line.empty() ? 0 : random() % line.size();
+      const auto position = line.empty() ? 0 : random() % line.size();
       switch (random() % 5) {
       case 0:
-        line.insert(line.begin() + std::ptrdiff_t(at), char(random() % 256));
+        line.insert(line.begin() + std::ptrdiff_t(position), char(random() % 256));
         break;
       case 1:
         if (!line.empty())
-          line[at] = char(random() % 256);
+          line[position] = char(random() % 256);
         break;
       case 2:
-        line.erase(at, random() % 8);
+        line.erase(position, random() % 8);
         break;
       case 3:
-        line.insert(at, seeds[random() % seeds.size()].substr(0, random() % 30));
+        line.insert(position, seeds[random() % seeds.size()].substr(0, random() % 30));
         break;
       default:
-        line.insert(at, "[{\"0,:.e-null\\u"[random() % 15], 1);
+        line.insert(position, "[{\"0,:.e-null\\u"[random() % 15], 1);
       }
     }
     const auto answer = session.take(line);

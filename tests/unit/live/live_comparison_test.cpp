@@ -83,16 +83,16 @@ Reported run(Comparison &comparison, const SixMasses &stand, const double k3, co
       mill.col(3) + synthetic::white(seed + 1001, n, rate, 0.005), Eigen::VectorXd::Constant(n, 4.0);
   Reported reported;
   const auto first = std::int64_t(from * rate);
-  for (Eigen::Index at = 0; at < n; at += 50) {
+  for (Eigen::Index begin = 0; begin < n; begin += 50) {
     LiveBlock block;
-    block.first      = first + at;
+    block.first      = first + begin;
     block.rate       = rate;
     block.start_time = 1.7e9;
-    block.after_gap  = at == 0;
-    block.settling   = double(at) < 2 * rate;
-    block.force      = measured.col(0).segment(at, 50);
-    block.measured   = measured.middleRows(at, 50);
-    block.simulated  = twin.middleRows(at, 50);
+    block.after_gap  = begin == 0;
+    block.settling   = double(begin) < 2 * rate;
+    block.force      = measured.col(0).segment(begin, 50);
+    block.measured   = measured.middleRows(begin, 50);
+    block.simulated  = twin.middleRows(begin, 50);
     const auto news  = comparison.take(block);
     if (news.levels)
       reported.levels.push_back(*news.levels);

@@ -29,27 +29,27 @@ public:
   std::string changed(std::string text, const std::vector<std::string> &others)
   {
     for (std::size_t k = 1 + below(4); k > 0 && !text.empty(); --k) {
-      const std::size_t at = below(text.size()), n = 1 + below(12);
+      const std::size_t position = below(text.size()), n = 1 + below(12);
       switch (below(6)) {
       case 0:
-        text[at] = char(below(256));
+        text[position] = char(below(256));
         break;
       case 1:
-        text.insert(at, text.substr(at, n));
+        text.insert(position, text.substr(position, n));
         break;
       case 2:
-        text.erase(at, n);
+        text.erase(position, n);
         break;
       case 3: {
         const std::string &other = others[below(others.size())];
-        text.insert(at, other.substr(below(other.size() + 1), 4 * n));
+        text.insert(position, other.substr(below(other.size() + 1), 4 * n));
         break;
       }
       case 4:
-        text.insert(at, std::string(below(40), "0\r\n \"{[:9\0\xff"[below(12)]));
+        text.insert(position, std::string(below(40), "0\r\n \"{[:9\0\xff"[below(12)]));
         break;
       default:
-        text.resize(at);
+        text.resize(position);
       }
     }
     return text;

@@ -289,7 +289,8 @@ TEST(PageServer, FourBrowsersThatNeverReadDoNotDisturbTheOthers)
   for (const int id : {25, 50, 75, 100})
     EXPECT_NE(late.find("event: alarm\ndata: {\"id\":" + std::to_string(id) + "}"), std::string::npos) << id;
   std::size_t seen = 0;
-  for (auto at = late.find("event: numbers"); at != std::string::npos; at = late.find("event: numbers", at + 1))
+  for (auto position = late.find("event: numbers"); position != std::string::npos;
+       position      = late.find("event: numbers", position + 1))
     ++seen;
   EXPECT_LT(seen, frames / 2);
 }

@@ -127,13 +127,13 @@ void spoil(Json &state, std::mt19937_64 &random)
                                      Json::array({Json::object()})};
   std::vector<Json *> members;
   all_members(state, members);
-  Json &at = *members[random() % members.size()];
-  if (at.is_array() && !at.empty() && random() % 3 == 0)
-    at.push_back(at[random() % at.size()]);
-  else if (at.is_structured() && !at.empty() && random() % 2)
-    at.erase(std::next(at.begin(), std::ptrdiff_t(random() % at.size())));
+  Json &changed = *members[random() % members.size()];
+  if (changed.is_array() && !changed.empty() && random() % 3 == 0)
+    changed.push_back(changed[random() % changed.size()]);
+  else if (changed.is_structured() && !changed.empty() && random() % 2)
+    changed.erase(std::next(changed.begin(), std::ptrdiff_t(random() % changed.size())));
   else
-    at = odd[random() % odd.size()];
+    changed = odd[random() % odd.size()];
 }
 }  // namespace
 

@@ -36,7 +36,7 @@ void expect_slopes(const std::vector<Unknown> &unknowns, const double delay_at =
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     if (unknowns[i].name == "delay")
       theta[Eigen::Index(i)] = delay_at;
-  const Likelihood at = likelihood(stand, unknowns, theta, data, noise, Wanted::slopes);
+  const Likelihood result = likelihood(stand, unknowns, theta, data, noise, Wanted::slopes);
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const double h     = unknowns[i].name == "delay" ? 1e-8 : 1e-5;
     const auto cost_at = [&](const double step) {
@@ -45,8 +45,8 @@ void expect_slopes(const std::vector<Unknown> &unknowns, const double delay_at =
       return likelihood(stand, unknowns, moved, data, noise, Wanted::cost).cost;
     };
     const double difference = (cost_at(h) - cost_at(-h)) / (2 * h);
-    EXPECT_TRUE(near(at.slope[Eigen::Index(i)], difference,
-                     within_absolute(2e-6 * (std::abs(difference) + 1e-3 * at.cost),
+    EXPECT_TRUE(near(result.slope[Eigen::Index(i)], difference,
+                     within_absolute(2e-6 * (std::abs(difference) + 1e-3 * result.cost),
                                      "difference quotient: its own error and rounding of the cost")))
         << unknowns[i].name;
   }
@@ -101,15 +101,15 @@ TEST(Likelihood, InformationIsThatOfTheResponseSlopes)
     B.middleRows(2 * (b + k), 2) = ringing.imag();
   }
   const NoiseDensity noise = {Eigen::MatrixXd::Constant(k, 2, 2.5e-5)};
-  const Likelihood at      = likelihood(stand, unknowns, Eigen::VectorXd::Zero(7), data, noise, Wanted::slopes);
-  EXPECT_LT(at.residual, 1e-9);
+  const Likelihood result  = likelihood(stand, unknowns, Eigen::VectorXd::Zero(7), data, noise, Wanted::slopes);
+  EXPECT_LT(result.residual, 1e-9);
   const Eigen::HouseholderQR<Eigen::MatrixXd> qr(B);
   const Eigen::MatrixXd left = (qr.householderQ().adjoint() * J).bottomRows(4 * k - 12);
   const Eigen::MatrixXd A    = 2 * left.transpose() * left / 2.5e-5;
   for (int i = 0; i < 7; ++i)
     for (int j = 0; j < 7; ++j)
       EXPECT_TRUE(near(
-          at.information(i, j), A(i, j),
+          result.information(i, j), A(i, j),
           within_absolute(1e-7 * std::sqrt(A(i, i) * A(j, j)), "sums in another order, relative to the diagonal")))
           << i << " " << j;
 }
@@ -136,12 +136,12 @@ TEST(Likelihood, ExplainsAPieceThatStillRingsFromBefore)
   const double all         = 1e-6 * double(left[0].size());
   EXPECT_TRUE(
       near(left[0].squaredNorm() / all, 1, within_absolute(0.06, "1056 bins of two sensors: deviation 0.022")));
-  const StandAt at = stand_at(calibration::stand_r(), unknowns, truth);
+  const StandAt moved = stand_at(calibration::stand_r(), unknowns, truth);
   dynamics::SlopedStand s;
-  s.frequency = at.frequency, s.damping = at.damping, s.force = at.force;
+  s.frequency = moved.frequency, s.damping = moved.damping, s.force = moved.force;
   double without = 0;
   for (Eigen::Index b = 0; b < band.angular.size(); ++b) {
-    const auto h = dynamics::response_slopes(s, at.shape.middleRows(2, 2), band.angular[b]);
+    const auto h = dynamics::response_slopes(s, moved.shape.middleRows(2, 2), band.angular[b]);
     without += (band.acceleration.row(b).transpose() - h.value * band.force[b]).squaredNorm();
   }
   EXPECT_GT(without / all, 10);

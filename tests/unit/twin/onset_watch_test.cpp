@@ -30,8 +30,8 @@ Watched streamed(const Eigen::MatrixXd &x, const Eigen::Index column, const Eige
   rule.limit = 2;
   OnsetWatch watch(band, envelopes.rate(), rule);
   Watched watched;
-  for (Eigen::Index at = 0; at < x.rows(); at += block)
-    envelopes.take(at, x.middleRows(at, std::min(block, x.rows() - at)),
+  for (Eigen::Index begin = 0; begin < x.rows(); begin += block)
+    envelopes.take(begin, x.middleRows(begin, std::min(block, x.rows() - begin)),
                    [&](const double time, const Eigen::MatrixXcd &z) {
                      if (const auto alarm = watch.take(time, z(1, column)))
                        watched.alarms.push_back(*alarm);

@@ -56,8 +56,8 @@ TEST(OutputOnly, SlopesAreThoseOfTheCost)
   const OutputOnly record     = forgotten_force(unknowns, short_recipe(20000));
   const Eigen::VectorXd theta = some(record.all_unknowns().size());
   const NoiseDensity noise    = equal_noise(record, theta);
-  const Likelihood at         = output_only_likelihood(record, theta, noise, Wanted::slopes);
-  EXPECT_EQ(output_only_likelihood(record, theta, noise, Wanted::slopes, 2).cost, at.cost);
+  const Likelihood result     = output_only_likelihood(record, theta, noise, Wanted::slopes);
+  EXPECT_EQ(output_only_likelihood(record, theta, noise, Wanted::slopes, 2).cost, result.cost);
   for (Eigen::Index i = 0; i < theta.size(); i += i < 8 ? 1 : 5) {
     const auto cost_at = [&](const double step) {
       Eigen::VectorXd moved = theta;
@@ -65,8 +65,8 @@ TEST(OutputOnly, SlopesAreThoseOfTheCost)
       return output_only_likelihood(record, moved, noise, Wanted::cost).cost;
     };
     const double difference = (cost_at(1e-5) - cost_at(-1e-5)) / 2e-5;
-    EXPECT_TRUE(near(at.slope[i], difference,
-                     within_absolute(2e-6 * (std::abs(difference) + 1e-3 * at.cost),
+    EXPECT_TRUE(near(result.slope[i], difference,
+                     within_absolute(2e-6 * (std::abs(difference) + 1e-3 * result.cost),
                                      "difference quotient: its own error and rounding of the cost")))
         << i;
   }
@@ -84,7 +84,7 @@ TEST(OutputOnly, CostAndInformationAreThoseOfGaussianAccelerations)
   noise[0].col(0).setConstant(2.5e-5);
   noise[0].col(1).setConstant(4e-4);
   const Eigen::VectorXd theta   = Eigen::VectorXd::Zero(Eigen::Index(record.all_unknowns().size()));
-  const Likelihood at           = output_only_likelihood(record, theta, noise, Wanted::information);
+  const Likelihood result       = output_only_likelihood(record, theta, noise, Wanted::information);
   const dynamics::SlopedStand s = dynamics::sloped_stand(record.stand.chain, record.stand.damping);
   Eigen::MatrixXd A             = Eigen::MatrixXd::Zero(7, 7);
   double cost                   = 0;
@@ -104,12 +104,12 @@ TEST(OutputOnly, CostAndInformationAreThoseOfGaussianAccelerations)
       for (int c = 0; c < 7; ++c)
         A(a, c) += (changed[std::size_t(a)] * changed[std::size_t(c)]).trace().real();
   }
-  EXPECT_TRUE(near(at.cost, cost, within(1e-9, "same sum")));
-  EXPECT_EQ(at.residual, 0);
+  EXPECT_TRUE(near(result.cost, cost, within(1e-9, "same sum")));
+  EXPECT_EQ(result.residual, 0);
   for (int a = 0; a < 7; ++a)
     for (int c = 0; c < 7; ++c)
       EXPECT_TRUE(near(
-          at.information(a, c), A(a, c),
+          result.information(a, c), A(a, c),
           within_absolute(1e-7 * std::sqrt(A(a, a) * A(c, c)), "sums in another order, relative to the diagonal")))
           << a << " " << c;
 }
@@ -215,12 +215,12 @@ FitProblem two_wells(const double lower)
     const double x = theta[0], w = 0.02, far = lower - 0.5 * std::pow((x + 0.35) / w, 2),
                  near_by = -0.5 * std::pow((x - 0.05) / w, 2), most = std::max(far, near_by),
                  p = std::exp(far - most), q = std::exp(near_by - most);
-    Likelihood at;
-    at.cost        = -most - std::log(p + q);
-    at.slope       = Eigen::VectorXd::Constant(1, (p * (x + 0.35) + q * (x - 0.05)) / ((p + q) * w * w));
-    at.information = Eigen::MatrixXd::Constant(1, 1, 1 / (w * w));
-    add_prior(at, {{"K1", 0.1}}, theta);
-    return at;
+    Likelihood result;
+    result.cost        = -most - std::log(p + q);
+    result.slope       = Eigen::VectorXd::Constant(1, (p * (x + 0.35) + q * (x - 0.05)) / ((p + q) * w * w));
+    result.information = Eigen::MatrixXd::Constant(1, 1, 1 / (w * w));
+    add_prior(result, {{"K1", 0.1}}, theta);
+    return result;
   };
   return problem;
 }

@@ -261,8 +261,9 @@ TEST_F(RecordFormats, FilesOfLabViewAreRead)
         c = c == '.' ? decimal : c;
       text += row + "\n";
     }
-    for (auto at = text.find("0.001"); decimal == ',' && at != std::string::npos; at = text.find("0.001"))
-      text.replace(at, 5, "0,001");
+    for (auto position = text.find("0.001"); decimal == ',' && position != std::string::npos;
+         position      = text.find("0.001"))
+      text.replace(position, 5, "0,001");
     return text;
   };
   for (const auto &[x_columns, decimal, separator] :

@@ -76,8 +76,9 @@ protected:
       std::string message =
           (place.line > 0 ? std::to_string(place.line) + ":" + std::to_string(place.column) + ": " : "") +
           error.problems.at(0).message;
-      for (auto at = message.find(folder + "/"); at != std::string::npos; at = message.find(folder + "/"))
-        message.erase(at, folder.size() + 1);
+      for (auto position = message.find(folder + "/"); position != std::string::npos;
+           position      = message.find(folder + "/"))
+        message.erase(position, folder.size() + 1);
       return message;
     }
     return "accepted";

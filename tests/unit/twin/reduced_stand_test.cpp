@@ -83,15 +83,15 @@ TEST(ReducedStand, FollowsItsConnectionsAsTheWholeMatricesDo)
   ASSERT_GT(stand.detailed->kept, 6);
   ASSERT_LT(stand.detailed->frequency.size(), 2 * nodes) << "fewer modes than unknowns, else nothing is left out";
   const Eigen::Vector4d theta(0.2, -0.25, 0.15, -0.2);
-  const StandAt at  = stand_at(stand, moved, theta);
-  const Whole whole = whole_modes(two_bars(), moved, theta);
-  const auto bars   = two_bars();
+  const StandAt reduced = stand_at(stand, moved, theta);
+  const Whole whole     = whole_modes(two_bars(), moved, theta);
+  const auto bars       = two_bars();
   for (Eigen::Index i = 0; i < stand.detailed->kept; ++i) {
-    EXPECT_TRUE(near(at.frequency[i] / (2 * M_PI), whole.frequency[i],
+    EXPECT_TRUE(near(reduced.frequency[i] / (2 * M_PI), whole.frequency[i],
                      within(1e-5, "64 of 80 modes of the case carry the change of shape")));
-    const double sign = at.force[i] * bars.b.dot(whole.shape.col(i)) < 0 ? -1 : 1;
+    const double sign = reduced.force[i] * bars.b.dot(whole.shape.col(i)) < 0 ? -1 : 1;
     for (std::size_t p = 0; p < bars.points.size(); ++p)
-      EXPECT_TRUE(near(at.shape(Eigen::Index(p), i), sign * bars.points[p].row.dot(whole.shape.col(i)),
+      EXPECT_TRUE(near(reduced.shape(Eigen::Index(p), i), sign * bars.points[p].row.dot(whole.shape.col(i)),
                        within_absolute(2e-5, "64 of 80 modes of the case carry the change of shape")))
           << "mode " << i + 1 << " at " << bars.points[p].name;
   }
@@ -101,15 +101,15 @@ TEST(ReducedStand, SlopesAreThoseOfDifferences)
 {
   const FittedStand stand = fitted_bars();
   const Eigen::Vector4d theta(0.1, -0.1, 0.05, 0.2);
-  const StandAt at  = stand_at(stand, moved, theta);
-  const double step = 1e-4;
+  const StandAt reduced = stand_at(stand, moved, theta);
+  const double step     = 1e-4;
   for (Eigen::Index p = 0; p < 4; ++p) {
     const Eigen::Vector4d aside = step * Eigen::Vector4d::Unit(p);
     const StandAt up = stand_at(stand, moved, theta + aside), down = stand_at(stand, moved, theta - aside);
     for (Eigen::Index i = 0; i < stand.detailed->kept; ++i)  // dw^2/dtheta = v' K_p v
-      EXPECT_TRUE(near(at.stiffness[std::size_t(p)](i, i),
+      EXPECT_TRUE(near(reduced.stiffness[std::size_t(p)](i, i),
                        (std::pow(up.frequency[i], 2) - std::pow(down.frequency[i], 2)) / (2 * step),
-                       within_absolute(1e-6 * std::pow(at.frequency[i], 2),
+                       within_absolute(1e-6 * std::pow(reduced.frequency[i], 2),
                                        "difference quotient of the squared frequency, relative to it")))
           << "mode " << i + 1;
   }

@@ -36,9 +36,9 @@ std::vector<PlaceSecond> rows(const Eigen::VectorXd &measured, const Eigen::Vect
 {
   RunningComparison comparison(rate, 1);
   std::vector<PlaceSecond> all;
-  for (Eigen::Index at = 0; at < measured.size(); at += block) {
-    const auto n    = std::min(block, measured.size() - at);
-    const auto news = comparison.take(at, measured.segment(at, n), simulated.segment(at, n));
+  for (Eigen::Index begin = 0; begin < measured.size(); begin += block) {
+    const auto n    = std::min(block, measured.size() - begin);
+    const auto news = comparison.take(begin, measured.segment(begin, n), simulated.segment(begin, n));
     for (const auto &second : news.seconds)
       all.insert(all.end(), second.begin(), second.end());
   }

@@ -227,8 +227,8 @@ TEST(CalibrateCommand, TakesTheStatedErrorsAsDeviationsBeforeTheRecords)
   const Stand stand;
   std::string text = Stand::case_text();
   for (const auto &[key, tolerance] : {std::pair("K2", "82 %"), std::pair("M3", "4 %")}) {
-    const auto at = text.find(std::string(key) + " = ");
-    text.insert(text.find('\n', at) + 1, fmt::format("{}_tolerance = \"{}\"\n", key, tolerance));
+    const auto position = text.find(std::string(key) + " = ");
+    text.insert(text.find('\n', position) + 1, fmt::format("{}_tolerance = \"{}\"\n", key, tolerance));
   }
   stand.file("stated.toml", text);
   ASSERT_EQ(millstand("calibrate stated.toml --plan -q -o plan", stand.folder).exit_code, 0);

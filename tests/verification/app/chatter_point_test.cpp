@@ -82,9 +82,10 @@ TEST(ChatterPoint, InputsOfTheDriveMoveTheWorkingPointAtEveryStep)
 {
   const std::string description = fmu::model_description(unit_2(), 2);
   for (const char *name : {"roll_speed", "entry_tension", "exit_tension", "entry_thickness", "dh_entry"}) {
-    const std::size_t at = description.find(std::string("<ScalarVariable name=\"") + name + "\"");
-    ASSERT_NE(at, std::string::npos) << name;
-    EXPECT_LT(description.find("causality=\"input\" variability=\"continuous\"", at), description.find("</", at))
+    const std::size_t position = description.find(std::string("<ScalarVariable name=\"") + name + "\"");
+    ASSERT_NE(position, std::string::npos) << name;
+    EXPECT_LT(description.find("causality=\"input\" variability=\"continuous\"", position),
+              description.find("</", position))
         << name;
   }
   for (const char *name : {"reduction", "viscosity"})

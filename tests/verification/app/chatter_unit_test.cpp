@@ -306,17 +306,17 @@ TEST(ChatterUnit, AStripThatTearsInsideAStepDiscardsItsRest)
   ASSERT_EQ(client.step(0, 0.1), fmi2Discard) << client.logged();
   EXPECT_NE(client.logged().find(" s the exit tension reaches the flow stress of the strip: it tears\n"),
             std::string::npos);
-  double at = 0;
-  int ended = 0;
-  ASSERT_EQ(FMI2(client, GetRealStatus)(client.c, fmi2LastSuccessfulTime, &at), fmi2OK);
+  double time = 0;
+  int ended   = 0;
+  ASSERT_EQ(FMI2(client, GetRealStatus)(client.c, fmi2LastSuccessfulTime, &time), fmi2OK);
   ASSERT_EQ(FMI2(client, GetBooleanStatus)(client.c, fmi2Terminated, &ended), fmi2OK);
-  EXPECT_TRUE(at > 0 && at < 0.1) << at;
+  EXPECT_TRUE(time > 0 && time < 0.1) << time;
   EXPECT_EQ(ended, 1);
   const double gap = client.get("dh");
   EXPECT_GT(gap, 1e-3) << "at that moment";
-  EXPECT_EQ(client.step(at, 1e-3), fmi2Error) << "there is no way on";
+  EXPECT_EQ(client.step(time, 1e-3), fmi2Error) << "there is no way on";
   EXPECT_EQ(client.logged().find("fmi2DoStep: the run has ended at "), 0u);
-  const double part = 0.5 * at;
+  const double part = 0.5 * time;
   Client3 three(unit_2());
   ASSERT_EQ(FMI3(three, EnterInitializationMode)(three.c, false, 0, 0, false, 0), fmi3OK) << three.logged();
   ASSERT_EQ(FMI3(three, ExitInitializationMode)(three.c), fmi3OK) << three.logged();
@@ -335,14 +335,14 @@ TEST(ChatterUnit, AStripThatTearsInsideAStepDiscardsItsRest)
   ASSERT_EQ(three.step(part, 0.1), fmi3OK) << three.logged();
   EXPECT_TRUE(three.terminated);
   const double inner = unit_2().data.chatter.longest_step;
-  EXPECT_TRUE(near(three.last_time, at, within(inner / at, "the tear is seen at the end of an inner step")));
+  EXPECT_TRUE(near(three.last_time, time, within(inner / time, "the tear is seen at the end of an inner step")));
   EXPECT_EQ(three.get("time"), three.last_time);
-  EXPECT_TRUE(near(three.get("dh"), gap, within(3 * inner / at, "a gap that grows with the cube of the time")));
+  EXPECT_TRUE(near(three.get("dh"), gap, within(3 * inner / time, "a gap that grows with the cube of the time")));
   EXPECT_NE(three.logged().find(" s the exit tension reaches the flow stress of the strip: it tears\n"),
             std::string::npos);
   EXPECT_EQ(three.step(three.last_time, 1e-3), fmi3Error) << "there is no way on";
   EXPECT_EQ(FMI3(three, Terminate)(three.c), fmi3OK);
-  EXPECT_TRUE(near(three.get("dh"), gap, within(3 * inner / at, "a gap that grows with the cube of the time")))
+  EXPECT_TRUE(near(three.get("dh"), gap, within(3 * inner / time, "a gap that grows with the cube of the time")))
       << "and can be read";
 }
 

@@ -115,8 +115,9 @@ std::vector<std::string> words_of(const std::string &command)
 std::vector<std::vector<std::string>> commands_of(const std::string &block)
 {
   std::string joined = block;
-  for (auto at = joined.find("\\\n"); at != std::string::npos; at = joined.find("\\\n", at))
-    joined.replace(at, 2, " ");
+  for (auto position = joined.find("\\\n"); position != std::string::npos;
+       position      = joined.find("\\\n", position))
+    joined.replace(position, 2, " ");
   std::vector<std::vector<std::string>> commands;
   std::istringstream lines(joined);
   for (std::string line; std::getline(lines, line);) {

@@ -310,9 +310,9 @@ TEST(Exchange, TheStepTestPromisesTheRightPeak)
   EXPECT_TRUE(
       near(s.stand.step_peak[0], peak, within(2e-4, "a peak between samples of 1/100 of the fastest period")));
   const std::string text = modelica_package(s.stand, "");
-  const auto at          = text.find("// Expected at the end: largest_upper = ");
-  ASSERT_NE(at, std::string::npos);
-  EXPECT_TRUE(near(std::stod(text.substr(at + 40)), peak, within(2e-4, "the same, with six digits")));
+  const auto position    = text.find("// Expected at the end: largest_upper = ");
+  ASSERT_NE(position, std::string::npos);
+  EXPECT_TRUE(near(std::stod(text.substr(position + 40)), peak, within(2e-4, "the same, with six digits")));
 }
 
 TEST(Exchange, TheReaderOfModelicaFindsMistakes)

@@ -38,7 +38,7 @@ long number_in(const fs::path &file)
 int how_often(const std::string &text, const std::string &part)
 {
   int n = 0;
-  for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+  for (auto position = text.find(part); position != std::string::npos; position = text.find(part, position + 1))
     ++n;
   return n;
 }

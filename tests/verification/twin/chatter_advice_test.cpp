@@ -63,11 +63,12 @@ std::string said(const std::string &reference)
     return "exit tension" + times;
   if (number == "he")
     return "entry thickness" + times;
-  const auto all = condition_2().numbers;
-  std::size_t at = std::size_t(number[1] - '0');
-  if (number[0] == 'k' && at > 3)
-    --at;  // there is no k3
-  const std::string key = (number[0] == 'k' ? "stand.stiffnesses[" : "stand.dampings[") + std::to_string(at) + "]";
+  const auto all    = condition_2().numbers;
+  std::size_t index = std::size_t(number[1] - '0');
+  if (number[0] == 'k' && index > 3)
+    --index;  // there is no k3
+  const std::string key =
+      (number[0] == 'k' ? "stand.stiffnesses[" : "stand.dampings[") + std::to_string(index) + "]";
   return std::find_if(all.begin(), all.end(), [&](const auto &n) { return n.key == key; })->name + times;
 }
 

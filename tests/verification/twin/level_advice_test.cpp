@@ -138,7 +138,7 @@ TEST(LevelAdvice, ActionsAreTheReference)
     std::string name = one["action"];
     if (name == "force x 0.8")
       continue;  // every level is in proportion to the force
-    if (const auto at = name.find("zeta x "); at == 0)
+    if (const auto position = name.find("zeta x "); position == 0)
       name = name == "zeta x 2.0" ? "modal damping x 2" : "modal damping x 1.5";
     if (name.find("damper") == 0)
       name = name.find("both") != std::string::npos ? "dampers 100 kN s/m, both work rolls to their backup rolls"

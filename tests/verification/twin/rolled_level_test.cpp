@@ -87,11 +87,11 @@ Driven driven(const dynamics::ChatterStandModel &stand, const dynamics::WorkingP
   const Eigen::MatrixXcd even = back.cast<Complex>().asDiagonal() * system * unit.cast<Complex>().asDiagonal();
   const Eigen::VectorXcd z    = unit.cast<Complex>().asDiagonal() *
                              even.partialPivLu().solve(Eigen::VectorXcd(back.cast<Complex>().asDiagonal() * push));
-  const auto &F      = point.by.force;
-  const Complex gap  = stand.structure.b.cast<Complex>().dot(z.head(n)),
-                rate = stand.structure.b.cast<Complex>().dot(z.segment(n, n));
-  const Complex at   = stand.structure.point.row(place).cast<Complex>() * z.head(n);
-  return {-w * w * at, 1.0 + F[0] * gap + F[1] * rate + F[2] * z[2 * n] + F[3] * z[2 * n + 1]};
+  const auto &F        = point.by.force;
+  const Complex gap    = stand.structure.b.cast<Complex>().dot(z.head(n)),
+                rate   = stand.structure.b.cast<Complex>().dot(z.segment(n, n));
+  const Complex motion = stand.structure.point.row(place).cast<Complex>() * z.head(n);
+  return {-w * w * motion, 1.0 + F[0] * gap + F[1] * rate + F[2] * z[2 * n] + F[3] * z[2 * n + 1]};
 }
 
 double level_by_equations(const bite::RollBite &bite, const double speed, const LumpedModel &after,

@@ -111,11 +111,11 @@ void PlaceSpectrum::put(const LiveBlock &block)
   }
   const Eigen::Index n = block.force.size();
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t at = std::size_t((block.first + i) % std::int64_t(length_));
+    const std::size_t index = std::size_t((block.first + i) % std::int64_t(length_));
     for (std::size_t p = 0; p < places_.size(); ++p) {
-      places_[p].simulated[at] = block.simulated(i, Eigen::Index(p));
+      places_[p].simulated[index] = block.simulated(i, Eigen::Index(p));
       if (places_[p].channel >= 0)
-        places_[p].measured[at] = block.measured(i, places_[p].channel);
+        places_[p].measured[index] = block.measured(i, places_[p].channel);
     }
   }
   end_ = block.first + n;
@@ -132,9 +132,9 @@ void PlaceSpectrum::add_piece(const Place &place)
   std::vector<std::complex<double>> z(length_), Z;
   double power = 0;
   for (std::int64_t i = 0; i < n; ++i) {
-    const std::size_t at = std::size_t((end_ + i) % n), k = std::size_t(i);  // the oldest first
-    z[k] = window_[k] * std::complex<double>(driven ? place.simulated[at] - level[0] : 0,
-                                             measured ? place.measured[at] - level[1] : 0);
+    const std::size_t index = std::size_t((end_ + i) % n), k = std::size_t(i);  // the oldest first
+    z[k] = window_[k] * std::complex<double>(driven ? place.simulated[index] - level[0] : 0,
+                                             measured ? place.measured[index] - level[1] : 0);
     power += window_[k] * window_[k];
   }
   fourier_.forward(z, Z);
@@ -169,11 +169,11 @@ PageSpectrum PlaceSpectrum::text_of(const Place &place) const
   out.latest    = density(last, last.back().measured.empty() ? &Piece::simulated : &Piece::measured);
   out.wave_step = 1 / rate_;
   for (std::int64_t s = end_ - std::min<std::int64_t>(wave_samples, std::int64_t(length_)); s < end_; ++s) {
-    const std::size_t at = std::size_t(s % std::int64_t(length_));
-    if (std::isfinite(place.simulated[at]))
-      out.wave_simulated.push_back(float(place.simulated[at]));
+    const std::size_t index = std::size_t(s % std::int64_t(length_));
+    if (std::isfinite(place.simulated[index]))
+      out.wave_simulated.push_back(float(place.simulated[index]));
     if (place.channel >= 0)
-      out.wave_measured.push_back(float(place.measured[at]));
+      out.wave_measured.push_back(float(place.measured[index]));
   }
   return out;
 }

@@ -19,18 +19,18 @@ const std::vector<std::string> &slider_keys()
 void set_factor(Tuning &tuning, const std::string &key, const double factor)
 {
   const auto &keys = slider_keys();
-  const auto at    = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
-  if (at < tuning.spring.size())
-    tuning.spring[at] = factor;
-  else if (at < keys.size())
+  const auto index = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
+  if (index < tuning.spring.size())
+    tuning.spring[index] = factor;
+  else if (index < keys.size())
     tuning.damping = factor;
 }
 
 double factor_of(const Tuning &tuning, const std::string &key)
 {
   const auto &keys = slider_keys();
-  const auto at    = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
-  return at < tuning.spring.size() ? tuning.spring[at] : tuning.damping;
+  const auto index = std::size_t(std::find(keys.begin(), keys.end(), key) - keys.begin());
+  return index < tuning.spring.size() ? tuning.spring[index] : tuning.damping;
 }
 
 LumpedModel tuned_chain(const TwinModel &model, const Tuning &tuning)

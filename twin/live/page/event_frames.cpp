@@ -25,15 +25,15 @@ bool is_history(const std::string &event)
 
 FramePointer FrameStore::add(const std::string &event, const std::string &json)
 {
-  auto frame     = std::make_shared<EventFrame>();
-  frame->event   = event;
-  frame->display = is_display(event);
-  frame->text    = "id: " + std::to_string(++last_id_) + "\nevent: " + event + "\ndata: ";
-  const auto at  = frame->text.size();
+  auto frame          = std::make_shared<EventFrame>();
+  frame->event        = event;
+  frame->display      = is_display(event);
+  frame->text         = "id: " + std::to_string(++last_id_) + "\nevent: " + event + "\ndata: ";
+  const auto position = frame->text.size();
   frame->text += json;
   // A line end would end the data; in JSON it can only stand between values.
   std::replace_if(
-      frame->text.begin() + std::ptrdiff_t(at), frame->text.end(),
+      frame->text.begin() + std::ptrdiff_t(position), frame->text.end(),
       [](const char c) { return c == '\n' || c == '\r'; }, ' ');
   frame->text += "\n\n";
   if (is_history(event)) {

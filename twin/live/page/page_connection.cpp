@@ -171,8 +171,8 @@ private:
     const auto all      = [&](const http::field field) {
       std::vector<std::string> lines;
       const auto range = request.equal_range(field);
-      for (auto at = range.first; at != range.second; ++at)
-        lines.emplace_back(at->value());
+      for (auto entry = range.first; entry != range.second; ++entry)
+        lines.emplace_back(entry->value());
       return lines;
     };
     RequestHead head;

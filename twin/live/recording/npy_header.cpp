@@ -54,11 +54,12 @@ bool read_npy_header(const std::string &bytes, NpyHeader &header)
   const std::string text = bytes.substr(head, length);
   header.bytes           = head + length;
   header.fields.clear();
-  for (std::size_t at = text.find("('"); at != std::string::npos; at = text.find("('", at + 2)) {
-    const std::size_t end = text.find('\'', at + 2);
+  for (std::size_t position = text.find("('"); position != std::string::npos;
+       position             = text.find("('", position + 2)) {
+    const std::size_t end = text.find('\'', position + 2);
     if (end == std::string::npos)
       return false;
-    header.fields.push_back(text.substr(at + 2, end - at - 2));
+    header.fields.push_back(text.substr(position + 2, end - position - 2));
   }
   const std::size_t shape = text.find("'shape': (");
   if (shape == std::string::npos || header.fields.empty() || header.fields.back() != "s")

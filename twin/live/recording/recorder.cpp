@@ -169,8 +169,8 @@ void Recorder::State::save()
 {
   if (!part || unsaved_rows == 0)
     return;
-  const auto at = std::int64_t(part->header_bytes) + part->rows * std::int64_t(part->row_bytes());
-  int error     = write_at(part->file, unsaved.data(), unsaved.size(), at);
+  const auto position = std::int64_t(part->header_bytes) + part->rows * std::int64_t(part->row_bytes());
+  int error           = write_at(part->file, unsaved.data(), unsaved.size(), position);
   if (error == 0) {
     const std::string header = npy_header(part->fields, part->rows + unsaved_rows);
     error                    = write_at(part->file, header.data(), header.size(), 0);
