@@ -50,8 +50,8 @@ std::string words_of(std::string identifier)
 
 std::string source_of(const ExchangedStand &stand, const std::string &name, const std::string &what)
 {
-  const auto found = stand.source.find(name);
-  return quoted(what + (found == stand.source.end() ? "" : " (" + found->second + ")"));
+  const auto entry = stand.source.find(name);
+  return quoted(what + (entry == stand.source.end() ? "" : " (" + entry->second + ")"));
 }
 
 std::string scalar(const ExchangedStand &stand, const char *name, const char *unit, const double value,

@@ -68,10 +68,10 @@ Eigen::MatrixXd value_of(const Expression &e, const Values &values)
   if (e.what == "number")
     return scalar(e.number);
   if (e.what == "name") {
-    const auto found = values.find(e.text);
-    if (found == values.end())
+    const auto value = values.find(e.text);
+    if (value == values.end())
       throw std::runtime_error(e.text + " has no value");
-    return found->second;
+    return value->second;
   }
   if (e.what == "array" || e.what == "table") {
     Eigen::MatrixXd all;

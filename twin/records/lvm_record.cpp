@@ -98,9 +98,9 @@ private:
   double key_number(const std::string &key, const std::size_t channel) const
   {
     double number    = std::nan("");
-    const auto found = keys.find(key);
-    if (found != keys.end() && channel < found->second.size())
-      read_number(found->second[channel], style, number);
+    const auto entry = keys.find(key);
+    if (entry != keys.end() && channel < entry->second.size())
+      read_number(entry->second[channel], style, number);
     return number;
   }
 

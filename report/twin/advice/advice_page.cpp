@@ -178,8 +178,8 @@ std::string of_six_masses(const json &document)
 
 void before_and_after(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
-  if (const auto found = tables.find("spectrum"); found != tables.end() && found->second.columns.size() > 1) {
-    const Table &table = found->second;
+  if (const auto entry = tables.find("spectrum"); entry != tables.end() && entry->second.columns.size() > 1) {
+    const Table &table = entry->second;
     double most        = 0;
     for (std::size_t c = 1; c < table.columns.size(); ++c)
       most = std::max(most, table.columns[c].maxCoeff());
@@ -193,10 +193,10 @@ void before_and_after(Page &page, const json &document, const std::map<std::stri
                                                    "with a measured force the root of the density." +
                                                        of_six_masses(document));
   }
-  if (const auto found = tables.find("growth"); found != tables.end() && found->second.columns.size() > 1) {
+  if (const auto table = tables.find("growth"); table != tables.end() && table->second.columns.size() > 1) {
     page.section("growth", "Before and after");
     page.figure(
-        {curves_drawing(found->second, {"speed of the rolls", "m/s"}, {"growth rate", "1/s"}, {})},
+        {curves_drawing(table->second, {"speed of the rolls", "m/s"}, {"growth rate", "1/s"}, {})},
         "Growth rate of the least stable mode over the speed: vibration grows above zero. Every point has its "
         "own steady bite.");
   }
@@ -238,8 +238,8 @@ void tuned_section(Page &page, const json &document, const std::map<std::string,
       tuned_rows(document["tuned_dampers"]),
       "In bold the tuning of least level, below it that of the closed form for one mode under white force." +
           of_six_masses(document));
-  if (const auto found = tables.find("detuning"); found != tables.end() && found->second.columns.size() > 1)
-    page.figure({curves_drawing(found->second, {"frequency of the damper off by", "%"},
+  if (const auto table = tables.find("detuning"); table != tables.end() && table->second.columns.size() > 1)
+    page.figure({curves_drawing(table->second, {"frequency of the damper off by", "%"},
                                 {"change of the level", "%"}, {{-5, "-5 %"}, {5, "+5 %"}})},
                 "What is left when the damper is out of tune: its frequency drifts with temperature, mass and the "
                 "errors of the stand.");

@@ -39,8 +39,8 @@ ComparedAnalysis read_analysis(const std::string &directory)
                                         {"findings", "record"}, "analyse the record again"),
                        {}};
   auto tables = written_tables(directory, {"spectrum"});
-  if (const auto found = tables.find("spectrum"); found != tables.end())
-    one.spectrum = std::move(found->second);
+  if (const auto table = tables.find("spectrum"); table != tables.end())
+    one.spectrum = std::move(table->second);
   return one;
 }
 

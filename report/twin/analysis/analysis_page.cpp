@@ -240,27 +240,27 @@ std::string head_of_page(const json &document)
 void spectra(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
   page.section("spectra", "Spectra");
-  if (const auto found = tables.find("spectrum"); found != tables.end())
-    for (std::size_t c = 1; c < found->second.columns.size(); ++c) {
-      if (!(found->second.columns[c].maxCoeff() > 0))
+  if (const auto table = tables.find("spectrum"); table != tables.end())
+    for (std::size_t c = 1; c < table->second.columns.size(); ++c) {
+      if (!(table->second.columns[c].maxCoeff() > 0))
         continue;  // a constant speed
       page.figure(
-          {spectrum_drawing(found->second, c, document["findings"], false)},
-          "One-sided density of " + escaped(found->second.names[c]) +
+          {spectrum_drawing(table->second, c, document["findings"], false)},
+          "One-sided density of " + escaped(table->second.names[c]) +
               ", Hann window, half-overlapping segments, the mean of each taken off. Marks are findings; length "
               "and number of segments and the noise bandwidth stand in the table below.");
     }
   page.table(convention_table(document["conventions"]),
              "Convention of each spectrum. Amplitudes of findings are 0-peak.");
-  if (const auto found = tables.find("distance"); found != tables.end())
-    for (std::size_t c = 1; c < found->second.columns.size(); ++c)
-      page.figure({spectrum_drawing(found->second, c, document["findings"], true)},
+  if (const auto table = tables.find("distance"); table != tables.end())
+    for (std::size_t c = 1; c < table->second.columns.size(); ++c)
+      page.figure({spectrum_drawing(table->second, c, document["findings"], true)},
                   "The same over the rolled length: what is locked to the speed is a line here, what is fixed is "
                   "smeared.");
-  if (const auto found = tables.find("waterfall"); found != tables.end())
-    for (std::size_t c = found->second.column("speed") ? 3 : 2; c < found->second.columns.size(); ++c)
-      if (const std::string drawing = map_drawing(found->second, c); !drawing.empty())
-        page.figure({drawing}, "Spectrum of " + escaped(found->second.names[c]) +
+  if (const auto table = tables.find("waterfall"); table != tables.end())
+    for (std::size_t c = table->second.column("speed") ? 3 : 2; c < table->second.columns.size(); ++c)
+      if (const std::string drawing = map_drawing(table->second, c); !drawing.empty())
+        page.figure({drawing}, "Spectrum of " + escaped(table->second.names[c]) +
                                    " over time; each cell is the largest bin of its group.");
 }
 }  // namespace
@@ -268,10 +268,10 @@ void spectra(Page &page, const json &document, const std::map<std::string, Table
 namespace {
 const Table *table_of(const std::map<std::string, Table> &tables, const std::string &name)
 {
-  const auto found = tables.find(name);
-  return found == tables.end() || found->second.columns.empty() || found->second.columns[0].size() == 0
+  const auto table = tables.find(name);
+  return table == tables.end() || table->second.columns.empty() || table->second.columns[0].size() == 0
              ? nullptr
-             : &found->second;
+             : &table->second;
 }
 
 void modes(Page &page, const std::map<std::string, Table> &tables)

@@ -175,8 +175,8 @@ void add_check(Page &page, const json &document, const std::map<std::string, Tab
   page.paragraph("Misfit " + significant(number_in(values["misfit.check.after"]["value"]), 4) + ", before " +
                  significant(number_in(values["misfit.check.before"]["value"]), 4) +
                  "; 1 corresponds to the noise of the fitted records. No sample of the check was fitted.");
-  if (const auto found = tables.find("response"); found != tables.end())
-    for (const std::string &drawing : response_drawings(found->second, document["sensors"]))
+  if (const auto table = tables.find("response"); table != tables.end())
+    for (const std::string &drawing : response_drawings(table->second, document["sensors"]))
       page.figure({drawing},
                   std::string(force_recorded(document)
                                   ? "Acceleration per bite force: the check records"
@@ -184,9 +184,9 @@ void add_check(Page &page, const json &document, const std::map<std::string, Tab
                                     "that suits them best,") +
                       " compared with the stand before and after. "
                       "The measured line is averaged over Hann segments, which lowers its sharp resonances.");
-  if (const auto found = tables.find("force"); found != tables.end())
+  if (const auto table = tables.find("force"); table != tables.end())
     page.figure(
-        {force_drawing(found->second)},
+        {force_drawing(table->second)},
         "Estimated density of the force of the fitted records, which was not recorded. It is smooth over a third "
         "octave.");
   page.section("residuals", "Residual by third octave");
@@ -211,8 +211,8 @@ void add_check(Page &page, const json &document, const std::map<std::string, Tab
 void add_minima(Page &page, const json &document, const std::map<std::string, Table> &tables)
 {
   page.section("profiles", "Profiles and other minima");
-  if (const auto found = tables.find("profiles"); found != tables.end()) {
-    const auto drawings = profile_drawings(found->second);
+  if (const auto table = tables.find("profiles"); table != tables.end()) {
+    const auto drawings = profile_drawings(table->second);
     for (std::size_t i = 0; i < drawings.size(); i += 3)
       page.figure({drawings.begin() + long(i), drawings.begin() + long(std::min(i + 3, drawings.size()))},
                   "Deviance along a spring, with all other unknowns fitted again. The interval ends where it "

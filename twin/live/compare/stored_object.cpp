@@ -22,10 +22,10 @@ void StoredObject::refuse(const std::string &why) const
 
 const nlohmann::json &StoredObject::member(const char *key) const
 {
-  const auto found = json_->find(key);
-  if (found == json_->end())
+  const auto member = json_->find(key);
+  if (member == json_->end())
     refuse(fmt::format("has no \"{}\"", key));
-  return *found;
+  return *member;
 }
 
 bool StoredObject::has(const char *key) const

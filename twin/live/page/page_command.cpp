@@ -50,30 +50,30 @@ Json flat_object(const std::string &text)
 
 std::string text_of(const Json &object, const char *member)
 {
-  const auto found = object.find(member);
-  if (found == object.end())
+  const auto entry = object.find(member);
+  if (entry == object.end())
     refuse_command(fmt::format("\"{}\" is missing", member));
-  if (!found->is_string() || found->get_ref<const std::string &>().size() > 64)
+  if (!entry->is_string() || entry->get_ref<const std::string &>().size() > 64)
     refuse_command(fmt::format("\"{}\" is a text of at most 64 characters", member));
-  return found->get<std::string>();
+  return entry->get<std::string>();
 }
 
 std::int64_t id_of(const Json &object)
 {
-  const auto found = object.find("id");
-  if (found == object.end())
+  const auto id = object.find("id");
+  if (id == object.end())
     refuse_command("\"id\" is missing");
-  if (!found->is_number_integer() || (found->is_number_unsigned() && found->get<std::uint64_t>() > INT64_MAX))
+  if (!id->is_number_integer() || (id->is_number_unsigned() && id->get<std::uint64_t>() > INT64_MAX))
     refuse_command("\"id\" is a whole number");
-  return found->get<std::int64_t>();
+  return id->get<std::int64_t>();
 }
 
 double factor_of(const Json &object)
 {
-  const auto found = object.find("factor");
-  if (found == object.end())
+  const auto factor_member = object.find("factor");
+  if (factor_member == object.end())
     refuse_command("\"factor\" is missing");
-  const double factor = found->is_number() ? found->get<double>() : NAN;
+  const double factor = factor_member->is_number() ? factor_member->get<double>() : NAN;
   if (!(factor >= least_factor && factor <= largest_factor))
     refuse_command(fmt::format("\"factor\" is a number from {} to {}, times the model's own value", least_factor,
                                largest_factor));
