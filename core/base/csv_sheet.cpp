@@ -209,13 +209,13 @@ const Unit &unit_of(const Sheet &sheet, const Header &header, const std::string 
   const auto remedy  = fmt::format("{} is needed, for example \"{} [{}]\"", wanted.quantity, header.name, sample);
   if (!header.has_unit || header.unit.empty())
     throw InputError(sheet.place(header), fmt::format("column '{}' has no unit; {}", header.name, remedy));
-  const Unit *found = find_unit(header.unit);
-  if (!found)
+  const Unit *in_table = find_unit(header.unit);
+  if (!in_table)
     throw InputError(sheet.place(header),
                      fmt::format("column '{}' has the unknown unit '{}'; {}", header.name, header.unit, remedy));
-  if (!(found->dimension == wanted.dimension))
+  if (!(in_table->dimension == wanted.dimension))
     throw InputError(sheet.place(header), fmt::format("column '{}' has the unit '{}', {}; {}", header.name,
-                                                      header.unit, found->quantity, remedy));
-  return *found;
+                                                      header.unit, in_table->quantity, remedy));
+  return *in_table;
 }
 }  // namespace mill::csv

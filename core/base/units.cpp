@@ -188,10 +188,10 @@ const Unit *find_unit(const std::string_view spelling)
 
 const Unit &unit(const std::string_view symbol)
 {
-  const Unit *found = find_unit(symbol);
-  if (!found)
+  const Unit *known = find_unit(symbol);
+  if (!known)
     throw std::logic_error("there is no unit " + std::string(symbol));  // a table of this program names it
-  return *found;
+  return *known;
 }
 
 double to_si(const double number, const Unit &u)

@@ -106,20 +106,20 @@ constexpr double speed_error = 0.002;  // of a frequency that follows the speed 
 constexpr int most_orders = 5, most_mains = 20, most_of_bearing = 3, most_harmonics = 10;
 constexpr double most_by_chance = 0.01;  // an image that chance makes more often is not reported
 
-void add_orders(std::vector<std::string> &found, const TurningPeak &peak, const CaseModel &stand,
+void add_orders(std::vector<std::string> &owners, const TurningPeak &peak, const CaseModel &stand,
                 const double speed)
 {
   for (const TurningRoll &roll : stand.rolls) {
     const double turn = speed / (M_PI * roll.diameter), whole = std::round(peak.frequency / turn);
     if (std::isfinite(turn) && whole >= 1 && whole <= most_orders &&
         std::abs(peak.frequency - whole * turn) <= peak.reach + speed_error * peak.frequency)
-      found.push_back(
+      owners.push_back(
           fmt::format("{} turn{} of the {} ({:.3f} Hz each)", whole, whole == 1 ? "" : "s", roll.name, turn));
   }
 }
 
 // With the slip that the rule of bearings allows.
-void add_bearing_lines(std::vector<std::string> &found, const TurningPeak &peak, const CaseModel &stand,
+void add_bearing_lines(std::vector<std::string> &owners, const TurningPeak &peak, const CaseModel &stand,
                        const double speed)
 {
   for (const TurningBearing &bearing : stand.bearings) {
@@ -131,7 +131,7 @@ void add_bearing_lines(std::vector<std::string> &found, const TurningPeak &peak,
         const double line = h * order * turn;
         if (std::isfinite(line) && peak.frequency >= 0.985 * line - peak.reach &&
             peak.frequency <= 1.008 * line + peak.reach)
-          found.push_back(
+          owners.push_back(
               fmt::format("{} x {} of bearing {} ({:.2f} Hz without slip)", h, family, bearing.name, line));
       }
   }
@@ -139,7 +139,7 @@ void add_bearing_lines(std::vector<std::string> &found, const TurningPeak &peak,
 
 // Harmonics of other lines above half the rate come back mirrored.  Tried are so many lines and harmonics, that
 // one of them falls near any frequency by chance: (41.30).
-void add_images(std::vector<std::string> &found, const TurningPeak &peak, const std::vector<double> &lines,
+void add_images(std::vector<std::string> &owners, const TurningPeak &peak, const std::vector<double> &lines,
                 const double rate)
 {
   const double reach = peak.image_reach > 0 ? peak.image_reach : 0.5 * peak.reach;
@@ -156,18 +156,18 @@ void add_images(std::vector<std::string> &found, const TurningPeak &peak, const 
             "image of {} x {:.2f} Hz, which lies above half of the {:.0f} samples per second", h, line, rate));
     }
   if (expected < most_by_chance)
-    found.insert(found.end(), fitting.begin(), fitting.end());
+    owners.insert(owners.end(), fitting.begin(), fitting.end());
 }
 
-void add_mains(std::vector<std::string> &found, const TurningPeak &peak, const std::optional<double> &mains)
+void add_mains(std::vector<std::string> &owners, const TurningPeak &peak, const std::optional<double> &mains)
 {
   for (const double grid : {50.0, 60.0}) {
     const double order = std::round(peak.frequency / grid);
     if ((mains && std::abs(*mains - grid) > 1) || order < 1 || order > most_mains ||
         std::abs(peak.frequency - grid * order) > peak.reach + speed_error * peak.frequency)
       continue;
-    found.push_back(order == 1 ? fmt::format("mains, {:.0f} Hz", grid)
-                               : fmt::format("mains, {} x {:.0f} Hz", order, grid));
+    owners.push_back(order == 1 ? fmt::format("mains, {:.0f} Hz", grid)
+                                : fmt::format("mains, {} x {:.0f} Hz", order, grid));
   }
 }
 }  // namespace
@@ -175,20 +175,20 @@ void add_mains(std::vector<std::string> &found, const TurningPeak &peak, const s
 std::string turning_owner(const TurningPeak &peak, const CaseModel *stand, const double speed,
                           const std::vector<double> &lines, const double rate, const std::optional<double> mains)
 {
-  std::vector<std::string> found;
+  std::vector<std::string> owners;
   if (stand && speed > 0)
-    add_orders(found, peak, *stand, speed);
+    add_orders(owners, peak, *stand, speed);
   if (peak.line) {
-    add_mains(found, peak, mains);
+    add_mains(owners, peak, mains);
     if (stand && speed > 0)
-      add_bearing_lines(found, peak, *stand, speed);
-    add_images(found, peak, lines, rate);
+      add_bearing_lines(owners, peak, *stand, speed);
+    add_images(owners, peak, lines, rate);
   }
-  if (found.empty())
+  if (owners.empty())
     return "";
-  std::string text = found.size() > 1 ? "ambiguous: " + found[0] : found[0];
-  for (std::size_t i = 1; i < found.size(); ++i)
-    text += "; or " + found[i];
+  std::string text = owners.size() > 1 ? "ambiguous: " + owners[0] : owners[0];
+  for (std::size_t i = 1; i < owners.size(); ++i)
+    text += "; or " + owners[i];
   return text;
 }
 }  // namespace mill::twin

@@ -134,7 +134,7 @@ void add_resonance_findings(Analysis &analysis, const CaseModel *stand, const do
 void add_locked_findings(Analysis &analysis, const CaseModel *stand)
 {
   const double span = speed_span(analysis);
-  std::vector<std::pair<double, std::size_t>> found;  // 1/m, index of the finding
+  std::vector<std::pair<double, std::size_t>> waves;  // 1/m, index of the finding
   for (const ChannelAnalysis &channel : analysis.channels) {
     if (channel.length.n == 0 || channel.map.speed.size() == 0)
       continue;
@@ -147,10 +147,10 @@ void add_locked_findings(Analysis &analysis, const CaseModel *stand)
           std::max(peak.width / peak.frequency, channel.map.rate / double(channel.map.L) / (peak.frequency * v));
       if (follows_speed(exponent, span, width) != Follows::locked)
         continue;
-      const auto known = std::find_if(found.begin(), found.end(), [&](const auto &f) {
+      const auto known = std::find_if(waves.begin(), waves.end(), [&](const auto &f) {
         return std::abs(f.first - peak.frequency) < 2 * peak.resolution;
       });
-      if (known != found.end()) {
+      if (known != waves.end()) {
         analysis.findings[known->second].evidence.push_back(
             fmt::format("{} shows it too, {:.3g} {} 0-peak", channel.name, peak.amplitude, channel.unit));
         continue;
@@ -183,7 +183,7 @@ void add_locked_findings(Analysis &analysis, const CaseModel *stand)
                 "{:.0f} waves per turn of the {}: marks on that roll, or {:.0f} of something per turn of it",
                 waves, roll.name, waves);
         }
-      found.push_back({peak.frequency, analysis.findings.size()});
+      waves.push_back({peak.frequency, analysis.findings.size()});
       analysis.findings.push_back(std::move(finding));
     }
   }

@@ -94,11 +94,11 @@ FaultLines best_slip(const Lines &lines, const std::string &family, const double
 }
 
 // Harmonics of a family that was found, with the side bands it makes.
-void block_family(Lines &lines, const FaultLines &found, const double shaft, const double cage)
+void block_family(Lines &lines, const FaultLines &family, const double shaft, const double cage)
 {
-  const bool by_shaft = found.family != "2 BSF", by_cage = found.family == "2 BSF" || found.family == "BPFO";
+  const bool by_shaft = family.family != "2 BSF", by_cage = family.family == "2 BSF" || family.family == "BPFO";
   for (int h = 1; h <= 2 * harmonics; ++h) {
-    const double f = h * found.frequency * (1 + found.slip);
+    const double f = h * family.frequency * (1 + family.slip);
     lines.block(f);
     for (int k = 1; k <= side_bands; ++k)
       for (const double sign : {-1.0, 1.0}) {
@@ -153,9 +153,9 @@ EnvelopeSpectrum envelope_spectrum(const Eigen::Ref<const Eigen::VectorXd> &valu
 std::vector<FaultLines> fault_lines(const EnvelopeSpectrum &spectrum, const TurningBearing &bearing,
                                     const double shaft)
 {
-  std::vector<FaultLines> found;
+  std::vector<FaultLines> families;
   if (spectrum.magnitude.size() == 0 || !std::isfinite(bearing.cage))
-    return found;
+    return families;
   Lines lines(spectrum);
   for (int k = 1; k <= shaft_harmonics; ++k)
     lines.block(k * shaft);
@@ -169,11 +169,11 @@ std::vector<FaultLines> fault_lines(const EnvelopeSpectrum &spectrum, const Turn
       if (FaultLines tried = best_slip(lines, family, frequency, spectrum.resolution);
           best.family.empty() || tried.score > best.score)
         best = tried;
-    found.push_back(best);
+    families.push_back(best);
     if (best.indicated())
       block_family(lines, best, shaft, bearing.cage * shaft);
     left.erase(std::find_if(left.begin(), left.end(), [&](const auto &f) { return f.first == best.family; }));
   }
-  return found;
+  return families;
 }
 }  // namespace mill::twin

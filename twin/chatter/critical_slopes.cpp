@@ -11,11 +11,11 @@ const InputDoubt *doubt_of(const std::vector<InputDoubt> &doubts, const std::str
   return best;
 }
 
-std::optional<CriticalPoint> critical_point(const dynamics::CriticalSpeed &found)
+std::optional<CriticalPoint> critical_point(const dynamics::CriticalSpeed &critical)
 {
-  if (found.verdict == dynamics::Verdict::crossing)
-    for (const dynamics::Crossing &c : found.crossings)
-      if (c.speed == found.speed && c.slope > 0)
+  if (critical.verdict == dynamics::Verdict::crossing)
+    for (const dynamics::Crossing &c : critical.crossings)
+      if (c.speed == critical.speed && c.slope > 0)
         return CriticalPoint{c.speed, c.frequency, c.root, c.slope};
   return {};
 }

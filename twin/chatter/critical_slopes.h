@@ -9,7 +9,7 @@ namespace mill::twin {
 const InputDoubt *doubt_of(const std::vector<InputDoubt> &doubts, const std::string &key);
 
 /// The critical speed that a search has found; none unless its verdict is a crossing.
-std::optional<CriticalPoint> critical_point(const dynamics::CriticalSpeed &found);
+std::optional<CriticalPoint> critical_point(const dynamics::CriticalSpeed &critical);
 
 /// Slope of a critical speed to one number of the pass, of the structure or of the strip next to the stand.
 struct CriticalSlope {

@@ -198,11 +198,11 @@ double scheme_spread(const ChatterModel &model, const bite::RollBite &bite)
   double low = ChatterInputs::none, high = ChatterInputs::none;
   for (const auto scheme :
        {bite::Linearisation::sequential, bite::Linearisation::implicit, bite::Linearisation::frozen_friction}) {
-    const auto found = dynamics::critical_speed(model.stand, bite, scheme, model.range);
-    if (found.verdict != dynamics::Verdict::crossing)
+    const auto critical = dynamics::critical_speed(model.stand, bite, scheme, model.range);
+    if (critical.verdict != dynamics::Verdict::crossing)
       return ChatterInputs::none;
-    low  = std::fmin(low, found.speed);
-    high = std::fmax(high, found.speed);
+    low  = std::fmin(low, critical.speed);
+    high = std::fmax(high, critical.speed);
   }
   return (high - low) / (high + low);
 }

@@ -16,14 +16,14 @@ struct HeldLevel {
 
 template <class AtLevel> HeldLevel held(const Eigen::VectorXd &value, const AtLevel &at_level)
 {
-  HeldLevel found;
+  HeldLevel level;
   Eigen::Index run = 0;
   for (const double x : value) {
     run = at_level(x) ? run + 1 : 0;
-    found.count += run > 0;
-    found.longest = std::max(found.longest, run);
+    level.count += run > 0;
+    level.longest = std::max(level.longest, run);
   }
-  return found;
+  return level;
 }
 
 template <class AtLevel>

@@ -62,15 +62,15 @@ Extremum highest(const std::vector<Complex> &R, const Eigen::Index reach, const 
     if ((i == 0 || sign * at[i] >= sign * at[i - 1]) && (i + 1 == at.size() || sign * at[i] > sign * at[i + 1]))
       maxima.push_back(lag);
   }
-  Extremum found;
+  Extremum extremum;
   for (const Eigen::Index lag : maxima)
     if (sign * at[std::size_t(lag + reach)] >= alike * top &&
-        (found.height == 0 || std::abs(lag) < std::abs(found.lag)))
-      found = {lag, at[std::size_t(lag + reach)], 0};
+        (extremum.height == 0 || std::abs(lag) < std::abs(extremum.lag)))
+      extremum = {lag, at[std::size_t(lag + reach)], 0};
   for (const Eigen::Index lag : maxima)
-    if (lag != found.lag)
-      found.rival = std::max(found.rival, sign * at[std::size_t(lag + reach)]);
-  return found;
+    if (lag != extremum.lag)
+      extremum.rival = std::max(extremum.rival, sign * at[std::size_t(lag + reach)]);
+  return extremum;
 }
 
 // (50.3): Knapp and Carter's variance of the delay for a correlation without weights.
@@ -129,10 +129,10 @@ Delay delay_of(const CrossSums &now, const CrossSums &known, const double rate, 
   for (Eigen::Index k = 1; k < bins; ++k)
     lines[std::size_t(k)] = now.xy[k];  // the other half is not needed: the real part is taken
   fourier.inverse(lines, R);
-  const auto most      = std::min<Eigen::Index>(L / 4, Eigen::Index(std::lround(reach * rate)));
-  const Extremum found = highest(R, most, L);
-  const double step    = 2 * M_PI * rate / double(L);
-  double tau           = double(found.lag) / rate;
+  const auto most     = std::min<Eigen::Index>(L / 4, Eigen::Index(std::lround(reach * rate)));
+  const Extremum peak = highest(R, most, L);
+  const double step   = 2 * M_PI * rate / double(L);
+  double tau          = double(peak.lag) / rate;
   for (int i = 0; i < 4; ++i) {  // Newton's method from the highest sample on the sum itself
     const auto R3     = correlation_at(now.xy, step, tau);
     const double move = -R3[1] / R3[2];
@@ -142,7 +142,7 @@ Delay delay_of(const CrossSums &now, const CrossSums &known, const double rate, 
   }
   delay.value       = tau;
   delay.correlation = correlation_at(now.xy, step, tau)[0] / std::sqrt(x * y);
-  delay.rival       = found.rival / std::abs(found.height);
+  delay.rival       = peak.rival / std::abs(peak.height);
   delay.sd          = delay_sd(known, step, duration);
   return delay;
 }

@@ -19,10 +19,10 @@ struct Multiple {
 };
 
 // Weighted mean of f/n and its deviation.
-void refine(LineFamily &family, const std::vector<SeenLine> &lines, const std::vector<Multiple> &found)
+void refine(LineFamily &family, const std::vector<SeenLine> &lines, const std::vector<Multiple> &multiples)
 {
   double nn = 0, nf = 0;
-  for (const Multiple &one : found) {
+  for (const Multiple &one : multiples) {
     const double weight = 1 / (lines[one.line].deviation * lines[one.line].deviation);
     nn += weight * one.order * one.order;
     nf += weight * one.order * lines[one.line].frequency;
@@ -42,7 +42,7 @@ LineFamily family_from(const double guess, const double deviation, const std::ve
                        const std::vector<std::size_t> &ascending)
 {
   LineFamily family{guess, deviation, {}, {}, 1, {}};
-  std::vector<Multiple> found, certain;
+  std::vector<Multiple> multiples, certain;
   double expected = 0, least_chance = 1;
   LineFamily refined = family;
   for (const std::size_t i : ascending) {
@@ -56,15 +56,16 @@ LineFamily family_from(const double guess, const double deviation, const std::ve
     if (std::abs(lines[i].frequency - order * family.fundamental) > reach)
       continue;
     const auto same =
-        std::find_if(found.begin(), found.end(), [&](const Multiple &m) { return m.order == order; });
-    if (same == found.end())
-      found.push_back({order, i});
+        std::find_if(multiples.begin(), multiples.end(), [&](const Multiple &m) { return m.order == order; });
+    if (same == multiples.end())
+      multiples.push_back({order, i});
     else if (lines[i].power > lines[same->line].power)
       same->line = i;
-    refine(family, lines, found);
-    if (const double chance = chance_of(found.size() - 1, expected); found.size() == 1 || chance <= least_chance) {
+    refine(family, lines, multiples);
+    if (const double chance = chance_of(multiples.size() - 1, expected);
+        multiples.size() == 1 || chance <= least_chance) {
       least_chance = chance;  // what comes later and makes the family less certain is not of it
-      certain      = found;
+      certain      = multiples;
       refined      = family;
     }
   }

@@ -121,11 +121,11 @@ std::vector<Peak> resonances(const WelchSpectrum &s, const Eigen::VectorXd &dens
   }
   // the average that fits the width best is the most certain one
   std::sort(all.begin(), all.end(), [](const Scored &a, const Scored &b) { return a.score > b.score; });
-  std::vector<Peak> found;
+  std::vector<Peak> peaks;
   for (const Scored &one : all)
-    if (std::none_of(found.begin(), found.end(), [&](const Peak &other) { return overlaps(one.peak, other); }))
-      found.push_back(one.peak);
-  std::sort(found.begin(), found.end(), [](const Peak &a, const Peak &b) { return a.density > b.density; });
-  return found;
+    if (std::none_of(peaks.begin(), peaks.end(), [&](const Peak &other) { return overlaps(one.peak, other); }))
+      peaks.push_back(one.peak);
+  std::sort(peaks.begin(), peaks.end(), [](const Peak &a, const Peak &b) { return a.density > b.density; });
+  return peaks;
 }
 }  // namespace mill::twin

@@ -158,14 +158,14 @@ GrowthRate growth_rate(const ComplexEnvelope &envelope)
 
 std::vector<Alarm> alarms(const ComplexEnvelope &envelope, const AlarmSettings &settings)
 {
-  std::vector<Alarm> found;
+  std::vector<Alarm> result;
   for (std::size_t p = 0; p < envelope.z.size(); ++p) {
     OnsetWatch watch(envelope.frequency, envelope.rate, settings);
     for (Eigen::Index k = 0; k < envelope.z[p].size(); ++k)
       if (const auto alarm = watch.take(envelope.start[p] + double(k) / envelope.rate, envelope.z[p][k]))
-        found.push_back(*alarm);
+        result.push_back(*alarm);
   }
-  return found;
+  return result;
 }
 
 double longest_lead(const double limit, const double threshold_level, const double sigma)

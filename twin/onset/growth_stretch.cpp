@@ -93,9 +93,9 @@ std::optional<GrowthStretch> growth_stretch(const ComplexEnvelope &envelope)
 {
   std::optional<GrowthStretch> best;
   for (std::size_t p = 0; p < envelope.z.size(); ++p)
-    if (const auto found = stretch_of_piece(envelope.z[p], envelope.start[p], envelope.rate);
-        found && (!best || found->gain > best->gain))
-      best = found;
+    if (const auto stretch = stretch_of_piece(envelope.z[p], envelope.start[p], envelope.rate);
+        stretch && (!best || stretch->gain > best->gain))
+      best = stretch;
   return best;
 }
 }  // namespace mill::twin

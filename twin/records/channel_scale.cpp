@@ -25,25 +25,25 @@ ColumnUnit unit_by_scale(const std::string &text, const std::string &column)
   for (const auto &[volt, size] : {std::pair("V", 1.0), std::pair("mV", 1e-3), std::pair("uV", 1e-6)}) {
     const std::string over = std::string(volt) + "/", below = std::string("/") + volt;
     if (unit.rfind(over, 0) == 0) {  // "50 mV/g"
-      ColumnUnit found = unit_of_column(unit.substr(over.size()), column);
-      found.factor /= number * size;
-      if (!found.known)
+      ColumnUnit column_unit = unit_of_column(unit.substr(over.size()), column);
+      column_unit.factor /= number * size;
+      if (!column_unit.known)
         refuse_scale(text);
-      return found;
+      return column_unit;
     }
     if (unit.size() > below.size() && unit.compare(unit.size() - below.size(), below.size(), below) == 0) {
-      ColumnUnit found = unit_of_column(unit.substr(0, unit.size() - below.size()), column);
-      found.factor *= number / size;
-      if (!found.known)
+      ColumnUnit column_unit = unit_of_column(unit.substr(0, unit.size() - below.size()), column);
+      column_unit.factor *= number / size;
+      if (!column_unit.known)
         refuse_scale(text);
-      return found;
+      return column_unit;
     }
   }
-  ColumnUnit found = unit_of_column(unit, column);
-  if (!found.known || unit.empty())
+  ColumnUnit column_unit = unit_of_column(unit, column);
+  if (!column_unit.known || unit.empty())
     refuse_scale(text);
-  found.factor *= number;
-  return found;
+  column_unit.factor *= number;
+  return column_unit;
 }
 
 std::optional<ColumnUnit> scale_of(const std::string &column, const ColumnUnit &unit, const ReadOptions &options)

@@ -116,8 +116,8 @@ void CsvEvidence::add(const std::vector<std::string_view> &cells)
 
 int CsvColumns::find(const Kind wanted) const
 {
-  const auto found = std::find(kind.begin(), kind.end(), wanted);
-  return found == kind.end() ? -1 : int(found - kind.begin());
+  const auto first = std::find(kind.begin(), kind.end(), wanted);
+  return first == kind.end() ? -1 : int(first - kind.begin());
 }
 
 bool operator==(const CsvColumns &a, const CsvColumns &b)

@@ -23,7 +23,7 @@ struct Element {
 };
 
 // Types of numbers, table 1-1; nothing for others.
-bool number_type(const int type, BinaryType &found)
+bool number_type(const int type, BinaryType &type_of_numbers)
 {
   static constexpr struct {
     int type;
@@ -35,7 +35,7 @@ bool number_type(const int type, BinaryType &found)
   };
   for (const auto &one : types)
     if (one.type == type) {
-      found = one.number;
+      type_of_numbers = one.number;
       return true;
     }
   return false;
@@ -223,8 +223,8 @@ NamedArrays mat_arrays(const std::string &file, const std::string &bytes)
     throw InputError(file + " is a MATLAB file of version 7.3; save it in MATLAB with save('record.mat', '-v7')");
   if (bytes.size() < head_size || (bytes.compare(126, 2, "IM") != 0 && bytes.compare(126, 2, "MI") != 0))
     throw InputError(file + " is not a MATLAB file of level 5; save it in MATLAB with save('record.mat', '-v7')");
-  NamedArrays found;
-  MatParser(file, bytes, bytes.compare(126, 2, "MI") == 0, found).read(head_size);
-  return found;
+  NamedArrays arrays;
+  MatParser(file, bytes, bytes.compare(126, 2, "MI") == 0, arrays).read(head_size);
+  return arrays;
 }
 }  // namespace mill::twin

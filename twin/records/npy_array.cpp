@@ -34,29 +34,29 @@ std::string literal_of(const std::string &header, const std::string &key)
 
 std::vector<std::string> quoted_in(const std::string &text)
 {
-  std::vector<std::string> found;
+  std::vector<std::string> names;
   for (std::size_t i = text.find('\''); i != std::string::npos; i = text.find('\'', i + 1)) {
     const auto end = text.find('\'', i + 1);
     if (end == std::string::npos)
       break;
-    found.push_back(text.substr(i + 1, end - i - 1));
+    names.push_back(text.substr(i + 1, end - i - 1));
     i = end;
   }
-  return found;
+  return names;
 }
 
 std::vector<double> numbers_in(const std::string &text)
 {
-  std::vector<double> found;
+  std::vector<double> numbers;
   for (std::size_t i = 0; i < text.size();)
     if (text[i] >= '0' && text[i] <= '9') {
       double value = 0;
       for (; i < text.size() && text[i] >= '0' && text[i] <= '9'; ++i)
         value = 10 * value + (text[i] - '0');
-      found.push_back(value);
+      numbers.push_back(value);
     } else
       ++i;
-  return found;
+  return numbers;
 }
 
 NpyLayout layout_of_header(const std::string &header, const std::string &path)

@@ -54,16 +54,16 @@ void take_array_of_archive(const std::string &path, const std::string &name, std
 RawRecord read_npz_record(const std::string &path, const ReadOptions &options)
 {
   const std::string archive = read_text(path);
-  NamedArrays found;
+  NamedArrays arrays;
   for (const ZipEntry &entry : zip_entries(path, archive)) {
     const std::string name = array_name(entry.name);
     std::string bytes      = unpacked(path, entry);
     try {
-      take_array_of_archive(path, name, std::move(bytes), found);
+      take_array_of_archive(path, name, std::move(bytes), arrays);
     } catch (const SystemError &) {
       throw;
     } catch (const InputError &) {  // texts and objects next to the arrays
-      found.others.push_back("'" + valid_text(name) + "'");
+      arrays.others.push_back("'" + valid_text(name) + "'");
     }
   }
   std::map<std::string, std::string> units;
@@ -75,7 +75,7 @@ RawRecord read_npz_record(const std::string &path, const ReadOptions &options)
     rate                     = sidecar.rate;
   }
   if (rate > 0)
-    found.arrays.push_back({"Fs", Eigen::MatrixXd::Constant(1, 1, rate)});
-  return record_of_arrays(path, "numpy", std::move(found), units, options);
+    arrays.arrays.push_back({"Fs", Eigen::MatrixXd::Constant(1, 1, rate)});
+  return record_of_arrays(path, "numpy", std::move(arrays), units, options);
 }
 }  // namespace mill::twin

@@ -18,11 +18,11 @@ std::string_view plain_signs(std::string_view text, std::array<char, longest_num
   while (!text.empty()) {
     if (n == copy.size())
       return {};
-    const auto *found = std::find_if(std::begin(signs), std::end(signs), [&](const auto &sign) {
+    const auto *sign_of_list = std::find_if(std::begin(signs), std::end(signs), [&](const auto &sign) {
       return text.substr(0, sign.first.size()) == sign.first;
     });
-    copy[n++]         = found == std::end(signs) ? text.front() : found->second;
-    text.remove_prefix(found == std::end(signs) ? 1 : found->first.size());
+    copy[n++]                = sign_of_list == std::end(signs) ? text.front() : sign_of_list->second;
+    text.remove_prefix(sign_of_list == std::end(signs) ? 1 : sign_of_list->first.size());
   }
   return {copy.data(), n};
 }

@@ -163,11 +163,11 @@ ColumnUnit unit_of_column(const std::string &text, const std::string &name)
   for (const RecordUnit &u : record_units)
     if (spelling == u.spelling)
       return {u.si, u.factor, u.quantity == Quantity::velocity ? velocity_or_speed(name) : u.quantity, true};
-  const Unit *found = spelling.empty() ? nullptr : find_unit(spelling);
-  if (!found)
+  const Unit *known_unit = spelling.empty() ? nullptr : find_unit(spelling);
+  if (!known_unit)
     return {written.empty() ? "1" : written, 1, Quantity::other, false};
-  const double factor = found->multiply / found->divide;
-  const auto is_like  = [&](const char *symbol) { return found->dimension == unit(symbol).dimension; };
+  const double factor = known_unit->multiply / known_unit->divide;
+  const auto is_like  = [&](const char *symbol) { return known_unit->dimension == unit(symbol).dimension; };
   if (is_like("m/s2"))
     return {"m/s2", factor, Quantity::acceleration, true};
   if (is_like("N"))
@@ -178,7 +178,7 @@ ColumnUnit unit_of_column(const std::string &text, const std::string &name)
     return {"m", factor, Quantity::displacement, true};
   if (is_like("Pa"))
     return {"Pa", factor, Quantity::other, true};
-  return {found->symbol, 1, Quantity::other, true};
+  return {known_unit->symbol, 1, Quantity::other, true};
 }
 
 bool looks_like_unit(const std::string_view text)

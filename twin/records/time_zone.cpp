@@ -214,15 +214,15 @@ std::vector<std::int64_t> TimeZone::utc_of(const std::int64_t local_seconds) con
   if (goes_on_ && !change_.empty() && local_seconds > change_.back() + year)
     throw InputError("this system knows the zone " + name_ +
                      " not as far as this time; write the times with their offset from UTC");
-  std::vector<std::int64_t> found;
+  std::vector<std::int64_t> times;
   for (std::size_t i = 0; i < offset_.size(); ++i) {
     const std::int64_t utc = local_seconds - offset_[i];
     const bool after       = i == 0 || utc >= change_[i - 1];
     const bool before      = i == change_.size() || utc < change_[i];
-    if (after && before && std::find(found.begin(), found.end(), utc) == found.end())
-      found.push_back(utc);
+    if (after && before && std::find(times.begin(), times.end(), utc) == times.end())
+      times.push_back(utc);
   }
-  return found;
+  return times;
 }
 
 const std::string &TimeZone::name() const

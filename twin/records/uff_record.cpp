@@ -353,9 +353,9 @@ private:
 
   static std::string first_name(const DataSet &set)
   {
-    const auto found =
+    const auto entry =
         std::find_if(set.names.begin(), set.names.end(), [](const auto &name) { return !name.empty(); });
-    return found == set.names.end() ? "data set" : *found;
+    return entry == set.names.end() ? "data set" : *entry;
   }
 
   double rate_of(const DataSet &set)

@@ -76,9 +76,9 @@ Peak peak_at(const WelchSpectrum &s, const Eigen::Index k, const double rise)
 
 std::vector<Peak> peaks(const WelchSpectrum &s, const double low, const double high)
 {
-  std::vector<Peak> found;
+  std::vector<Peak> result;
   if (s.n == 0)
-    return found;
+    return result;
   const double least = std::max(least_rise, decibel(chi_square_over_dof(once_in_1e9, s.dof())));
   struct Candidate {
     Eigen::Index k;
@@ -103,11 +103,11 @@ std::vector<Peak> peaks(const WelchSpectrum &s, const double low, const double h
     if (in_skirt && decibel(s.density[k] / median_around(s.density, k, 2, 12)) < least)
       continue;
     if (in_skirt &&
-        std::any_of(found.begin(), found.end(), [&](const Peak &p) { return std::abs(p.bin - bin) <= 4; }))
+        std::any_of(result.begin(), result.end(), [&](const Peak &p) { return std::abs(p.bin - bin) <= 4; }))
       continue;  // a side lobe of the window
-    found.push_back(peak_at(s, k, decibel(s.density[k] / median)));
+    result.push_back(peak_at(s, k, decibel(s.density[k] / median)));
     taken.push_back({k - skirt(s.density, k, median, -1), k + skirt(s.density, k, median, 1)});
   }
-  return found;
+  return result;
 }
 }  // namespace mill::twin

@@ -276,7 +276,7 @@ const Table *table_of(const std::map<std::string, Table> &tables, const std::str
 
 void modes(Page &page, const std::map<std::string, Table> &tables)
 {
-  const Table *found = table_of(tables, "modes"), *forced = table_of(tables, "modes_h1"),
+  const Table *undriven = table_of(tables, "modes"), *forced = table_of(tables, "modes_h1"),
               *response = table_of(tables, "h1"), *poles = table_of(tables, "poles");
   if (response) {
     page.section("forced-modes", "Modes from the response to the force");
@@ -292,12 +292,13 @@ void modes(Page &page, const std::map<std::string, Table> &tables)
                 "Share of each channel that follows the recorded force. Where it is low, noise or another source "
                 "moves the channel.");
   }
-  if (found || poles)
+  if (undriven || poles)
     page.section("modes", "Modes from the response alone");
-  if (found)
-    page.table(mode_rows(*found), "Poles that half of the model orders show. The scatter is about twice the least "
-                                  "standard error, three times for a "
-                                  "close pair. Only those that both halves of the record show are findings.");
+  if (undriven)
+    page.table(mode_rows(*undriven),
+               "Poles that half of the model orders show. The scatter is about twice the least "
+               "standard error, three times for a "
+               "close pair. Only those that both halves of the record show are findings.");
   if (poles)
     if (const std::string drawing = stability_drawing(*poles, table_of(tables, "singular")); !drawing.empty())
       page.figure({drawing},

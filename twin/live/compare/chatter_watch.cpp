@@ -161,20 +161,20 @@ void ChatterWatch::search(const bite::RollBite &bite)
     take_search(*task.wait());
 }
 
-void ChatterWatch::take_search(Search found)
+void ChatterWatch::take_search(Search result)
 {
-  if (found.model_number != model_number)
+  if (result.model_number != model_number)
     return;
-  if (!found.trouble.empty()) {
-    no_speed = found.trouble;
+  if (!result.trouble.empty()) {
+    no_speed = result.trouble;
     return;
   }
-  now.spread = found.spread;
+  now.spread = result.spread;
   // at the same inputs the one that is followed has to be the one that a search finds
-  const bool same = found.found.verdict == dynamics::Verdict::crossing && track->following() &&
-                    std::abs(found.followed / found.found.speed - 1) < agree;
+  const bool same = result.found.verdict == dynamics::Verdict::crossing && track->following() &&
+                    std::abs(result.followed / result.found.speed - 1) < agree;
   if (!same)
-    track->begin(found.found);
+    track->begin(result.found);
   no_speed = track->why();
 }
 
@@ -184,8 +184,8 @@ PageChatter ChatterWatch::close_second(const double utc, const double growth, Al
   ++since_search;
   now.inputs      = inputs_of_second();
   const auto bite = twin::with_inputs(setup_.model.bite, now.inputs);
-  if (auto found = task.finished())
-    take_search(std::move(*found));
+  if (auto result = task.finished())
+    take_search(std::move(*result));
   if (track->following() && !track->follow(bite))
     no_speed = track->why();
   const bool first = !track->following() && no_speed.empty();

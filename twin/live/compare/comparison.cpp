@@ -152,8 +152,8 @@ ComparisonNews Comparison::take(const LiveBlock &block)
     if (news.modes)
       watch_drift(utc);
   }
-  if (auto found = task.finished())
-    end_recalibration(utc, std::move(*found));
+  if (auto result = task.finished())
+    end_recalibration(utc, std::move(*result));
   add_chatter(news, block, utc);
   news.alarms    = book.news();
   news.proposals = offered.news();
@@ -161,13 +161,13 @@ ComparisonNews Comparison::take(const LiveBlock &block)
   return news;
 }
 
-void Comparison::add_levels(ComparisonNews &news, const twin::RunningComparison::News &found,
+void Comparison::add_levels(ComparisonNews &news, const twin::RunningComparison::News &compared,
                             const double start_time)
 {
-  for (const twin::SpectrumPair &pair : found.spectra) {
+  for (const twin::SpectrumPair &pair : compared.spectra) {
     PageSpectrum page;
     page.place    = pairs[std::size_t(pair.place)].name;
-    page.utc      = start_time + found.spectra_time;
+    page.utc      = start_time + compared.spectra_time;
     page.df       = pair.resolution;
     page.enbw     = 1.5 * pair.resolution;
     page.segments = 3;  // an exponential mean over half a second of segments every 0.2 to 0.4 s
@@ -177,10 +177,10 @@ void Comparison::add_levels(ComparisonNews &news, const twin::RunningComparison:
     }
     news.spectra.push_back(std::move(page));
   }
-  for (std::size_t s = 0; s < found.seconds.size(); ++s) {
+  for (std::size_t s = 0; s < compared.seconds.size(); ++s) {
     PageLevels page;
-    page.utc = start_time + found.time[s];
-    for (const twin::PlaceSecond &row : found.seconds[s]) {
+    page.utc = start_time + compared.time[s];
+    for (const twin::PlaceSecond &row : compared.seconds[s]) {
       double &calm = baseline[std::size_t(row.place)];
       calm         = std::isnan(calm) ? row.measured.rms : calm + (row.measured.rms - calm) / calm_memory;
       PlaceLevel level;
@@ -236,8 +236,8 @@ void Comparison::watch_drift(const double utc)
     return;
   begin_recalibration(*waiting);
   if (setup_.wait)
-    if (auto found = task.wait())
-      end_recalibration(utc, std::move(*found));
+    if (auto result = task.wait())
+      end_recalibration(utc, std::move(*result));
 }
 
 void Comparison::begin_recalibration(const ModeDrift &drift)
@@ -288,7 +288,7 @@ void Comparison::begin_recalibration(const ModeDrift &drift)
   waiting.reset();
 }
 
-void Comparison::end_recalibration(const double utc, twin::Recalibration found)
+void Comparison::end_recalibration(const double utc, twin::Recalibration result)
 {
   const ModeDrift drift = *answered;
   answered.reset();
@@ -302,8 +302,9 @@ void Comparison::end_recalibration(const double utc, twin::Recalibration found)
     reason +=
         fmt::format(", to {:.5g} Hz against {:.5g} Hz of the twin", row.measured.frequency, row.twin.frequency);
   reason += ".";
-  if (!found.refused.empty()) {
-    book.raise("re-calibration", utc, "drift", "warning", reason + " Nothing is proposed: " + found.refused + ".");
+  if (!result.refused.empty()) {
+    book.raise("re-calibration", utc, "drift", "warning",
+               reason + " Nothing is proposed: " + result.refused + ".");
     return;
   }
   book.end("re-calibration");
@@ -313,10 +314,10 @@ void Comparison::end_recalibration(const double utc, twin::Recalibration found)
   proposal.to             = to_;
   proposal.reason         = std::move(reason);
   proposal.before         = setup_.chain;
-  proposal.chain          = recalibrated(setup_.chain, found, found.load);
+  proposal.chain          = recalibrated(setup_.chain, result, result.load);
   proposal.damping_before = setup_.dynamics.modal_damping;
-  proposal.damping        = recalibrated(setup_.dynamics.modal_damping, found);
-  proposal.found          = std::move(found);
+  proposal.damping        = recalibrated(setup_.dynamics.modal_damping, result);
+  proposal.found          = std::move(result);
   offered.add(std::move(proposal));
 }
 

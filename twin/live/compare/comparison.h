@@ -88,11 +88,11 @@ private:
   };
   struct Stored;
   Stored read_state(const nlohmann::json &state) const;
-  void add_levels(ComparisonNews &news, const twin::RunningComparison::News &found, double start_time);
+  void add_levels(ComparisonNews &news, const twin::RunningComparison::News &compared, double start_time);
   void add_chatter(ComparisonNews &news, const LiveBlock &block, double utc);
   void watch_drift(double utc);
   void begin_recalibration(const ModeDrift &drift);
-  void end_recalibration(double utc, twin::Recalibration found);
+  void end_recalibration(double utc, twin::Recalibration result);
 
   ComparisonSetup setup_;
   std::vector<Pair> pairs;

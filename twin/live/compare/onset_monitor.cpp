@@ -266,11 +266,11 @@ bool OnsetMonitor::renew_rates(const std::size_t band)
 {
   bool fresh = false;
   for (std::size_t c = 0; c < channels.size(); ++c) {
-    Watched &one                 = at(band, c);
-    const twin::GrowthRate found = one.watch.growth();
-    if (found.duration >= least_time || !(one.growth.duration >= least_time))
-      one.growth = found;
-    fresh = fresh || found.duration >= least_time;
+    Watched &one                = at(band, c);
+    const twin::GrowthRate rate = one.watch.growth();
+    if (rate.duration >= least_time || !(one.growth.duration >= least_time))
+      one.growth = rate;
+    fresh = fresh || rate.duration >= least_time;
   }
   return fresh;
 }

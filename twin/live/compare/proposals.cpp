@@ -58,24 +58,24 @@ std::string free_name(const std::string &folder, const double utc)
 }
 }  // namespace
 
-LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, const double load)
+LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &recalibration, const double load)
 {
-  for (const twin::RecalibratedValue &value : found.values) {
+  for (const twin::RecalibratedValue &value : recalibration.values) {
     if (!value.identified || !is_spring(value.name))
       continue;
     Parameter &K = chain.K[spring_index(value.name)];
     K.value *= std::exp(value.change);
     K.error_estimate = value.sd;
     K.source         = Source::measured;
-    K.method         = fmt::format("re-calibration on {:.0f} s of the running mill", found.seconds);
+    K.method         = fmt::format("re-calibration on {:.0f} s of the running mill", recalibration.seconds);
     K.at             = at_force(load);
   }
   return chain;
 }
 
-double recalibrated(double damping, const twin::Recalibration &found)
+double recalibrated(double damping, const twin::Recalibration &recalibration)
 {
-  for (const twin::RecalibratedValue &value : found.values)
+  for (const twin::RecalibratedValue &value : recalibration.values)
     if (value.identified && value.name == "zeta")
       damping *= std::exp(value.change);
   return damping;
@@ -116,8 +116,8 @@ const Proposal &Proposals::add(Proposal proposal)
 
 const Proposal *Proposals::find(const std::int64_t id) const
 {
-  const auto found = std::find_if(list.begin(), list.end(), [&](const Proposal &p) { return p.id == id; });
-  return found == list.end() ? nullptr : &*found;
+  const auto proposal = std::find_if(list.begin(), list.end(), [&](const Proposal &p) { return p.id == id; });
+  return proposal == list.end() ? nullptr : &*proposal;
 }
 
 Proposal *Proposals::known(const std::int64_t id)

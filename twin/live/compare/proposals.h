@@ -27,9 +27,9 @@ struct Proposal {
 };
 
 /// Chain with the identified springs of a re-calibration.
-LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &found, double load);
+LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &recalibration, double load);
 /// Damping ratio with the identified factor.
-double recalibrated(double damping, const twin::Recalibration &found);
+double recalibrated(double damping, const twin::Recalibration &recalibration);
 
 /// A case of kind lumped: the chain of a proposal with passes and dynamics of the case it came from, and comments
 /// that say of what.  A case of kind chatter takes it as its stand.from.

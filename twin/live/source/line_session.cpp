@@ -33,15 +33,15 @@ KnownChannels known_channels(const std::vector<NamedUnit> &sent, const SourceRul
     const std::string name = mapped != rules.reading.channels.end() ? mapped->second : channel.name;
     const auto given       = rules.reading.units.find(channel.name);
     const std::string unit = given != rules.reading.units.end() ? given->second : channel.unit;
-    auto found             = twin::unit_of_column(unit, name);
-    if (const auto scale = twin::scale_of(channel.name, found, rules.reading))
-      found = *scale;
+    auto column_unit       = twin::unit_of_column(unit, name);
+    if (const auto scale = twin::scale_of(channel.name, column_unit, rules.reading))
+      column_unit = *scale;
     const std::string spoken = unit.empty() ? "no unit" : fmt::format("the unit \"{}\"", one_line(unit));
     const bool is_force      = name == "force" || name == "load_cell";
     const bool is_speed      = name == "speed" || name == "exit_speed" || name == "entry_speed";
     const bool is_place      = std::find(rules.places.begin(), rules.places.end(), name) != rules.places.end();
-    if ((is_force && found.quantity != twin::Quantity::force) ||
-        (is_speed && found.quantity != twin::Quantity::speed) || (is_place && !found.known))
+    if ((is_force && column_unit.quantity != twin::Quantity::force) ||
+        (is_speed && column_unit.quantity != twin::Quantity::speed) || (is_place && !column_unit.known))
       throw InputError(fmt::format("channel \"{}\" has {}; {} is needed", one_line(name), spoken,
                                    is_force   ? "a force (N, kN, MN)"
                                    : is_speed ? "a speed (m/s, m/min)"
@@ -49,8 +49,8 @@ KnownChannels known_channels(const std::vector<NamedUnit> &sent, const SourceRul
     for (const LiveChannel &other : known.channels)
       if (other.name == name)
         throw InputError(fmt::format("channel \"{}\" appears twice", one_line(name)));
-    known.channels.push_back({name, found.known ? found.si : unit});
-    known.factor.push_back(found.known ? found.factor : 1);
+    known.channels.push_back({name, column_unit.known ? column_unit.si : unit});
+    known.factor.push_back(column_unit.known ? column_unit.factor : 1);
   }
   if (std::none_of(known.channels.begin(), known.channels.end(),
                    [](const LiveChannel &c) { return c.name == "force" || c.unit == "m/s2"; }))
