@@ -267,8 +267,8 @@ void interrupt_publishing(const std::string &out, const std::vector<std::string>
 TEST(HostilePlaces, EveryCommandThatReadsAFolderCompletesAnInterruptedRun)
 {
   const std::string out = finished_run("killed-between");
-  for (const std::string command : {"trace cases/published-1400.toml given.K3 -o " + out,
-                                    "check " + out + "/lumped_model.toml", "report " + out}) {
+  for (const std::string &command : {"trace cases/published-1400.toml given.K3 -o " + out,
+                                     "check " + out + "/lumped_model.toml", "report " + out}) {
     interrupt_publishing(out, {"results.json", "run.json", "lumped_model.toml"});
     const auto reader = soon(command);
     EXPECT_EQ(reader.exit_code, 0) << command << ": " << reader.err;
