@@ -1,5 +1,4 @@
 #include "reduce/stand/mode_names.h"
-#include "reduce/stand/mode_verdict.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <numeric>
@@ -46,12 +45,17 @@ private:
   std::vector<std::size_t> first, model_of, group;
 };
 
-CommonModes common_modes(const std::vector<const StandWithModes *> &stands,
+bool alike_for_the_gap(const double a, const double b)
+{
+  return a <= same_share * b && b <= same_share * a;
+}
+
+CommonModes common_modes(const std::vector<std::vector<GapMotion>> &motions,
                          const std::vector<ModelLikeness> &likeness)
 {
   std::vector<std::size_t> mode_numbers;
-  for (const StandWithModes *stand : stands)
-    mode_numbers.push_back(std::size_t(stand->modes.frequency.size()));
+  for (const auto &modes : motions)
+    mode_numbers.push_back(modes.size());
   CommonModes common(mode_numbers);
   struct Link {
     double mac;
@@ -61,7 +65,8 @@ CommonModes common_modes(const std::vector<const StandWithModes *> &stands,
   for (const ModelLikeness &pair : likeness)
     for (Eigen::Index i = 0; i < pair.mac.rows(); ++i)
       for (Eigen::Index j = 0; j < pair.mac.cols(); ++j)
-        if (pair.mac(i, j) > same_mode)
+        if (pair.mac(i, j) > same_mode && alike_for_the_gap(motions[pair.detailed][std::size_t(i)].gap_share,
+                                                            motions[pair.other][std::size_t(j)].gap_share))
           links.push_back({pair.mac(i, j), common.number(pair.detailed, std::size_t(i)),
                            common.number(pair.other, std::size_t(j))});
   std::stable_sort(links.begin(), links.end(), [](const Link &x, const Link &y) { return x.mac > y.mac; });
@@ -74,32 +79,30 @@ CommonModes common_modes(const std::vector<const StandWithModes *> &stands,
 std::vector<std::vector<ModeName>> common_names(const std::vector<const StandWithModes *> &stands,
                                                 const std::vector<ModelLikeness> &likeness)
 {
-  const CommonModes common = common_modes(stands, likeness);
-  std::vector<std::vector<ModeName>> own, names;
+  std::vector<std::vector<GapMotion>> motions;
   for (const StandWithModes *stand : stands)
-    own.push_back(own_names(*stand));
+    motions.push_back(gap_motions(*stand));
+  const CommonModes common = common_modes(motions, likeness);
+  std::vector<std::vector<ModeName>> names;
   for (std::size_t m = 0; m < stands.size(); ++m) {
-    std::vector<ModeName> mine = own[m];
-    std::vector<bool> common_one(mine.size(), false);
-    std::set<std::string> keys;
-    for (std::size_t k = 0; k < mine.size(); ++k) {
+    const std::vector<ModeName> own = gap_mode_names(motions[m]);
+    std::vector<ModeName> given(own.size());
+    for (std::size_t k = 0; k < own.size(); ++k) {
       const auto [model, mode] = common.leader(m, k);
-      if (model == m)
+      if (model == m || names[model][mode].key.empty())
         continue;
-      const ModeName theirs = names[model][mode];
-      const bool agree      = own[model][mode].key == mine[k].key;
-      common_one[k]         = true;
-      keys.insert(theirs.key);
-      if (!agree) {
-        mine[k].own     = mine[k].name;
-        mine[k].decided = fmt::format("mode {} of {}: {}; by its own shares {}: {}", mode + 1,
-                                      stands[model]->model.name, theirs.decided, mine[k].name, mine[k].decided);
+      given[k]         = names[model][mode];
+      given[k].own     = "";
+      given[k].decided = own[k].decided;
+      if (!named_alike(motions[model][mode], motions[m][k])) {
+        given[k].own = own[k].name;
+        given[k].decided =
+            fmt::format("mode {} of {}: {}; by its own shares {}: {}", mode + 1, stands[model]->model.name,
+                        names[model][mode].decided, own[k].name, own[k].decided);
       }
-      mine[k].name = theirs.name;
-      mine[k].key  = theirs.key;
     }
-    number_names(mine, common_one, std::move(keys));
-    names.push_back(std::move(mine));
+    names.push_back(gap_mode_names(motions[m], given));
+    mark_listed(*stands[m], names.back());
   }
   return names;
 }

@@ -103,6 +103,12 @@ GapKind gap_kind(const GapMotion &mode)
   return stack.work_roll * stack.backup_roll > 0 ? GapKind::first : GapKind::second;
 }
 
+bool named_alike(const GapMotion &a, const GapMotion &b)
+{
+  return gap_kind(a) == gap_kind(b) && (gap_kind(a) != GapKind::none ||
+                                        stem_of_part(a, GapKind::none).key == stem_of_part(b, GapKind::none).key);
+}
+
 int gap_mode(const std::vector<GapMotion> &modes, const GapKind kind)
 {
   int best = -1;

@@ -55,6 +55,9 @@ struct GapMotion {
 /// they do not.  None below least_share_of_gap_mode or without stacks.
 GapKind gap_kind(const GapMotion &mode);
 
+/// Whether the rules give both modes the same name before they are numbered.
+bool named_alike(const GapMotion &a, const GapMotion &b);
+
 /// The gap mode of a kind: the one with the largest share; -1: no mode is of this kind.
 int gap_mode(const std::vector<GapMotion> &modes, GapKind kind = GapKind::first);
 
