@@ -212,21 +212,24 @@ void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts
   add_stand_modulus(run, stand, modulus);
 }
 
-// Frequency response and Campbell diagram of the best model.
-void add_turning_and_response(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
-                              const StandModels &models, const ComponentSets &components)
+// Frequency response of the state that the force drives, Campbell diagram of the one that rolls.
+void add_turning_and_response(RunContext &run, const StandStates &states, const StandInState &driven_one,
+                              const reduce::LumpedStand &chain, const ComponentSets &components)
 {
-  const double C = chain.model.C.value;
+  const auto &[stand, models] = driven_one;
+  const double C              = chain.model.C.value;
   RespondingStand responding;
   responding.models     = {&models.craig_bampton, &models.beam, &models.chain};
+  responding.named      = states.name_of(driven_one);
   responding.uncertain  = inputs_of_modes(stand, chain, models, components);
-  responding.gap_damper = stand.dynamics.force_meaning == "measured" || std::isnan(C) ? 0 : C;
+  responding.gap_damper = driven_state(stand.dynamics) == GapState::open || std::isnan(C) ? 0 : C;
   responding.limit      = stand.dynamics.frequency_limit;
   responding.at         = chain.model.at;
   // The work-roll chocks of the components stand on their bearings.
   responding.inputs = joined(keys_of_models(chain), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
   add_frequency_responses(run, stand.frequency_response, stand.dynamics, responding);
-  add_campbell(run, stand.campbell, {&models.craig_bampton, turning_rolls(stand), stand.passes, stand.drive});
+  add_campbell(run, stand.campbell,
+               {&states.named().models.craig_bampton, turning_rolls(stand), stand.passes, stand.drive});
 }
 
 // The frame of the chain; parts that a given K2 or K6 represents are as sure as that.
@@ -269,12 +272,14 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
   FourHigh stand   = drawn;
   stand.frame      = with_tolerance_of_given(drawn, chain.frame);
   const Pass &pass = stand.passes[p];
-  StandModels models;
+  StandStates states;
   reduce::FeMasses fe_masses{};
   if (goal >= Goal::masses) {
-    models    = stand_models(stand, chain, parts.components);
-    fe_masses = add_fe_masses(chain.model, stand, models);
+    states    = stand_states(run, stand, chain, parts.components);
+    fe_masses = add_fe_masses(chain.model, stand, states.open.models);
   }
+  const StandInState &driven_one = states.driven(stand.dynamics);
+  const StandModels &models      = driven_one.models;
   add_model(run, chain.model, first ? "" : pass.name + ".");
   if (first) {
     run.results.add("K_ZW", chain.K_ZW);
@@ -290,18 +295,19 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
     add_modes(run, chain.model, stand.dynamics, stand.frame.chock_to_housing_stiffness,
               {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
   if (goal >= Goal::masses && first) {
-    compare_models(run, stand, chain, models, parts.components, fe_masses);
+    compare_models(run, states, driven_one, chain, parts.components, fe_masses);
     add_housing_frequencies(run, stand, parts.components);
-    add_model_checks(run, models);
-    add_named_modes(run, {&models.craig_bampton, &models.beam, &models.chain}, stand.dynamics.frequency_limit);
-    run.summary += headline(models, stand.dynamics.frequency_limit);
+    add_model_checks(run, states);
+    add_modes_by_name(run, states, chain, parts.components);
+    run.summary += headline(states, stand.dynamics.frequency_limit);
   }
   if (goal >= Goal::masses)
     gaps = gaps_of(models, stand.dynamics.mass_reference);
   std::vector<IndependentStage> rest;
   if (goal >= Goal::modes && first)
-    rest.push_back(
-        [&](RunContext &part_run) { add_turning_and_response(part_run, stand, chain, models, parts.components); });
+    rest.push_back([&](RunContext &part_run) {
+      add_turning_and_response(part_run, states, driven_one, chain, parts.components);
+    });
   if (goal >= Goal::simulate)
     rest.push_back([&](RunContext &part_run) { drive_pass(part_run, stand, chain, models, parts, forces, p); });
   run_side_by_side(run, std::move(rest));
@@ -360,17 +366,34 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
 
 namespace {
 void add_turning_and_response(RunContext &run, const Lumped &lumped, const LumpedModel &model,
-                              const reduce::StandWithModes &chain)
+                              const reduce::StandWithModes &rolling, const reduce::StandWithModes &chain)
 {
-  const bool measured = lumped.dynamics.force_meaning == "measured";
+  const bool measured = driven_state(lumped.dynamics) == GapState::open;
   RespondingStand responding;
   responding.models     = {&chain};
+  responding.named      = &chain == &rolling ? GapState::rolling : GapState::open;
   responding.uncertain  = reduce::modal_sensitivities(chain, model);
   responding.gap_damper = measured || std::isnan(model.C.value) ? 0 : model.C.value;
   responding.inputs     = joined(chain_mode_keys(model, lumped.dynamics, Half::upper),
                                  chain_mode_keys(model, lumped.dynamics, Half::lower));
   add_frequency_responses(run, lumped.frequency_response, lumped.dynamics, responding);
-  add_campbell(run, lumped.campbell, {&chain, turning_rolls(lumped), lumped.passes, lumped.drive});
+  add_campbell(run, lumped.campbell, {&rolling, turning_rolls(lumped), lumped.passes, lumped.drive});
+}
+
+// mode.* of the chain, open.mode.* of the open one, frequency response and Campbell diagram.
+void add_modes_and_response(RunContext &run, const Lumped &lumped, const LumpedModel &model)
+{
+  const auto open = chain_with_modes(model, in_state(lumped.dynamics, GapState::open));
+  if (!knows_strip(model)) {
+    assume_open(run, "given.K4");
+    add_named_modes(run, {GapState::rolling, {&open}, reduce::modal_sensitivities(open, model)});
+    return add_turning_and_response(run, lumped, model, open, open);
+  }
+  const auto rolling = chain_with_modes(model, in_state(lumped.dynamics, GapState::rolling));
+  add_named_modes(run, {GapState::rolling, {&rolling}, reduce::modal_sensitivities(rolling, model)});
+  add_named_modes(run, {GapState::open, {&open}, reduce::modal_sensitivities(open, model)});
+  const bool measured = driven_state(lumped.dynamics) == GapState::open;
+  add_turning_and_response(run, lumped, model, rolling, measured ? open : rolling);
 }
 }  // namespace
 
@@ -400,11 +423,8 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
                 lumped_model_toml(model, run.the_case, run.out.path()) + chain_curves_toml(lumped.curves));
   if (goal >= Goal::modes)
     add_modes(run, model, lumped.dynamics, not_given, {0, 0});
-  if (goal >= Goal::modes) {
-    const auto chain = chain_with_modes(model, lumped.dynamics);
-    add_named_modes(run, {&chain});
-    add_turning_and_response(run, lumped, model, chain);
-  }
+  if (goal >= Goal::modes)
+    add_modes_and_response(run, lumped, model);
   if (goal < Goal::simulate)
     return;
   for (std::size_t p = 0; p < lumped.passes.size(); ++p) {

@@ -46,7 +46,8 @@ void add_modulus_line(const Results &results, std::vector<std::string> &lines)
   lines.push_back(text);
 }
 
-// mode.third_octave.frequency -> third octave; third and fifth octave first, because a mill asks for these.
+// mode.gap_first_kind.frequency -> gap first kind, with the open stand after it; gap modes first, because a mill
+// asks for these.
 void add_mode_lines(const Results &results, std::vector<std::string> &lines)
 {
   std::vector<std::pair<std::string, const Parameter *>> modes;
@@ -56,11 +57,20 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
       modes.emplace_back(parts[1], &p);
       std::replace(modes.back().first.begin(), modes.back().first.end(), '_', ' ');
     }
-  std::stable_partition(modes.begin(), modes.end(), [](const auto &mode) {
-    return mode.first.rfind("third octave", 0) == 0 || mode.first.rfind("fifth octave", 0) == 0;
-  });
-  for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i)
-    lines.push_back(value_line("mode " + modes[i].first, *modes[i].second));
+  const auto rank = [](const auto &mode) {
+    return mode.first == "gap first kind"     ? 0
+           : mode.first == "gap second kind"  ? 1
+           : mode.first.rfind("gap ", 0) == 0 ? 2
+                                              : 3;
+  };
+  std::stable_sort(modes.begin(), modes.end(), [&](const auto &a, const auto &b) { return rank(a) < rank(b); });
+  for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i) {
+    std::string key = modes[i].first;
+    std::replace(key.begin(), key.end(), ' ', '_');
+    const Parameter *open = results.find(result_name({family::open, family::mode, key, "frequency"}));
+    lines.push_back(value_line("mode " + modes[i].first, *modes[i].second) +
+                    (open ? ", open stand " + engineering(*open) : ""));
+  }
   if (modes.size() > most_modes)
     lines.push_back(fmt::format("  and {} more named modes", modes.size() - most_modes));
 }

@@ -3,6 +3,7 @@
 #include "app/stages/bite/fit_stage.h"
 #include "app/stages/response/detailed_model_stage.h"
 #include "app/stages/response/dynamics_stage.h"
+#include "app/stages/stand/mode_results.h"
 #include "app/trace/closed_form_response.h"
 #include "app/trace/closed_form_stand.h"
 #include "core/base/require.h"
@@ -53,12 +54,14 @@ bool of_the_chain(const std::string &name)
   return name.size() == 2 && (name[0] == 'M' || name[0] == 'K');
 }
 
-void add_vertical_modes(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings)
+// @param named  state whose names the results have
+void add_vertical_modes(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings,
+                        const GapState named)
 {
   const ChainModes chain = chain_modes(model, settings);
   for (std::size_t i = 0; i < chain.half.size(); ++i) {
     ClosedFormResult r;
-    r.name             = fmt::format("f{}", i + 1);
+    r.name             = name_in_state(named, fmt::format("f{}", i + 1));
     r.parameter.value  = chain.modes.frequency[Eigen::Index(i)];
     r.parameter.unit   = "Hz";
     r.parameter.method = "six-mass chain";
@@ -66,8 +69,21 @@ void add_vertical_modes(ClosedFormResults &all, const LumpedModel &model, const 
     r.relation         = "modes of the chain";
     r.file             = "dynamics/response/modes";
     r.equation         = "(6.11)";
-    inherit(r, all, {"dynamics.force_meaning", "dynamics.frame"});
+    inherit(r, all, {"dynamics.frame"});
     all.push_back(r);
+  }
+}
+
+// Modes of both states of the gap, the open one alone where the strip is not known, by number and by name.
+void add_modes_of_states(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings,
+                         const std::string &stands_for)
+{
+  for (const GapState state : {GapState::rolling, GapState::open}) {
+    if (state == GapState::rolling && !knows_strip(model))
+      continue;
+    const GapState named = knows_strip(model) ? state : GapState::rolling;
+    add_vertical_modes(all, model, in_state(settings, state), named);
+    add_named_modes_of_chain(all, model, in_state(settings, state), named, stands_for);
   }
 }
 
@@ -306,8 +322,7 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
     const LumpedModel &model = chain.model;
     if (p == 0) {
       add_quick_modulus(all, stand, load, factors);
-      add_vertical_modes(all, model, stand.dynamics);
-      add_named_modes_of_chain(all, model, stand.dynamics, "rolls as reduced finite elements");
+      add_modes_of_states(all, model, stand.dynamics, "rolls as reduced finite elements");
       add_horizontal_modes(all, model, stand.frame.chock_to_housing_stiffness,
                            {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
     }
@@ -352,8 +367,7 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
           all.push_back(given_result(name, number));
       },
       model);
-  add_vertical_modes(all, model, spec.dynamics);
-  add_named_modes_of_chain(all, model, spec.dynamics, "");
+  add_modes_of_states(all, model, spec.dynamics, "");
   add_horizontal_modes(all, model, not_given, {0, 0});
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     if (has_force(spec.passes[p]))

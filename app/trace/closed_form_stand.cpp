@@ -159,25 +159,35 @@ void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand
 }
 
 void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedModel &model,
-                              const DynamicsSettings &settings, const std::string &stands_for)
+                              const DynamicsSettings &settings, const GapState named,
+                              const std::string &stands_for)
 {
   const auto names = chain_with_modes(model, settings).names;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const ClosedFormResult *f = find(all, fmt::format("f{}", i + 1));
-    if (!f || names[i].key == "mixed")
+    const ClosedFormResult *f = find(all, name_in_state(named, fmt::format("f{}", i + 1)));
+    if (!f || names[i].key.empty() || !names[i].listed)
       continue;
+    const auto name = [&](const char *quantity) {
+      return name_in_state(named, result_name({family::mode, names[i].key, quantity}));
+    };
     ClosedFormResult r = *f;
-    r.name             = result_name({family::mode, names[i].key, "frequency"});
+    r.name             = name("frequency");
     r.parameter.method = "six-mass chain, " + names[i].name;
     r.from             = {f->name};
     r.own_keys         = {};
     r.relation         = "modes by name";
-    r.file             = "reduce/stand/mode_names";
+    r.file             = "reduce/stand/gap_modes";
     r.equation         = "(22.23)";
     r.stands_for       = stands_for;
     if (!stands_for.empty())
       r.parameter.inputs = joined(std::move(r.parameter.inputs), detailed_model_keys());
+    ClosedFormResult share = r;
+    share.name             = name("gap_share");
+    share.parameter.value  = names[i].gap_share;
+    share.parameter.unit   = "1";
+    share.relation         = "share of a mode in the compliance of the gap";
     all.push_back(std::move(r));
+    all.push_back(std::move(share));
   }
 }
 }  // namespace mill

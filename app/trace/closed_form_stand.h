@@ -12,8 +12,10 @@ namespace mill {
 void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand, double load,
                        const SpringFactors &factors);
 
-/// mode.<name>.frequency of the six masses, from f1.. in `all`.
+/// mode.<name>.frequency and .gap_share of the six masses, from f1.. in `all`.
+/// @param settings    of the state whose modes they are
+/// @param named       state whose names they have
 /// @param stands_for  what a run takes instead; empty: the same
 void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedModel &model,
-                              const DynamicsSettings &settings, const std::string &stands_for);
+                              const DynamicsSettings &settings, GapState named, const std::string &stands_for);
 }  // namespace mill

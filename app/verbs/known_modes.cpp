@@ -14,10 +14,10 @@ bool is_number(const std::string &text)
   return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-// "mode.third_octave_upper.frequency" -> key and words; a mode without a name of its own is none here.
+// "mode.gap_first_kind.frequency" -> key and words; a mode without a name of its own is none here.
 bool is_named(const std::vector<std::string> &parts)
 {
-  return parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency" && parts[1] != "mixed";
+  return parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency";
 }
 
 // "f3", "cluster.pass 1.f3", "cluster.f3"

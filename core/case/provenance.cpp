@@ -366,7 +366,7 @@ KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynami
     const auto i = std::size_t(part[1] - '1');
     keys         = joined(std::move(keys), (part[0] == 'M' ? model.M[i] : model.K[i]).inputs);
   }
-  return joined(keys, keys_in("dynamics", "force_meaning frame"));
+  return joined(keys, keys_in("dynamics", "frame"));
 }
 
 std::vector<std::size_t> rolls_in(const std::string &label)

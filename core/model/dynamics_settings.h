@@ -18,4 +18,23 @@ struct DynamicsSettings {
   std::string model_files    = "small";        ///< small | all: files of models with many unknowns
   Place force_meaning_place;
 };
+
+/// The strip between the work rolls as a spring, or nothing.  theory.md 22.9
+enum class GapState {
+  rolling,  ///< K4 between the work rolls
+  open      ///< K4 = 0: what a measured force drives, since it holds the answer of the strip
+};
+
+/// The state that the force of the settings drives.
+inline GapState driven_state(const DynamicsSettings &settings)
+{
+  return settings.force_meaning == "measured" ? GapState::open : GapState::rolling;
+}
+
+/// The same settings for the modes of a state, whatever the force means.
+inline DynamicsSettings in_state(DynamicsSettings settings, const GapState state)
+{
+  settings.force_meaning = state == GapState::open ? "measured" : "disturbance";
+  return settings;
+}
 }  // namespace mill

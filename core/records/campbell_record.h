@@ -10,8 +10,8 @@
 namespace mill {
 /// A named mode; its frequency does not depend on the speed.
 struct CampbellMode {
-  std::string key;                    ///< "third_octave_upper"
-  std::string name;                   ///< "third octave, upper stack"
+  std::string key;                    ///< "gap_first_kind"
+  std::string name;                   ///< "gap mode, first kind (third octave)"
   double frequency      = not_given;  ///< Hz
   double error_estimate = not_given;  ///< relative
 };

@@ -11,9 +11,11 @@
 namespace mill {
 struct ModelMode {
   double frequency = not_given;        ///< Hz
-  std::string name;                    ///< "third octave, upper stack"; empty: not known
+  std::string name;                    ///< "gap mode, first kind (third octave)"; empty: not known
   std::string own_name;                ///< by its own shares, where `name` is another model's; empty: the same
   std::string decided;                 ///< the numbers that gave it that name
+  double gap_share      = not_given;   ///< 0 .. 1, share of the static compliance of the gap
+  bool listed           = true;        ///< the gap or a sensor sees it
   double error_estimate = not_given;   ///< relative, of the frequency
   double in_chain       = not_given;   ///< 0 .. 1, share of its motion that six masses can follow
   Eigen::VectorXd points;              ///< (points) relative displacement, up, largest of the mode = 1
@@ -114,11 +116,14 @@ struct ModelsRecord {
 
 template <class Io, class R, if_record<R, ModelMode> = 0> void each_member(Io &&io, R &record)
 {
-  auto &[frequency, name, own_name, decided, error_estimate, in_chain, points, kinetic, strain, lines] = record;
+  auto &[frequency, name, own_name, decided, gap_share, listed, error_estimate, in_chain, points, kinetic, strain,
+         lines] = record;
   io("frequency", frequency);
   io("name", name);
   io("own_name", own_name);
   io("decided", decided);
+  io("gap_share", gap_share);
+  io("listed", listed);
   io("error_estimate", error_estimate);
   io("in_chain", in_chain);
   io("points", points);

@@ -37,7 +37,7 @@ struct NonlinearRoll {
 /// force.
 struct NonlinearMode {
   int number = 0;                        ///< from 1
-  std::string name;                      ///< "third octave, upper stack"; empty: not named
+  std::string name;                      ///< "gap mode, first kind (third octave)"; empty: not named
   double frequency = not_given;          ///< Hz, of vanishing amplitude
   std::string mover;                     ///< place that the amplitude is of
   std::string opens;                     ///< spring that parts first

@@ -15,8 +15,8 @@ namespace mill {
 /// First part of the names of results of one subject: "contact.upper.half_width", "bite.pass 1.force".
 namespace family {
 constexpr const char *contact = "contact", *bite = "bite", *chatter = "chatter", *bearing = "Kzc",
-                     *bite_spring = "K4", *stand = "stand", *mode = "mode", *frf = "frf", *campbell = "campbell",
-                     *nonlinear = "nonlinear";
+                     *bite_spring = "K4", *stand = "stand", *mode = "mode", *open = "open", *frf = "frf",
+                     *campbell = "campbell", *nonlinear = "nonlinear";
 }
 
 /// Second part of the names of what a fit of the bite finds, "bite.fit.friction"; no pass may have this name.

@@ -25,23 +25,24 @@ const KineticShare *largest_part(const GapMotion &mode)
   return largest == mode.parts.end() ? nullptr : &*largest;
 }
 
-std::string percent(const double share)
+std::string in_percent(const double share)
 {
   return fmt::format("{:.{}f} %", 100 * share, share < 0.0995 ? 1 : 0);
 }
 
 std::string why(const GapMotion &mode, const GapKind kind)
 {
-  const std::string share = percent(mode.gap_share) + " of the static compliance of the gap";
+  const std::string share = in_percent(mode.gap_share) + " of the static compliance of the gap";
   if (kind != GapKind::none) {
     const StackMotion &stack = moving_stack(mode);
     return fmt::format("work roll {} its backup roll{} ({} of the kinetic energy); {}",
                        kind == GapKind::first ? "with" : "against",
-                       stack.side.empty() ? "" : " in the " + stack.side + " stack", percent(stack.kinetic),
+                       stack.side.empty() ? "" : " in the " + stack.side + " stack", in_percent(stack.kinetic),
                        share);
   }
   const KineticShare *part = largest_part(mode);
-  return part ? fmt::format("{} {} of the kinetic energy; {}", part->part, percent(part->kinetic), share) : share;
+  return part ? fmt::format("{} {} of the kinetic energy; {}", part->part, in_percent(part->kinetic), share)
+              : share;
 }
 
 /// "third octave" where the frequency lies in the range of that name.

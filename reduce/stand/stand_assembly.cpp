@@ -312,10 +312,10 @@ StandModel assemble_stand(const std::string &name, const FourHigh &stand, const 
   const double half_work = rolls[upper_work].half_barrel, half_backup = rolls[upper_backup].half_barrel;
   const double line = std::min(half_work, half_backup), strip = std::min(stand.strip.width / 2, half_work);
   a.s.connections.push_back(foundation(a, "K3", placed[upper_backup], placed[upper_work], springs.K3, line));
-  Connection bite = foundation(a, "K4", placed[upper_work], placed[lower_work], springs.K4, strip);
-  a.s.b           = bite.rows.transpose() * line_points(rolls[upper_work], rolls[lower_work], strip).share;
-  if (springs.K4 > 0)
-    a.s.connections.push_back(std::move(bite));
+  const Connection width = foundation(a, "K4", placed[upper_work], placed[lower_work], 1, strip);
+  a.s.b                  = width.rows.transpose() * width.stiffness;
+  if (springs.K4 > 0)  // (22.24): the strip answers the mean of the gap, as in the linear bite
+    a.add_spring("K4", springs.K4, a.s.b);
   a.s.connections.push_back(foundation(a, "K5", placed[lower_work], placed[lower_backup], springs.K5, line));
   a.s.points.push_back({"lower backup chock", lower});
   a.add_spring("lower chock and K_Zy", series(f.lower_chock_stiffness, springs.K_Zy_lower),

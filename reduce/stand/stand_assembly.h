@@ -27,8 +27,8 @@ struct StandSprings {
 };
 
 /// Springs and frame of the chain made for the same stand: K1, K3, K5, K7, M1, M6, both K_Zy as they enter the
-/// chain, given values included (given K2, K6, M2..M5 belong to the chain alone); K4 only where the force does not
-/// contain it (force_meaning other than measured); K_ZW where it is given.
+/// chain, given values included (given K2, K6, M2..M5 belong to the chain alone); K4 only in the rolling state
+/// (force_meaning other than measured, in_state()); K_ZW where it is given.
 /// @param chock_on_bearing  the work-roll chocks move on their bearings' Kzc instead of with the neck
 StandSprings stand_springs(const FourHigh &stand, const LumpedStand &chain, bool chock_on_bearing = false);
 

@@ -165,4 +165,38 @@ std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, c
         modes.model.M(i, i) * V.row(i).transpose() * V.row(i));
   return all;
 }
+
+FrequencyErrors gap_share_errors(const StandWithModes &modes, const std::vector<ModalSensitivity> &inputs)
+{
+  const Eigen::Index m     = modes.modes.frequency.size();
+  const Eigen::VectorXd g  = modes.modes.shape.transpose() * modes.model.b;
+  const Eigen::VectorXd w2 = (2 * M_PI * modes.modes.frequency).cwiseAbs2(), q = g.cwiseQuotient(w2);
+  const double compliance = g.dot(q);
+  FrequencyErrors sum{Eigen::VectorXd::Zero(m), std::vector<Keys>(std::size_t(m))};
+  for (const ModalSensitivity &input : inputs)
+    for (Eigen::Index k = 0; k < m; ++k) {
+      double dg = -0.5 * g[k] * input.dM(k, k);
+      for (Eigen::Index j = 0; j < m; ++j)
+        if (j != k && w2[j] != w2[k])
+          dg += g[j] * (input.dK(j, k) - w2[k] * input.dM(j, k)) / (w2[k] - w2[j]);
+      const double d_w2  = input.dK(k, k) - w2[k] * input.dM(k, k);
+      const double slope = std::abs(2 * dg / g[k] - d_w2 / w2[k] + q.dot(input.dK * q) / compliance);
+      if (!(slope > no_slope))
+        continue;
+      if (!std::isnan(input.error))
+        sum.error[k] += slope * input.error;
+      else
+        for (const std::string &key : input.lacks)
+          if (Keys &lacks = sum.lacks[std::size_t(k)]; std::find(lacks.begin(), lacks.end(), key) == lacks.end())
+            lacks.push_back(key);
+    }
+  for (Eigen::Index k = 0; k < m; ++k) {
+    Keys &lacks = sum.lacks[std::size_t(k)];
+    if (g[k] == 0)
+      lacks = {"a share of zero has no relative error"};
+    if (!lacks.empty())
+      sum.error[k] = std::numeric_limits<double>::quiet_NaN();
+  }
+  return sum;
+}
 }  // namespace mill::reduce

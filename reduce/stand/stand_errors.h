@@ -46,6 +46,12 @@ std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, c
                                                   const StandSprings &springs, const LumpedStand &chain,
                                                   const StandBuilder &build);
 
+/// How far the shares of the modes in the gap's compliance may be off: sum over the inputs x of
+/// |d ln gamma / d ln x| e_x.  theory.md (22.25)
+/// Modes that `modes` leaves out have no part in the change of a shape.  A share of zero has no relative error.
+/// Cost O(m^2) for each input.
+FrequencyErrors gap_share_errors(const StandWithModes &modes, const std::vector<ModalSensitivity> &inputs);
+
 /// The same of the six masses by themselves: K1..K7 and M1..M6 with the errors that they state.
 /// @param modes  of chain_stand(chain)
 std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, const LumpedModel &chain);

@@ -65,7 +65,8 @@ bool states_error(const Result &result)
 bool leads(const Result &result)
 {
   const auto parts = parts_of(result.name);
-  return is_of(result.name, result_name({family::stand, "modulus"})) || parts.front() == family::mode ||
+  return is_of(result.name, result_name({family::stand, "modulus"})) ||
+         (parts.front() == family::mode && parts.back() == "frequency") ||
          (parts.front() == family::chatter && parts.back() == "critical_speed");
 }
 

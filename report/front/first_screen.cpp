@@ -97,20 +97,20 @@ struct OctaveMode {
   const Result *frequency;
 };
 
-bool is_octave(const OctaveMode &mode, const char *octave)
+bool is_gap_mode(const OctaveMode &mode, const char *key)
 {
-  return mode.named.name.rfind(octave, 0) == 0;
+  return mode.frequency->name == result_name({family::mode, key, "frequency"});
 }
 
-// Third and fifth octave first: they are what a mill asks for.
+// The gap modes first: they are what a mill asks for.
 std::vector<OctaveMode> modes_by_name(const Run &run)
 {
   std::vector<OctaveMode> all;
   for (const Result &result : run.results)
-    if (is_of(result.name, family::mode) && has_value(&result))
+    if (is_of(result.name, family::mode) && ends_with(result.name, ".frequency") && has_value(&result))
       all.push_back({named_mode(result), &result});
   const auto rank = [](const OctaveMode &mode) {
-    return is_octave(mode, "third octave") ? 0 : is_octave(mode, "fifth octave") ? 1 : 2;
+    return is_gap_mode(mode, "gap_first_kind") ? 0 : is_gap_mode(mode, "gap_second_kind") ? 1 : 2;
   };
   std::stable_sort(all.begin(), all.end(),
                    [&](const OctaveMode &a, const OctaveMode &b) { return rank(a) < rank(b); });
@@ -121,7 +121,7 @@ std::string mode_sentence(const Run &run)
 {
   std::string text;
   for (const OctaveMode &mode : modes_by_name(run))
-    if (is_octave(mode, "third octave") || is_octave(mode, "fifth octave"))
+    if (is_gap_mode(mode, "gap_first_kind") || is_gap_mode(mode, "gap_second_kind"))
       text += (text.empty() ? "" : "; ") + mode.named.name + " " + shown(*mode.frequency, 3);
   return text;
 }

@@ -1,29 +1,90 @@
 #include "report/modes/named_modes.h"
 #include "core/records/result_names.h"
+#include "report/modes/model_data.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
+#include "report/results/names.h"
 #include "report/results/tables.h"
 #include <cmath>
 
 namespace mill::report {
+namespace {
+// Results of one name in both states of the gap; nullptr: none.
+struct ModeRow {
+  const Result *rolling = nullptr, *open = nullptr, *share = nullptr;
+};
+
+ModeRow row_of(const Run &run, const std::string &key)
+{
+  const std::string frequency = result_name({family::mode, key, "frequency"}),
+                    share     = result_name({family::mode, key, "gap_share"});
+  ModeRow row{run.find(frequency), run.find(result_name({family::open, frequency})), run.find(share)};
+  if (!row.rolling)
+    row.share = run.find(result_name({family::open, share}));
+  return row;
+}
+
+std::string number_cell(const Result *frequency)
+{
+  return "<td class=\"num\">" +
+         (frequency ? "<b>" + frequency_text(frequency->value, frequency->error_estimate) + "</b>" : "\u2013") +
+         "</td>";
+}
+
+std::string table_row(const ModeRow &row)
+{
+  const Result &mode    = row.rolling ? *row.rolling : *row.open;
+  const NamedMode named = named_mode(mode);
+  std::string others;
+  for (const Check &check : mode.checks)
+    others += (others.empty() ? "" : ", ") + check.name + " " + fixed(check.value, 1);
+  return "<tr><th scope=\"row\">" + escaped(named.name) + "</th>" + number_cell(row.rolling) +
+         number_cell(row.open) + "<td class=\"num\">" + (row.share ? fixed(100 * row.share->value, 1) : "\u2013") +
+         "</td><td>" + accuracy_cell(mode) + "</td><td>" + escaped(named.why) + "</td><td>" +
+         (others.empty() ? "\u2013" : escaped(others)) + "</td></tr>\n";
+}
+}  // namespace
+
 std::string named_mode_table(const Run &run)
 {
   std::string body;
   for (const Result &mode : run.results) {
-    if (!is_of(mode.name, family::mode))
+    const auto parts   = parts_of(mode.name);
+    const bool is_open = parts.front() == family::open;
+    if (parts.back() != "frequency" || parts.size() != (is_open ? 4u : 3u) || parts[is_open] != family::mode)
       continue;
-    const NamedMode named = named_mode(mode);
-    std::string others;
-    for (const Check &check : mode.checks)
-      others += (others.empty() ? "" : ", ") + check.name + " " + fixed(check.value, 1);
-    body += "<tr><th scope=\"row\">" + escaped(named.name) + "</th><td class=\"num\"><b>" +
-            frequency_text(mode.value, mode.error_estimate) + "</b></td><td>" + accuracy_cell(mode) + "</td><td>" +
-            escaped(named.why) + "</td><td>" + (others.empty() ? "\u2013" : escaped(others)) + "</td></tr>\n";
+    const ModeRow row = row_of(run, parts[parts.size() - 2]);
+    if (!is_open || !row.rolling)  // a mode of both states has one row
+      body += table_row(row);
   }
   if (body.empty())
     return "";
-  return "<table><thead><tr><th>mode</th><th>frequency [Hz]</th><th>accuracy</th><th>why this name</th>"
+  const bool both = run.find(result_name({family::open, "f1"}));
+  return std::string("<table><thead><tr><th>mode</th><th>") + (both ? "rolling" : "open") +
+         " [Hz]</th><th>open, K4 = 0 [Hz]</th><th>share of the gap [%]</th><th>accuracy</th><th>why this name</th>"
          "<th>same name elsewhere [Hz]</th></tr></thead>\n<tbody>\n" +
          body + "</tbody></table>\n";
+}
+
+std::string folded_modes(const Run &run)
+{
+  const ModelData data          = read_models(run.directory);
+  const ComparedModel *detailed = data.stored ? data.detailed() : nullptr;
+  if (!detailed)
+    return "";
+  std::string body;
+  int count = 0;
+  for (const ModelMode &mode : detailed->modes)
+    if (!mode.listed && mode.frequency <= data.frequency_limit) {
+      ++count;
+      body += "<tr><th scope=\"row\">" + escaped(mode.name) + "</th><td class=\"num\">" +
+              fixed(mode.frequency, 1) + "</td><td>" + escaped(mode.decided) + "</td></tr>\n";
+    }
+  if (count == 0)
+    return "";
+  return "<details><summary>" + std::to_string(count) + (count == 1 ? " further mode" : " further modes") +
+         " that neither gap nor sensors see</summary>\n<table><thead><tr><th>mode</th><th>frequency [Hz]</th>"
+         "<th>why this name</th></tr></thead>\n<tbody>\n" +
+         body + "</tbody></table></details>\n";
 }
 }  // namespace mill::report

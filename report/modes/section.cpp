@@ -141,9 +141,12 @@ void mode_section(Page &page, const Run &run)
   } else
     page.absent("Mode shapes and energy shares are", curve_path(curve::modes) + ".csv");
   if (const std::string table = named_mode_table(run); !table.empty())
-    page.table(table,
-               "The modes by the names they have in a rolling mill, of the most detailed model of this run, with "
-               "the numbers that decided; modes without a name are mixed.");
+    page.table(
+        table + folded_modes(run),
+        "The modes that the gap between the work rolls or a sensor sees, of the most detailed model of this "
+        "run: as the stand rolls, with the strip as a spring between the work rolls, and open, without it, "
+        "which is what a measured force drives. A name says what the mode does to the gap; its share is that "
+        "of the static compliance of the gap.");
   if (const Table *poles = stored_curve(run, curve::poles))
     page.table(pole_table(*poles),
                "Poles of the chain with its dampers, of which real ones stand by themselves; with a "

@@ -5,7 +5,7 @@
 namespace mill::report {
 /// What a result mode.* says of its mode.
 struct NamedMode {
-  std::string name;   ///< "third octave, upper stack"
+  std::string name;   ///< "gap mode, first kind (third octave)"
   std::string why;    ///< the numbers that decided
   std::string model;  ///< "rolls as reduced finite elements"
 };

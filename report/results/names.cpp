@@ -38,7 +38,9 @@ const Words quantities[] = {
     {"Kzc4_across", "one bearing of the lower backup roll, across its load"},
     {"housing", "the bare housing on its feet"},
     {"stand", "the stand"},
-    {"mode", "natural frequency by name"},
+    {"mode", "mode by name"},
+    {"open", "open stand, without the strip between the work rolls"},
+    {"gap_share", "share of the static compliance of the gap"},
     {"frf", "accelerance"},
     {"campbell", "resonance with what turns"},
     {"nonlinear", "contacts and bearings on their curves"},
@@ -238,7 +240,7 @@ std::string number_after(const std::string &prefix, const std::string &name)
                                                                                                       : "";
 }
 
-// "third_octave_upper" -> "third octave upper"
+// "gap_first_kind" -> "gap first kind"
 std::string words_of_crossing(std::string part)
 {
   if (part == "distance")
@@ -275,6 +277,8 @@ std::string meaning_of(const std::string &name)
     return "natural frequency " + number + ", vertical";
   std::string meaning;
   const auto parts = parts_of(name);
+  if (parts.size() > 1 && parts[0] == family::open)
+    return words_of(family::open) + ", " + meaning_of(name.substr(parts[0].size() + 1));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::string words = words_of(parts[i]);
     if (i > 0 && parts[0] == "bearing" && parts[i] == "C")
@@ -294,6 +298,8 @@ std::string meaning_of(const std::string &name)
       words = "largest pressure apart from the edge of the contact";
     if (parts[0] == family::frf && parts[i] == "bite")
       words = "force in the bite";
+    if (i == 2 && parts[0] == family::mode && parts[i] == "frequency")
+      words = "natural frequency";
     if (parts[0] == family::frf && parts[i] == "frequency")
       words = "frequency of the largest magnitude";
     if (parts[0] == family::campbell && i > 0)
@@ -343,7 +349,7 @@ std::vector<Group> short_groups(const Run &run)
   // The modes of the best model lead, those of the six masses follow for comparison.
   const bool detailed = run.find("craig-bampton.f1") || run.find("beam.f1");
   for (const Result &result : run.results)
-    if (detailed && is_of(result.name, family::mode)) {
+    if (detailed && is_of(result.name, family::mode) && ends_with(result.name, ".frequency")) {
       named.title = "Natural frequency, " + named_mode(result).model;
       named.results.push_back(&result);
     }

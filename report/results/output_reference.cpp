@@ -162,6 +162,8 @@ std::string row_of_output(const Run &run, const std::string &result)
   const std::string family = parts[0];
   if (family == family::mode || family == family::campbell)
     parts[1] = "MODE";
+  if (family == family::open && parts.size() > 2 && parts[1] == family::mode)
+    parts[2] = "MODE";
   if (family == "bearing" && parts.size() > 2)
     parts[1] = "BEARING";
   if (family == family::frf && parts.size() > 3)

@@ -4,7 +4,6 @@
 #include "core/records/result_names.h"
 #include "dynamics/response/campbell.h"
 #include "reduce/bearing/pass_frequencies.h"
-#include "reduce/stand/mode_names.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -26,10 +25,9 @@ std::array<double, 2> working_speeds(const CampbellSettings &settings, const std
 std::vector<CampbellMode> named_modes(const RunContext &run, const reduce::StandWithModes &model)
 {
   std::vector<CampbellMode> modes;
-  for (const reduce::ModeName &mode : reduce::mode_names(model))
-    if (const Parameter *f = run.find(result_name({family::mode, mode.key, "frequency"})))
-      if (mode.key != "mixed")
-        modes.push_back({mode.key, mode.name, f->value, f->error_estimate});
+  for (const reduce::ModeName &mode : model.names)
+    if (const Parameter *f = run.find(result_name({family::mode, mode.key, "frequency"})); f && !mode.key.empty())
+      modes.push_back({mode.key, mode.name, f->value, f->error_estimate});
   return modes;
 }
 

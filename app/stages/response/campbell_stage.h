@@ -19,7 +19,7 @@ struct TurningRoll {
 
 /// What a Campbell diagram is made of.
 struct TurningStand {
-  const reduce::StandWithModes *model = nullptr;  ///< whose named modes are in the results already
+  const reduce::StandWithModes *model = nullptr;  ///< of the rolling state, whose named modes are in the results
   std::vector<TurningRoll> rolls;
   const std::vector<Pass> &passes;
   const std::vector<DriveOrder> &drive;

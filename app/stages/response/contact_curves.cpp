@@ -100,7 +100,7 @@ std::vector<std::string> names_of(const reduce::StandWithModes &stand)
 {
   std::vector<std::string> names;
   for (const reduce::ModeName &mode : stand.names)
-    names.push_back(mode.key == "mixed" ? "" : mode.name);
+    names.push_back(mode.name);
   return names;
 }
 

@@ -22,7 +22,8 @@ namespace {
 // Keys behind both halves of the chain.
 KeyList inputs_of(const LumpedModel &model, const DynamicsSettings &settings)
 {
-  return joined(chain_mode_keys(model, settings, Half::upper), chain_mode_keys(model, settings, Half::lower));
+  return joined(chain_mode_keys(model, settings, Half::upper), chain_mode_keys(model, settings, Half::lower),
+                keys_in("dynamics", "force_meaning"));
 }
 
 // Error of a frequency from the errors of springs and masses: half the strain-energy share of a spring, and half
@@ -138,10 +139,11 @@ HorizontalModes horizontal_modes(const LumpedModel &model, const double chock_se
   return all;
 }
 
-void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings,
-               const double chock_seat, const std::array<double, 2> chock_mass)
+namespace {
+// @param named  state whose names the results get
+void add_vertical_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings,
+                        const GapState named)
 {
-  StageTimer timer(run, "modes");
   const auto [chain, modes, half] = chain_modes(model, settings);
   const auto n                    = modes.frequency.size();
   Table table;
@@ -154,18 +156,35 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
   }
   for (std::size_t s = 0; s < chain.springs.size(); ++s)
     table.add("energy_" + chain.springs[s].name, "", modes.strain_share.col(Eigen::Index(s)));
-  write_curve(run, curve::modes, "", table);
-  write_poles(run, chain);
+  if (named == GapState::open)
+    write_curve(run, curve::modes_of_model, "open", table);
+  else {
+    write_curve(run, curve::modes, "", table);
+    write_poles(run, chain);
+  }
+  const bool strip = driven_state(settings) == GapState::rolling;
   for (Eigen::Index i = 0; i < n; ++i) {
     Parameter f;
     f.value  = modes.frequency[i];
     f.unit   = "Hz";
-    f.method = "six-mass chain, force " + settings.force_meaning;
+    f.method = strip ? "six-mass chain, K4 between the work rolls" : "six-mass chain, K4 = 0";
     f.at     = model.at;
     state_error(f, modes, i, model);
     f.inputs = chain_mode_keys(model, settings, half[std::size_t(i)]);
-    run.results.add("f" + std::to_string(i + 1), f);
+    run.results.add(name_in_state(named, "f" + std::to_string(i + 1)), f);
   }
+}
+}  // namespace
+
+void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings,
+               const double chock_seat, const std::array<double, 2> chock_mass)
+{
+  StageTimer timer(run, "modes");
+  if (knows_strip(model)) {
+    add_vertical_modes(run, model, in_state(settings, GapState::rolling), GapState::rolling);
+    add_vertical_modes(run, model, in_state(settings, GapState::open), GapState::open);
+  } else
+    add_vertical_modes(run, model, in_state(settings, GapState::open), GapState::rolling);
 
   const auto [horizontal, sideways, mover] = horizontal_modes(model, chock_seat, chock_mass);
   if (mover.empty())

@@ -43,7 +43,8 @@ struct HorizontalModes {
 HorizontalModes horizontal_modes(const LumpedModel &model, double chock_seat,
                                  const std::array<double, 2> &chock_mass);
 
-/// Natural frequencies and shapes: f1.., fh1.., curves/modes*.csv and curves/poles.csv.
+/// Natural frequencies and shapes of the chain: f1.. of the rolling state and open.f1.. of the open one (f1..
+/// where the strip is not known), fh1.., curves/modes*.csv and curves/poles.csv of the first.
 void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings, double chock_seat,
                std::array<double, 2> chock_mass);
 

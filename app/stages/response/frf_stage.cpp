@@ -8,6 +8,7 @@
 #include "core/records/result_names.h"
 #include "dynamics/response/accelerance.h"
 #include "dynamics/response/response_band.h"
+#include "reduce/stand/mode_names.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -15,11 +16,7 @@
 
 namespace mill {
 namespace {
-// Where sensors sit and forces act, as far as a model has the place.
-const char *const places[] = {"upper backup roll",     "upper work roll",    "lower work roll",
-                              "lower backup roll",     "upper backup chock", "upper work-roll chock",
-                              "lower work-roll chock", "lower backup chock"};
-const char *const bite     = "bite";
+const char *const bite = "bite";
 
 // One model in all its modes, at its places.
 struct Responder {
@@ -40,13 +37,11 @@ Responder responder_of(const StandModel &model, const DynamicsSettings &dynamics
   Responder r;
   r.model = &model;
   r.pushed.push_back(model.b);
-  for (const char *place : places)
-    for (const StandPoint &point : model.points)
-      if (point.name == place) {
-        r.places.push_back(place);
-        r.seen.push_back(point.row);
-        r.pushed.push_back(point.row);
-      }
+  for (const StandPoint *place : reduce::measured_places(model)) {
+    r.places.push_back(place->name);
+    r.seen.push_back(place->row);
+    r.pushed.push_back(place->row);
+  }
   const auto all = reduce::stand_modes(model);
   r.modal = dynamics::modal_response(model, all.frequency, all.shape, r.seen, r.pushed, dynamics.modal_damping,
                                      gap_damper);
@@ -161,11 +156,11 @@ void write_band(RunContext &run, const Responder &r, const dynamics::ResponseBan
 }
 
 // The natural frequency behind a peak, with its error; nullptr: none within a half-power bandwidth.
-const Parameter *mode_at(const RunContext &run, const StandModel &model, const double frequency,
-                         const double damping)
+const Parameter *mode_at(const RunContext &run, const StandModel &model, const GapState named,
+                         const double frequency, const double damping)
 {
   const Parameter *best = nullptr;
-  for (std::size_t i = 0; const Parameter *f = run.find(frequency_result(model, i)); ++i)
+  for (std::size_t i = 0; const Parameter *f = run.find(frequency_result(model, i, named)); ++i)
     if (!best || std::abs(f->value - frequency) < std::abs(best->value - frequency))
       best = f;
   return best && std::abs(best->value - frequency) < std::max(damping, 1e-3) * frequency ? best : nullptr;
@@ -249,7 +244,7 @@ private:
     f.error_estimate = not_given;
     f.error_lacks    = {};
     f.checks.clear();
-    if (const Parameter *mode = mode_at(run, *r.model, peak.frequency, dynamics.modal_damping)) {
+    if (const Parameter *mode = mode_at(run, *r.model, stand.named, peak.frequency, dynamics.modal_damping)) {
       f.error_estimate = mode->error_estimate;
       f.error_lacks    = mode->error_lacks;
       f.checks.push_back({"natural frequency nearby", mode->value, "undamped"});

@@ -13,6 +13,7 @@ namespace mill {
 struct RespondingStand {
   /// Models of one stand, the best one first: its responses are the results, with a band.
   std::vector<const reduce::StandWithModes *> models;
+  GapState named = GapState::rolling;               ///< state whose names their frequencies have in the results
   std::vector<reduce::ModalSensitivity> uncertain;  ///< inputs of the first one
   double gap_damper = 0;                            ///< N s/m
   double limit      = not_given;                    ///< Hz, up to which its modes are right; NaN: all are

@@ -3,6 +3,38 @@
 #include <fmt/format.h>
 
 namespace mill {
+namespace {
+std::string frequency_text(const Eigen::VectorXd &all, const int mode)
+{
+  return mode < 0 ? "-" : fmt::format("{:.1f}", all[mode]);
+}
+
+int partner(const std::vector<reduce::ModePair> &pairs, const Eigen::Index mode)
+{
+  for (const reduce::ModePair &pair : pairs)
+    if (pair.mode == mode)
+      return pair.other;
+  return -1;
+}
+
+// The mode of the same name; -1: none.
+int mode_named(const reduce::StandWithModes &stand, const std::string &key)
+{
+  for (std::size_t i = 0; i < stand.names.size(); ++i)
+    if (!key.empty() && stand.names[i].key == key)
+      return int(i);
+  return -1;
+}
+
+// One line: with the strip, without it, share of the gap, name, six masses.
+std::string mode_line(const std::string &rolling, const std::string &open, const reduce::ModeName &name,
+                      const std::string &six_masses)
+{
+  return fmt::format("{:>10} {:>9} {:>6.1f} %  {:<48} {:>8}\n", rolling, open, 100 * name.gap_share, name.name,
+                     six_masses);
+}
+}  // namespace
+
 const reduce::StandWithModes &best_model(const StandModels &models)
 {
   for (const auto *model : {&models.craig_bampton, &models.beam})
@@ -11,20 +43,33 @@ const reduce::StandWithModes &best_model(const StandModels &models)
   return models.chain;
 }
 
-std::string headline(const StandModels &models, const double limit)
+std::string headline(const StandStates &states, const double limit)
 {
-  const reduce::StandWithModes &best = best_model(models);
-  const Eigen::VectorXd &f           = best.modes.frequency;
+  const StandModels &models          = states.named().models;
+  const reduce::StandWithModes &best = best_model(models), &open = best_model(states.open.models);
+  const Eigen::VectorXd &f = best.modes.frequency;
   std::string text =
       fmt::format("modes below {:g} Hz: {}, compared with the six masses\n", limit, title_of(best.model.name));
+  text += states.rolling ? fmt::format("{:>10} {:>9} {:>8}  {:<48} {:>8}\n", "rolling Hz", "open Hz", "of gap",
+                                       "mode", "6 masses")
+                         : "open stand: K4 is not known\n";
+  int folded = 0;
   for (Eigen::Index i = 0; i < f.size() && f[i] <= limit; ++i) {
-    std::string six_mass = "-";
-    for (const reduce::ModePair &pair : models.verdict.pairs)
-      if (pair.mode == i && pair.other >= 0)
-        six_mass = fmt::format("{:.1f}", models.chain.modes.frequency[pair.other]);
-    const std::string name = best.names.size() > std::size_t(i) ? best.names[std::size_t(i)].name : "";
-    text += fmt::format("{:>10.1f} Hz  {:<42} {:>8}\n", f[i], name, six_mass);
+    const reduce::ModeName &name = best.names.at(std::size_t(i));
+    if (!name.listed) {
+      ++folded;
+      continue;
+    }
+    text += mode_line(frequency_text(f, int(i)),
+                      states.rolling ? frequency_text(open.modes.frequency, mode_named(open, name.key)) : "", name,
+                      frequency_text(models.chain.modes.frequency, partner(models.verdict.pairs, i)));
   }
+  for (std::size_t i = 0;
+       states.rolling && i < open.names.size() && open.modes.frequency[Eigen::Index(i)] <= limit; ++i)
+    if (open.names[i].listed && mode_named(best, open.names[i].key) < 0)
+      text += mode_line("-", frequency_text(open.modes.frequency, int(i)), open.names[i], "");
+  if (folded > 0)
+    text += fmt::format("{} further modes that neither gap nor sensors see\n", folded);
   if (!models.verdict.sentences.empty())
     text += models.verdict.sentences.front() + "\n";
   return text;

@@ -7,7 +7,8 @@ namespace mill {
 /// frequencies and names are those of the run.
 const reduce::StandWithModes &best_model(const StandModels &models);
 
-/// For the console: the modes of the best model below the limit (Hz) by name, compared with the six masses, and
-/// what those are good for.
-std::string headline(const StandModels &models, double limit);
+/// For the console: the modes of the best model below the limit (Hz) that the gap or a sensor sees, with the strip
+/// between the rolls and without it side by side, compared with the six masses; how many others there are; what
+/// the six masses are good for.
+std::string headline(const StandStates &states, double limit);
 }  // namespace mill

@@ -5,14 +5,34 @@
 #include "core/records/result_names.h"
 #include "reduce/stand/mode_names.h"
 #include "reduce/stand/six_masses.h"
+#include "reduce/stand/stand_errors.h"
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
 namespace mill {
-std::string frequency_result(const StandModel &model, const std::size_t mode)
+std::string name_in_state(const GapState state, const std::string &name)
+{
+  return state == GapState::open ? result_name({family::open, name}) : name;
+}
+
+void assume_open(RunContext &run, const std::string &key)
+{
+  run.assume(key +
+             " is not given: the modes are those of the open stand, without the strip between the work rolls; "
+             "the modes of the stand as it rolls are not known");
+}
+
+bool knows_strip(const LumpedModel &chain)
+{
+  return chain.K[3].value > 0;
+}
+
+std::string frequency_result(const StandModel &model, const std::size_t mode, const GapState state)
 {
   const std::string number = fmt::format("f{}", mode + 1);
-  return model.name == "six-mass" ? number : result_name({model.name, number});
+  return name_in_state(state, model.name == "six-mass" ? number : result_name({model.name, number}));
 }
 
 const char *title_of(const std::string &model)
@@ -32,32 +52,58 @@ reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSetting
   return s;
 }
 
-void add_named_modes(RunContext &run, const std::vector<const reduce::StandWithModes *> &models,
-                     const double limit)
+namespace {
+// The share of a mode in the compliance of the gap, next to its frequency.
+Parameter share_of(const reduce::StandWithModes &best, const std::size_t i, const Parameter &frequency,
+                   const reduce::FrequencyErrors &errors)
 {
-  const reduce::StandWithModes &best = *models.front();
-  for (std::size_t i = 0; i < best.names.size() && best.modes.frequency[Eigen::Index(i)] <= limit; ++i) {
+  const reduce::ModeName &mode = best.names[i];
+  Parameter p;
+  p.value  = mode.gap_share;
+  p.unit   = "1";
+  p.method = "share of the static compliance of the gap (22.23); " + std::string(title_of(best.model.name));
+  p.at     = frequency.at;
+  p.inputs = frequency.inputs;
+  p.error_estimate = errors.error[Eigen::Index(i)];
+  p.error_lacks    = errors.lacks[i];
+  return p;
+}
+}  // namespace
+
+void add_named_modes(RunContext &run, const NamedModes &named)
+{
+  const reduce::StandWithModes &best   = *named.models.front();
+  const reduce::FrequencyErrors of_gap = reduce::gap_share_errors(best, named.uncertain);
+  for (std::size_t i = 0; i < best.names.size() && best.modes.frequency[Eigen::Index(i)] <= named.limit; ++i) {
     const reduce::ModeName &mode = best.names[i];
-    const Parameter *frequency   = run.results.find(frequency_result(best.model, i));
-    if (mode.key == "mixed" || !frequency)
+    const Parameter *frequency   = run.results.find(frequency_result(best.model, i, named.state));
+    if (mode.key.empty() || !mode.listed || !frequency)
       continue;
-    Parameter p = *frequency;
-    p.method    = mode.name + ": " + mode.decided + "; " + p.method;
+    Parameter p = *frequency, share = share_of(best, i, p, of_gap);
+    p.method = mode.name + ": " + mode.decided + "; " + p.method;
     p.checks.clear();
-    for (std::size_t m = 1; m < models.size(); ++m)
-      for (std::size_t k = 0; k < models[m]->names.size(); ++k)
-        if (const reduce::ModeName &other = models[m]->names[k]; other.key == mode.key)
-          p.checks.push_back(
-              {title_of(models[m]->model.name), models[m]->modes.frequency[Eigen::Index(k)], other.decided});
-    run.results.add(result_name({family::mode, mode.key, "frequency"}), p);
+    for (std::size_t m = 1; m < named.models.size(); ++m) {
+      const reduce::StandWithModes &model = *named.models[m];
+      for (std::size_t k = 0; k < model.names.size(); ++k)
+        if (const reduce::ModeName &other = model.names[k]; other.key == mode.key) {
+          p.checks.push_back({title_of(model.model.name), model.modes.frequency[Eigen::Index(k)], other.decided});
+          share.checks.push_back({title_of(model.model.name), other.gap_share, other.name});
+        }
+    }
+    const auto result = [&](const char *quantity) {
+      return name_in_state(named.state, result_name({family::mode, mode.key, quantity}));
+    };
+    run.results.add(result("frequency"), p);
+    run.results.add(result("gap_share"), share);
   }
 }
 
-void write_mode_table(RunContext &run, const reduce::StandWithModes &s)
+void write_mode_table(RunContext &run, const reduce::StandWithModes &s, const GapState state)
 {
   const auto n = s.modes.frequency.size();
   Table table;
   table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n))).add("frequency", "Hz", s.modes.frequency);
+  table.add("gap_share", "", reduce::gap_shares(s));
   for (const StandPoint &point : s.model.points) {
     Eigen::VectorXd y = s.modes.shape.transpose() * point.row;
     for (Eigen::Index i = 0; i < n; ++i) {
@@ -68,6 +114,6 @@ void write_mode_table(RunContext &run, const reduce::StandWithModes &s)
     }
     table.add(slug(point.name), "", y);
   }
-  write_curve(run, curve::modes_of_model, s.model.name, table);
+  write_curve(run, curve::modes_of_model, s.model.name + (state == GapState::open ? "-open" : ""), table);
 }
 }  // namespace mill

@@ -3,23 +3,45 @@
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
 #include "reduce/stand/stand_comparison.h"
+#include "reduce/stand/stand_errors.h"
 #include <limits>
+#include <string>
 #include <vector>
 
 namespace mill {
 /// "craig-bampton" -> "rolls as reduced finite elements".
 const char *title_of(const std::string &model);
 
-/// The chain of six masses as it vibrates: without K4 where the measured force holds the reaction of the bite.
+/// Whether K4 of a chain is a number above zero, so that the stand has a rolling state.
+bool knows_strip(const LumpedModel &chain);
+
+/// Says that names and frequencies are those of the open stand, since `key` is not given.
+void assume_open(RunContext &run, const std::string &key);
+
+/// "mode.gap_first_kind.frequency", of the open stand "open.mode.gap_first_kind.frequency".  theory.md 22.9
+std::string name_in_state(GapState state, const std::string &name);
+
+/// The chain of six masses with its modes and their names: without K4 where the force of the settings is measured.
 reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSettings &dynamics);
 
-/// curves/modes-<model>.csv: frequency of every mode and the displacement of every point, largest as 1.
-void write_mode_table(RunContext &run, const reduce::StandWithModes &stand);
-/// Under which name a frequency of a model stands in the results: "craig-bampton.f3" for mode 2.
-std::string frequency_result(const StandModel &model, std::size_t mode);
+/// curves/modes-<model>.csv, of the open stand curves/modes-<model>-open.csv: frequency of every mode, its share
+/// of the gap's compliance and the displacement of every point, largest as 1.
+void write_mode_table(RunContext &run, const reduce::StandWithModes &stand, GapState state = GapState::rolling);
 
-/// mode.<name>.frequency of every mode below the limit (Hz) that has a name: of the first model, whose frequencies
-/// are in the results already, compared with those of the other models that have the same name.
-void add_named_modes(RunContext &run, const std::vector<const reduce::StandWithModes *> &models,
-                     double limit = std::numeric_limits<double>::infinity());
+/// Under which name a frequency of a model stands in the results: "craig-bampton.f3" for mode 2.
+std::string frequency_result(const StandModel &model, std::size_t mode, GapState state = GapState::rolling);
+
+/// The modes of a stand in one state of the gap, for results by name.
+struct NamedModes {
+  GapState state = GapState::rolling;  ///< whose names the results get
+  /// The most detailed model first: its frequencies are in the results already.
+  std::vector<const reduce::StandWithModes *> models;
+  const std::vector<reduce::ModalSensitivity> &uncertain;  ///< inputs of the first one
+  double limit = std::numeric_limits<double>::infinity();  ///< Hz
+};
+
+/// mode.<name>.frequency and mode.<name>.gap_share of every mode below the limit that the gap or a sensor sees
+/// (ModeName::listed) and that has a name of its own: of the first model, compared with those of the other models
+/// that have the same name.
+void add_named_modes(RunContext &run, const NamedModes &named);
 }  // namespace mill

@@ -50,7 +50,7 @@ std::vector<std::string> keys_of(const LumpedModel &model)
 
 void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const reduce::StandWithModes &other,
                      const Eigen::MatrixXd &mac, const reduce::FrequencyErrors &errors,
-                     const reduce::LumpedStand &chain, const double limit)
+                     const reduce::LumpedStand &chain, const double limit, const GapState named)
 {
   const auto pairs = reduce::pair_modes(mac, other.modes.frequency, s.modes.frequency);
   for (Eigen::Index i = 0; i < s.modes.frequency.size() && s.modes.frequency[i] <= limit; ++i) {
@@ -72,7 +72,7 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
         if (s.model.name == "beam")
           f.error_estimate += std::abs(other.modes.frequency[pair.other] / f.value - 1);
       }
-    run.results.add(fmt::format("{}.f{}", s.model.name, i + 1), f);
+    run.results.add(frequency_result(s.model, std::size_t(i), named), f);
   }
 }
 
@@ -263,6 +263,23 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
   return m;
 }
 
+StandStates stand_states(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
+                         const ComponentSets &components)
+{
+  StandStates states;
+  const auto build = [&](StandInState &state, const GapState gap) {
+    state.stand = stand;
+    if (driven_state(stand.dynamics) != gap)
+      state.stand.dynamics = in_state(stand.dynamics, gap);
+    return [&, gap](RunContext &) { state.models = stand_models(state.stand, chain, components); };
+  };
+  std::vector<IndependentStage> both{build(states.open, GapState::open)};
+  if (knows_strip(chain.model))
+    both.push_back(build(states.rolling.emplace(), GapState::rolling));
+  run_side_by_side(run, std::move(both));
+  return states;
+}
+
 reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const StandModels &models)
 {
   const auto fe = reduce::fe_masses(stand, models.craig_bampton.model, stand.dynamics.mass_reference);
@@ -309,26 +326,43 @@ reduce::StandWithModes with_connection_errors(reduce::StandWithModes s, const Fo
   return s;
 }
 
-void compare_models(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
-                    const StandModels &models, const ComponentSets &components, const reduce::FeMasses &masses)
+namespace {
+// Frequencies of the finite elements, and of the beams in the state that is named.
+void add_frequencies_of(RunContext &run, const StandInState &state, const GapState named,
+                        const reduce::LumpedStand &chain, const ComponentSets &components)
+{
+  const auto &[stand, models] = state;
+  const double limit          = stand.dynamics.frequency_limit;
+  const Eigen::MatrixXd mac   = reduce::mac_between(models.craig_bampton, models.beam);
+  if (named == GapState::rolling)
+    add_frequencies(run, models.beam, models.craig_bampton, mac,
+                    reduce::frequency_errors(models.beam, stand, reduce::stand_springs(stand, chain), chain,
+                                             builder_of(models.beam, components)),
+                    chain, limit, named);
+  add_frequencies(run, models.craig_bampton, models.beam, mac.transpose(),
+                  reduce::frequency_errors(models.craig_bampton, stand, reduce::stand_springs(stand, chain, true),
+                                           chain, builder_of(models.craig_bampton, components)),
+                  chain, limit, named);
+  for (const auto *model : {&models.beam, &models.craig_bampton})
+    write_mode_table(run, *model, named);
+}
+}  // namespace
+
+void compare_models(RunContext &run, const StandStates &states, const StandInState &driven,
+                    const reduce::LumpedStand &chain, const ComponentSets &components,
+                    const reduce::FeMasses &masses)
 {
   StageTimer timer(run, "models");
-  const double limit = stand.dynamics.frequency_limit;
+  const auto &[stand, models] = driven;
   say_what_differs(run, stand);
   write_shapes(run, stand, chain, models.craig_bampton.model);
-  write_mode_table(run, models.beam);
-  write_mode_table(run, models.craig_bampton);
   write_roll_shapes(run, stand, models.craig_bampton, components.fine.work_roll, components.fine.backup_roll);
-  const Eigen::MatrixXd mac = reduce::mac_between(models.craig_bampton, models.beam);
-  const auto springs = reduce::stand_springs(stand, chain), on_bearing = reduce::stand_springs(stand, chain, true);
-  const auto beams = builder_of(models.beam, components), solids = builder_of(models.craig_bampton, components);
   write_model_files(run, stand, models.chain, chain.model);
   for (const auto *model : {&models.beam, &models.craig_bampton})
     write_model_files(run, stand, with_connection_errors(*model, stand, chain, components), chain.model);
-  add_frequencies(run, models.beam, models.craig_bampton, mac,
-                  reduce::frequency_errors(models.beam, stand, springs, chain, beams), chain, limit);
-  add_frequencies(run, models.craig_bampton, models.beam, mac.transpose(),
-                  reduce::frequency_errors(models.craig_bampton, stand, on_bearing, chain, solids), chain, limit);
+  add_frequencies_of(run, states.named(), GapState::rolling, chain, components);
+  if (states.rolling)
+    add_frequencies_of(run, states.open, GapState::open, chain, components);
   const auto riders = reduce::riders_of(stand);
   for (const auto *model : {&models.beam, &models.craig_bampton}) {
     const auto six = reduce::six_masses(model->model, riders, stand.dynamics.mass_reference,
@@ -338,7 +372,8 @@ void compare_models(RunContext &run, const FourHigh &stand, const reduce::Lumped
     run.out.write("lumped_model-six-of-" + model->model.name + ".toml",
                   lumped_model_toml(own, run.the_case, run.out.path()));
   }
-  run.out.write("curves/models.json", json_of_record(comparison(stand, chain, models, components, masses)));
+  run.out.write("curves/models.json", json_of_record(comparison(states.named().stand, chain, states.named().models,
+                                                                components, masses)));
 }
 
 KeyList keys_of_models(const reduce::LumpedStand &chain)
@@ -353,18 +388,42 @@ std::vector<reduce::ModalSensitivity> inputs_of_modes(const FourHigh &stand, con
                                      builder_of(models.craig_bampton, components));
 }
 
-void add_model_checks(RunContext &run, const StandModels &models)
+namespace {
+void add_checks_of_state(RunContext &run, const StandModels &models, const GapState named)
 {
   const auto pairs = reduce::pair_modes(reduce::mac_with_chain(models.craig_bampton, models.chain),
                                         models.craig_bampton.modes.frequency, models.chain.modes.frequency);
   for (auto &[name, p] : run.results.values)
     for (const reduce::ModePair &pair : pairs)
-      if (name == "f" + std::to_string(pair.mode + 1) && pair.other >= 0) {
+      if (pair.other >= 0 && name == frequency_result(models.chain.model, std::size_t(pair.mode), named)) {
         const double fe = models.craig_bampton.modes.frequency[pair.other];
         p.checks.insert(p.checks.begin(), Check{"rolls as reduced finite elements", fe,
                                                 fmt::format("modal assurance {:.3f}", pair.mac)});
         p.error_estimate += std::abs(fe / p.value - 1);
       }
+}
+}  // namespace
+
+void add_model_checks(RunContext &run, const StandStates &states)
+{
+  add_checks_of_state(run, states.named().models, GapState::rolling);
+  if (states.rolling)
+    add_checks_of_state(run, states.open.models, GapState::open);
+}
+
+void add_modes_by_name(RunContext &run, const StandStates &states, const reduce::LumpedStand &chain,
+                       const ComponentSets &components)
+{
+  for (const StandInState *state : {&states.named(), &states.open}) {
+    const StandModels &m = state->models;
+    const auto uncertain = inputs_of_modes(state->stand, chain, m, components);
+    add_named_modes(run, {states.name_of(*state),
+                          {&m.craig_bampton, &m.beam, &m.chain},
+                          uncertain,
+                          state->stand.dynamics.frequency_limit});
+    if (!states.rolling)
+      return;
+  }
 }
 
 const reduce::StandWithModes *driven(const StandModels &models, const DynamicsSettings &settings)

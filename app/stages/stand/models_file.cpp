@@ -13,6 +13,8 @@ ModelMode mode_of(const reduce::StandWithModes &s, const Eigen::Index i, const E
   mode.name           = name.name;
   mode.own_name       = name.own;
   mode.decided        = name.decided;
+  mode.gap_share      = name.gap_share;
+  mode.listed         = name.listed;
   mode.error_estimate = s.modes.error_estimate.size() > i ? s.modes.error_estimate[i] : not_given;
   mode.in_chain       = in_chain.size() > i ? in_chain[i] : not_given;
   mode.kinetic        = s.modes.kinetic.col(i);

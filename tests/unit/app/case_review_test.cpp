@@ -194,7 +194,7 @@ TEST_F(Reviewed, AStandWithEverythingGivenHasItsModes)
   EXPECT_EQ(value("K2"), 1.0e10);
   EXPECT_EQ(value("K_Zy"), 1.02e11);
   // Upper half open: f of M1, M2, M3 on K1, K2, K3, from its characteristic polynomial det(K - w^2 M) = 0.
-  const double w2 = std::pow(2 * 3.14159265358979323846 * value("f1"), 2);
+  const double w2 = std::pow(2 * 3.14159265358979323846 * value("open.f1"), 2);
   const double a = 6.3086e9 + 1e10 - w2 * 9320, b = 1e10 + 4e10 - w2 * 59720, d = 4e10 - w2 * 1889;
   EXPECT_LT(std::abs(a * (b * d - 16e20) - 1e20 * d), 1e-6 * std::abs(a * b * d));
   EXPECT_TRUE(run_kind(c).review(c, "").problems.empty());

@@ -36,8 +36,8 @@ Run four_high()
                        result("stand.modulus.tangent", 4.5e9, "N/m", mill::operating_point_of("10 MN")),
                        result("stand.modulus.kiss", 5.0e9, "N/m", mill::operating_point_of("10 MN")),
                        mode("frame_upper", "frame, upper", 60),
-                       mode("fifth_octave_upper", "fifth octave, upper stack", 620),
-                       mode("third_octave", "third octave", 128)};
+                       mode("gap_second_kind", "gap mode, second kind (fifth octave)", 620),
+                       mode("gap_first_kind", "gap mode, first kind (third octave)", 128)};
   return run;
 }
 
@@ -50,11 +50,12 @@ bool says(const std::string &html, const std::string &text)
 TEST(FirstScreen, NamesModulusAndModes)
 {
   const std::string html = first_screen(four_high());
-  EXPECT_TRUE(says(html, "<b>Finished.</b> Mill modulus 4500\u00a0kN/mm; third octave 128\u00a0Hz; fifth octave, "
-                         "upper stack 620\u00a0Hz."))
+  EXPECT_TRUE(says(html, "<b>Finished.</b> Mill modulus 4500\u00a0kN/mm; gap mode, first kind (third octave) "
+                         "128\u00a0Hz; gap mode, second kind (fifth octave) 620\u00a0Hz."))
       << html;
-  EXPECT_LT(html.find("<span>third octave</span>"), html.find("<span>fifth octave, upper stack</span>"));
-  EXPECT_LT(html.find("<span>fifth octave, upper stack</span>"), html.find("<span>frame, upper</span>"));
+  const auto tile = [&](const std::string &name) { return html.find("<span>" + name + "</span>"); };
+  EXPECT_LT(tile("gap mode, first kind (third octave)"), tile("gap mode, second kind (fifth octave)"));
+  EXPECT_LT(tile("gap mode, second kind (fifth octave)"), tile("frame, upper"));
 }
 
 TEST(FirstScreen, TheWorstConditionGivesTheVerdict)

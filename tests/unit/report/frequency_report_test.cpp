@@ -61,7 +61,7 @@ CampbellRecord campbell()
   r.model     = "craig-bampton";
   r.speeds    = {0, 15};
   r.working   = {2, 6};
-  r.modes     = {{"third_octave_upper", "third octave, upper stack", 52.5, 0.03}};
+  r.modes     = {{"gap_first_kind", "gap mode, first kind", 52.5, 0.03}};
   r.lines     = {{"work roll, order 20", "work roll", "work roll", 20, 20 / (M_PI * 0.42)},
                  {"drive, <teeth>", "drive", "work roll", 12, 12 / (M_PI * 0.42)}};
   r.crossings = {{0, 0, 3.464, 0}, {0, 1, 5.773, -0.0}, {0, 7, 5, 0}};
@@ -104,9 +104,9 @@ TEST(FrequencyReport, ShowsCampbellDiagramAndCrossings)
   run.directory   = folder;
   Page page(run);
   frequency_section(page, run);
-  for (const char *text : {"speed of the rolls&#39; surface [m/s]", "third octave, upper stack", "working from",
-                           "work roll, order 20", "drive, &lt;teeth&gt;", "<b>3.46</b>", "inside",
-                           "at most 24 of 2", "no roller diameter"})
+  for (const char *text :
+       {"speed of the rolls&#39; surface [m/s]", "gap mode, first kind", "working from", "work roll, order 20",
+        "drive, &lt;teeth&gt;", "<b>3.46</b>", "inside", "at most 24 of 2", "no roller diameter"})
     EXPECT_TRUE(shows(page.body(), text)) << text;
   write_atomically(folder + "/curves/campbell.json", "{");
   Page broken(run);
@@ -121,6 +121,12 @@ TEST(FrequencyReport, ResultsHaveWords)
             "accelerance, force in the bite, upper work roll, largest magnitude");
   EXPECT_EQ(meaning_of("frf.lower_backup_chock.lower_backup_chock.frequency"),
             "accelerance, lower backup-roll chock, lower backup-roll chock, frequency of the largest magnitude");
-  EXPECT_EQ(meaning_of("campbell.third_octave_upper.distance"),
-            "resonance with what turns, third octave upper, distance from the working range");
+  EXPECT_EQ(meaning_of("campbell.gap_first_kind.distance"),
+            "resonance with what turns, gap first kind, distance from the working range");
+  EXPECT_EQ(meaning_of("mode.gap_first_kind.frequency"), "mode by name, natural frequency");
+  EXPECT_EQ(meaning_of("open.mode.gap_first_kind.gap_share"),
+            "open stand, without the strip between the work rolls, mode by name, share of the static compliance "
+            "of the gap");
+  EXPECT_EQ(meaning_of("open.f3"),
+            "open stand, without the strip between the work rolls, natural frequency 3, vertical");
 }

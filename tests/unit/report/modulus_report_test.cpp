@@ -70,6 +70,28 @@ TEST(ModulusReport, ShowsNamesOfModesWithTheDecidingNumbers)
   EXPECT_TRUE(shows(table, "six masses 761.3"));
 }
 
+// A mode of both states has one row; one that only the open stand has follows.
+TEST(ModulusReport, ShowsTheStandAsItRollsAndOpenSideBySide)
+{
+  report::Run run;
+  const std::string why = ": work roll with its backup roll; 30 % of the static compliance of the gap; six masses";
+  run.results           = {result("f1", 75.6, "computed: six-mass chain"),
+                           result("mode.gap_first_kind.frequency", 150.9, "computed: gap mode, first kind" + why),
+                           result("mode.gap_first_kind.gap_share", 0.363, "computed: share"),
+                           result("open.f1", 58.7, "computed: six-mass chain"),
+                           result("open.mode.gap_first_kind.frequency", 58.7, "computed: gap mode, first kind" + why),
+                           result("open.mode.frame_upper.frequency", 83.2, "computed: frame, upper" + why)};
+  const std::string table = named_mode_table(run);
+  const auto row          = table.find("<th scope=\"row\">gap mode, first kind</th>");
+  ASSERT_NE(row, std::string::npos) << table;
+  const auto rolling = table.find("<b>150.9", row), open = table.find("<b>58.7", row);
+  EXPECT_LT(rolling, open);
+  EXPECT_LT(open, table.find(">36.3<", row)) << "share of the gap";
+  EXPECT_EQ(table.find("<th scope=\"row\">gap mode, first kind</th>", row + 1), std::string::npos);
+  EXPECT_TRUE(shows(table, "<th scope=\"row\">frame, upper</th><td class=\"num\">\u2013</td>"));
+  EXPECT_EQ(short_groups(run).size(), 1u);
+}
+
 // The modes of the best model lead the short table, the six masses follow for comparison; alone they are the whole
 // table.
 TEST(ModulusReport, TheBestModelLeadsTheFrequencies)
