@@ -6,7 +6,7 @@
 
 namespace mill::reduce {
 namespace {
-constexpr double held       = 1e-6;  // a frequency below this part of the largest is that of a free motion
+constexpr double held       = 1e-7;  // a frequency below this part of the largest is rounding: a free motion
 constexpr double opens_gap  = 1e-9;  // of the largest |g|: less is rounding
 constexpr int highest_order = 3;     // in the name of a mode that is not a gap mode
 

@@ -16,7 +16,7 @@ inline constexpr double fifth_octave[2]         = {450, 900};  ///< Hz, of gap m
 
 /// (m): gamma_k = (g_k / w_k)^2 / sum_j (g_j / w_j)^2 with g_k = b phi_k, the share of each mode in the static
 /// compliance of the gap.  theory.md (22.23)
-/// Motions that no spring holds (w below 1e-6 of the largest) have the whole compliance where they open the gap,
+/// Motions that no spring holds (w below 1e-7 of the largest) have the whole compliance where they open the gap,
 /// in proportion to g^2, else none of it.  All zero where no mode opens the gap.
 /// @param frequency   (m) Hz, >= 0, in any order
 /// @param shape       (n, m) mass-normalised, any sign
