@@ -48,6 +48,8 @@ std::string why(const GapMotion &mode, const GapKind kind)
 /// "third octave" where the frequency lies in the range of that name.
 std::string octave(const GapMotion &mode, const GapKind kind)
 {
+  if (kind == GapKind::none)
+    return "";
   const double(&range)[2] = kind == GapKind::first ? third_octave : fifth_octave;
   if (mode.frequency < range[0] || mode.frequency > range[1])
     return "";
@@ -72,6 +74,18 @@ Stem stem_of_part(const GapMotion &mode, const GapKind kind)
     return part ? Stem{part->name, part->key} : Stem{"mode", "mode"};
   const Stem stem = stem_of_kind(kind);
   return part ? Stem{stem.name + ", " + part->part, stem.key + "_" + part->key} : stem;
+}
+
+/// Of a gap mode whose part has given its name three times: the second largest part is named too.
+Stem stem_of_two_parts(GapMotion mode, const GapKind kind)
+{
+  const Stem stem             = stem_of_part(mode, kind);
+  const KineticShare *largest = largest_part(mode);
+  if (!largest)
+    return stem;
+  mode.parts.erase(mode.parts.begin() + (largest - mode.parts.data()));
+  const KineticShare *second = largest_part(mode);
+  return second ? Stem{stem.name + " and " + second->part, stem.key + "_" + second->key} : stem;
 }
 }  // namespace
 
@@ -126,18 +140,22 @@ std::vector<ModeName> gap_mode_names(const std::vector<GapMotion> &modes, const 
     keys.insert(mode.key);
   std::vector<ModeName> names(modes.size());
   const auto is_given = [&](const std::size_t k) { return !given.empty() && !given[k].key.empty(); };
-  const auto name     = [&](const std::size_t k, const Stem &stem) {
-    const GapKind kind = gap_kind(modes[k]);
-    const bool numbers = kind != GapKind::none;
-    Stem one           = stem;
+  // A free name; empty: the third order is taken.
+  const auto numbered = [&](const Stem &stem, const int highest) {
+    Stem one = stem;
     for (int order = 2; !keys.insert(one.key).second; ++order) {
-      if (order > highest_order && !numbers) {
-        one = {stem.name + ", higher", ""};
-        break;
-      }
+      if (order > highest)
+        return Stem{};
       one = {fmt::format("{}, order {}", stem.name, order), fmt::format("{}_{}", stem.key, order)};
     }
-    names[k].name = one.name + (numbers ? octave(modes[k], kind) : "");
+    return one;
+  };
+  const auto name = [&](const std::size_t k, const Stem &stem) {
+    const GapKind kind = gap_kind(modes[k]);
+    Stem one           = numbered(stem, highest_order);
+    if (one.key.empty() && kind != GapKind::none)
+      one = numbered(stem_of_two_parts(modes[k], kind), std::numeric_limits<int>::max());
+    names[k].name = one.key.empty() ? stem.name + ", higher" : one.name + octave(modes[k], kind);
     names[k].key  = one.key;
   };
   for (std::size_t k = 0; k < modes.size(); ++k) {

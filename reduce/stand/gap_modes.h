@@ -64,7 +64,8 @@ int gap_mode(const std::vector<GapMotion> &modes, GapKind kind = GapKind::first)
 /// One name for each mode.  theory.md 22.9, table
 /// The gap mode of each kind is "gap mode, first kind"; other gap modes have the part with the largest kinetic
 /// share after it; all other modes are named by that part.  A name that comes again is numbered upwards in
-/// frequency, up to "order 3"; a mode beyond that is "frame, upper, higher", without key, unless it is a gap mode.
+/// frequency, up to "order 3"; from the fourth on, a gap mode has its two largest parts in the name, another mode
+/// is "frame, upper, higher", without key.
 /// @param modes  ascending in frequency
 /// @param given  (modes) names that are not changed, those with a key; empty: none
 std::vector<ModeName> gap_mode_names(const std::vector<GapMotion> &modes, const std::vector<ModeName> &given = {});

@@ -11,6 +11,7 @@
 #include "dynamics/response/response.h"
 #include "dynamics/response/rolling_force.h"
 #include "dynamics/response/spectrum.h"
+#include "reduce/stand/gap_modes.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -148,6 +149,7 @@ void add_vertical_modes(RunContext &run, const LumpedModel &model, const Dynamic
   const auto n                    = modes.frequency.size();
   Table table;
   table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n))).add("frequency", "Hz", modes.frequency);
+  table.add("gap_share", "", reduce::gap_shares(modes.frequency, modes.shape, chain.b));
   for (Eigen::Index j = 0; j < n; ++j) {
     Eigen::VectorXd y(n);
     for (Eigen::Index i = 0; i < n; ++i)

@@ -157,6 +157,20 @@ TEST(GapModeNames, EndAtTheThirdOrderWhereTheGapSeesNothing)
   EXPECT_EQ(gap_mode(modes), -1);
 }
 
+TEST(GapModeNames, NameTheSecondPartOfAGapModeBeyondTheThirdOrder)
+{
+  std::vector<GapMotion> modes{motion(50, 0.3, 1, 1)};
+  for (int k = 1; k < 6; ++k) {
+    modes.push_back(motion(50 + 10 * k, 0.05, 1, 1, "housing"));
+    modes.back().parts.push_back({"cylinder", "cylinder", "cylinder", 0.1});
+  }
+  const auto names = gap_mode_names(modes);
+  EXPECT_EQ(names[3].name, "gap mode, first kind, housing, order 3");
+  EXPECT_EQ(names[4].name, "gap mode, first kind, housing and cylinder");
+  EXPECT_EQ(names[4].key, "gap_first_kind_part_cylinder");
+  EXPECT_EQ(names[5].name, "gap mode, first kind, housing and cylinder, order 2");
+}
+
 // A name that came from another model is kept, and no other mode bears it.
 TEST(GapModeNames, KeepThoseThatAreGiven)
 {
