@@ -15,7 +15,7 @@ struct OutputGroup {
   const char *chapter;  // of docs/theory
 };
 
-constexpr std::array<OutputGroup, 26> output_groups{{
+constexpr std::array<OutputGroup, 27> output_groups{{
     {"K3", "Contact of the upper rolls", "12-contact-of-meshed-bodies"},
     {"K5", "Contact of the lower rolls", "12-contact-of-meshed-bodies"},
     {"K4", "Roll bite as a spring", "08-roll-bite-slab-theories"},
@@ -33,6 +33,7 @@ constexpr std::array<OutputGroup, 26> output_groups{{
     {"fN", "Natural frequencies of the six masses", "06-lumped-model"},
     {"fhN", "Natural frequencies across the rolling line", "06-lumped-model"},
     {"mode", "Modes by name", "22-stand-models"},
+    {"open", "Open stand, K4 = 0", "22-stand-models"},
     {"beam", "Stand of Timoshenko beams", "22-stand-models"},
     {"craig-bampton", "Stand of reduced finite elements", "22-stand-models"},
     {"housing", "Mill housing", "23-housing-and-screw-down"},
