@@ -275,7 +275,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
   StandStates states;
   reduce::FeMasses fe_masses{};
   if (goal >= Goal::masses) {
-    states    = stand_states(run, stand, chain, parts.components);
+    states    = stand_states(run, stand, chain, parts.components, !first);
     fe_masses = add_fe_masses(chain.model, stand, states.open.models);
   }
   const StandInState &driven_one = states.driven(stand.dynamics);

@@ -264,7 +264,7 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
 }
 
 StandStates stand_states(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
-                         const ComponentSets &components)
+                         const ComponentSets &components, const bool driven_only)
 {
   StandStates states;
   const auto build = [&](StandInState &state, const GapState gap) {
@@ -274,7 +274,7 @@ StandStates stand_states(RunContext &run, const FourHigh &stand, const reduce::L
     return [&, gap](RunContext &) { state.models = stand_models(state.stand, chain, components); };
   };
   std::vector<IndependentStage> both{build(states.open, GapState::open)};
-  if (knows_strip(chain.model))
+  if (knows_strip(chain.model) && (!driven_only || driven_state(stand.dynamics) == GapState::rolling))
     both.push_back(build(states.rolling.emplace(), GapState::rolling));
   run_side_by_side(run, std::move(both));
   return states;

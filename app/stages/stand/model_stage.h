@@ -50,8 +50,9 @@ struct StandStates {
 };
 
 /// Both states side by side.  Cost: twice that of stand_models().
+/// @param driven_only  leave out the rolling state where the force drives the open one
 StandStates stand_states(RunContext &run, const FourHigh &stand, const reduce::LumpedStand &chain,
-                         const ComponentSets &components);
+                         const ComponentSets &components, bool driven_only = false);
 
 /// Equivalent masses M2..M5 by the shapes of the finite elements: checks in addition to the closed forms, or the
 /// values themselves when the case asks for them (dynamics.mass_source).

@@ -1,10 +1,12 @@
 // The share of a mode in the compliance of the gap, and the names that follow from it.
 #include "reduce/stand/gap_modes.h"
 #include "reduce/stand/six_masses.h"
+#include "reduce/stand/stand_errors.h"
 #include "reduce/stand/stand_modes.h"
 #include "tests/support/beam_demo.h"
 #include "tests/support/near.h"
 #include <Eigen/Dense>
+#include <cmath>
 
 using namespace mill;
 using namespace mill::reduce;
@@ -108,6 +110,42 @@ TEST(GapShares, OfAMotionThatNoSpringHolds)
   EXPECT_TRUE(near(gap_shares(frequency, shape, Eigen::Vector2d(1, -1)), Eigen::Vector2d(0, 1),
                    within(1e-14, "the free motion leaves the gap")));
   EXPECT_TRUE(gap_shares(Eigen::Vector2d::Zero(), shape, Eigen::Vector2d::Zero()).isZero(0));
+}
+
+// The slope of every share by every spring and mass, against the chain with that number moved.
+TEST(GapShares, ErrorsFollowTheMovedChain)
+{
+  const LumpedModel chain = demo_chain(demo_drawing(), 3e9).model;
+  StandWithModes stand{chain_stand(chain), {}};
+  stand.modes                = stand_modes(stand.model);
+  constexpr double step      = 1e-5;
+  const auto log_shares_with = [&](const std::string &name, const double factor) {
+    LumpedModel moved = chain;
+    (name[0] == 'K' ? moved.K[std::size_t(name[1] - '1')] : moved.M[std::size_t(name[1] - '1')]).value *= factor;
+    return Eigen::VectorXd(shares_of(chain_stand(moved)).array().log());
+  };
+  auto inputs = modal_sensitivities(stand, chain);
+  EXPECT_EQ(inputs.size(), 13u) << "K1..K7 and M1..M6";
+  for (ModalSensitivity &input : inputs) {
+    input.error                 = 1;
+    const FrequencyErrors slope = gap_share_errors(stand, {input});
+    const Eigen::VectorXd moved =
+        (log_shares_with(input.name, 1 + step) - log_shares_with(input.name, 1 - step)).cwiseAbs() / (2 * step);
+    EXPECT_TRUE(near(slope.error, moved, within(1e-5, "central differences of second order", 1))) << input.name;
+  }
+}
+
+TEST(GapShares, AnInputWithoutErrorLeavesThemWithoutOne)
+{
+  const LumpedModel chain = demo_chain(demo_drawing(), 3e9).model;
+  StandWithModes stand{chain_stand(chain), {}};
+  stand.modes = stand_modes(stand.model);
+  auto inputs = modal_sensitivities(stand, chain);
+  for (ModalSensitivity &input : inputs)
+    input.error = input.name == "K3" ? std::nan("") : 0.01, input.lacks = {"given.K3_tolerance"};
+  const FrequencyErrors errors = gap_share_errors(stand, inputs);
+  EXPECT_TRUE(std::isnan(errors.error[0]));
+  EXPECT_EQ(errors.lacks[0], Keys{"given.K3_tolerance"});
 }
 
 TEST(GapModeNames, FollowTheStackThatMovesMore)
