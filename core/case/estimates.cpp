@@ -233,6 +233,7 @@ void Estimator::frame()
     if (!std::isnan(f.*part.member) || !is_wanted(key))
       continue;
     lacks = lacks || std::isnan(M);
+    f.closing.insert(part.key);
     // A share of the compliance: the larger it is the softer the part.
     add(key, "kN/mm", f.*part.member, M, {1 / part.share.usual, 1 / part.share.high, 1 / part.share.low},
         fmt::format("{:.2g} % ({:.2g} .. {:.2g}) of the stand's compliance, rule of thumb (34.8)",
@@ -269,7 +270,13 @@ void Estimator::frame()
                       "for example {} = {}",
                       row.key, row.key, example_toml(row_of(row))));
   }
-  f.wished_modulus = M;
+  f.modulus       = M;
+  f.modulus_error = wishes.frame.modulus_tolerance;
+  f.modulus_place = reading.place("frame.modulus");
+  if (!std::isnan(M) && f.closing.empty())
+    contradict(
+        reading, "frame.modulus",
+        "has no effect: every stiffness of the frame is given or drawn; leave out those that are least known", {});
   for (const Estimate &e : stand.estimates)
     if (e.key.rfind("frame.", 0) == 0)
       f.tolerance[e.key.substr(6)] = half_width(e);
@@ -289,8 +296,15 @@ const std::vector<Field<EstimateInput>> &estimate_rows()
        {0.5, 50},
        absent,
        "5 MN/mm",
-       "mill modulus of the whole stand, known or wished, that estimate = true divides among the parts of the "
-       "frame"},
+       "slope of force over screw position with touching work rolls, of the whole stand: what rolls, contacts and "
+       "bearings leave of it is shared by the parts of the frame that estimate = true finds"},
+      {"modulus_tolerance",
+       &T::modulus_tolerance,
+       "%",
+       {0.1, 50},
+       3,
+       "3 %",
+       "how far the modulus may be off, of its value: the error of its calibration"},
   };
   return rows;
 }
@@ -326,6 +340,9 @@ EstimateInput read_estimate(const Section &section, const std::vector<Field<Esti
       set_member(field, *value, wish);
   if (reading.places.count(section.key("modulus")) && !wish.estimate)
     contradict(reading, section.key("modulus"), "has no effect without estimate = true", {});
+  if (reading.places.count(section.key("modulus_tolerance")) && std::isnan(wish.modulus))
+    contradict(reading, section.key("modulus_tolerance"),
+               "belongs to " + section.key("modulus") + ", which is not given; give both or neither", {});
   return wish;
 }
 
