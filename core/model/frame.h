@@ -23,6 +23,8 @@ struct Frame {
   double modulus_error = 0.03;       ///< -, relative, of that calibration
   std::set<std::string> closing;     ///< keys of the stiffnesses above that take what the modulus leaves for them
   Place modulus_place;               ///< of the key
+  std::map<std::string, std::string>
+      source;  ///< of estimated members by their keys: those of one source move together
   std::map<std::string, double> tolerance;  ///< -, relative, of the members above by their keys, as far as given
 };
 

@@ -5,11 +5,13 @@
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/chain_keys.h"
 #include "reduce/chain/equivalent_mass.h"
+#include "reduce/chain/error_sum.h"
 #include "reduce/chain/frame_closure.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace mill::reduce {
@@ -125,6 +127,7 @@ struct UncertainInput {
   double error;  ///< -, relative; NaN: not stated
   Keys lacks;    ///< what would say it
   std::function<void(FourHigh &, ChainNumbers &, double)> scale;
+  std::string source = {};  ///< see ErrorSum
 };
 
 UncertainInput spring(double ChainNumbers::*number, const std::string &name, const Parameter &p)
@@ -137,7 +140,8 @@ UncertainInput of_frame(const FrameValue &part)
 {
   return {part.error,
           {part.tolerance_key},
-          [member = part.member](FourHigh &s, ChainNumbers &, const double factor) { s.frame.*member *= factor; }};
+          [member = part.member](FourHigh &s, ChainNumbers &, const double factor) { s.frame.*member *= factor; },
+          part.source};
 }
 
 /// Relative errors of all values from those of the inputs, (4.17), and what they lack.
@@ -158,17 +162,20 @@ ChainErrors propagated_errors(const FourHigh &stand, const ChainNumbers &numbers
     return chain_values(other, numbers_of_other, rolls, stand.dynamics.mass_reference);
   };
   ChainErrors sum;
+  std::array<ErrorSum, std::tuple_size<ChainValues>::value> of_value;
   for (const UncertainInput &input : inputs) {
     const ChainValues up = moved(input, 1 + step), down = moved(input, 1 - step);
     for (std::size_t v = 0; v < up.size(); ++v) {
       const double slope = up[v] > 0 && down[v] > 0 ? std::log(up[v] / down[v]) / (2 * step) : 0;
       if (std::abs(slope) < no_slope)
         continue;
-      sum.error[v] += std::abs(slope) * input.error;  // stays unknown where one of them is
+      of_value[v].add(slope, input.error, input.source);  // stays unknown where one of them is
       if (std::isnan(input.error))
         sum.lacks[v].insert(sum.lacks[v].end(), input.lacks.begin(), input.lacks.end());
     }
   }
+  for (std::size_t v = 0; v < of_value.size(); ++v)
+    sum.error[v] = of_value[v].error();
   return sum;
 }
 

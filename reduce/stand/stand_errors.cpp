@@ -1,4 +1,5 @@
 #include "reduce/stand/stand_errors.h"
+#include "reduce/chain/error_sum.h"
 #include "reduce/chain/frame_closure.h"
 #include "reduce/chain/spring_chain.h"
 #include <algorithm>
@@ -16,7 +17,8 @@ struct Uncertain {
   double error;
   Keys lacks;
   std::function<void(FourHigh &, StandSprings &)> move;  ///< by 1 + step
-  double kept = 0;  ///< m/N, by which the compliance with touching rolls changes that the frame keeps
+  double kept        = 0;   ///< m/N, by which the compliance with touching rolls changes that the frame keeps
+  std::string source = {};  ///< see ErrorSum
 };
 
 /// What a frame on its modulus keeps while something else moves.
@@ -84,7 +86,9 @@ std::vector<Uncertain> inputs_of(const FourHigh &stand, const LumpedStand &chain
     inputs.push_back({part.tolerance_key.substr(0, part.tolerance_key.rfind("_tolerance")),
                       part.error,
                       {part.tolerance_key},
-                      [member = part.member](FourHigh &s, StandSprings &) { s.frame.*member *= 1 + step; }});
+                      [member = part.member](FourHigh &s, StandSprings &) { s.frame.*member *= 1 + step; },
+                      0,
+                      part.source});
   if (!keeping.closed)
     return inputs;
   const auto nothing = [](FourHigh &, StandSprings &) {};
@@ -134,6 +138,7 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
     }
     return all;
   };
+  std::vector<ErrorSum> of_mode(static_cast<std::size_t>(m));
   const Eigen::VectorXd unmoved = quotients(modes.model);
   for (const Uncertain &input : inputs_of(stand, chain)) {
     const StandModel other = moved(input, stand, springs, chain, build);
@@ -144,7 +149,7 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
       const double slope = 0.5 * std::log(quotient[i] / unmoved[i]) / step;
       if (!(std::abs(slope) > no_slope))
         continue;
-      sum.error[i] += std::abs(slope) * input.error;
+      of_mode[std::size_t(i)].add(slope, input.error, input.source);
       if (std::isnan(input.error)) {
         Keys &lacks = sum.lacks[std::size_t(i)];
         for (const std::string &key : input.lacks)
@@ -153,14 +158,15 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
       }
     }
   }
+  for (Eigen::Index i = 0; i < m; ++i)
+    sum.error[i] = of_mode[std::size_t(i)].error();
   return sum;
 }
 
 void set_connection_errors(StandModel &model, const FourHigh &stand, const StandSprings &springs,
                            const LumpedStand &chain, const StandBuilder &build)
 {
-  for (Connection &connection : model.connections)
-    connection.error_estimate = 0;
+  std::vector<ErrorSum> of_connection(model.connections.size());
   for (const Uncertain &input : inputs_of(stand, chain)) {
     const StandModel other = moved(input, stand, springs, chain, build);
     if (other.connections.size() != model.connections.size())
@@ -169,9 +175,11 @@ void set_connection_errors(StandModel &model, const FourHigh &stand, const Stand
       const double slope =
           std::log(other.connections[c].stiffness.sum() / model.connections[c].stiffness.sum()) / step;
       if (std::abs(slope) > no_slope)
-        model.connections[c].error_estimate += std::abs(slope) * input.error;
+        of_connection[c].add(slope, input.error, input.source);
     }
   }
+  for (std::size_t c = 0; c < model.connections.size(); ++c)
+    model.connections[c].error_estimate = of_connection[c].error();
 }
 
 std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, const FourHigh &stand,

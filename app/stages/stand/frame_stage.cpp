@@ -166,7 +166,7 @@ void close_frame(RunContext &run, FourHigh &stand, const reduce::ChainInputs &in
     p.at = inputs.at;
     if (const auto tolerance = rules.tolerance.find(row.key); tolerance != rules.tolerance.end())
       p.error_estimate = tolerance->second;
-    p.checks.push_back({"by the rules alone (34.8)", rules.*member, ""});
+    p.checks.push_back({"by the rules alone (34.9), (34.10)", rules.*member, ""});
     run.results.add(key, p);
   }
 }
