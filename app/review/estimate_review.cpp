@@ -22,10 +22,11 @@ bool is_mode(const std::string &name)
   return name.size() >= 2 && name[0] == 'f' && name[1] >= '1' && name[1] <= '9';
 }
 
-// Springs, masses, bearings and modes of the first pass; responses and later passes have a dot in their name.
+// Springs, masses, bearings, modes and mill modulus of the first pass; responses and later passes have a dot in
+// their name.
 bool is_ranked(const std::string &name)
 {
-  return name.find('.') == std::string::npos;
+  return name.find('.') == std::string::npos || name == "stand.modulus.kiss" || name == "stand.modulus.tangent";
 }
 
 template <class Which> double largest_move(const EstimateRecord &record, const Which &is_meant)
@@ -74,6 +75,8 @@ bool is_of_frame(const Estimate &e)
 // tells.
 double move_of(const EstimateRecord &record, const std::string &name, const std::vector<std::string> &known)
 {
+  if (is_ranked(name) && holds(known, name))
+    return largest_move(record, [&](const std::string &result) { return result == name; });
   const std::string stem = name.substr(0, name.find('.')), last = name.substr(name.rfind('.') + 1);
   if (stem != name && (is_mode(last) || last == "frequency"))
     return largest_mode_move(record);

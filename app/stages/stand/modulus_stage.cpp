@@ -202,6 +202,7 @@ private:
     return p;
   }
   double error_of(const std::vector<PathPart> &path) const;
+  void state_error(reduce::MillModulus &m, const std::vector<PathPart> &path) const;
   std::vector<PathPart> path_at(double F, bool strip) const;
   reduce::LoadDeflection stretch(bool strip) const;
   Check difference_of_stretch(bool strip) const;
@@ -255,6 +256,13 @@ double Modulus::error_of(const std::vector<PathPart> &path) const
   return error;
 }
 
+void Modulus::state_error(reduce::MillModulus &m, const std::vector<PathPart> &path) const
+{
+  m.error = error_of(path);
+  if (!std::isnan(m.error))
+    m.lacks.clear();
+}
+
 void Modulus::add_touching()
 {
   add_contact_of_work_rolls();
@@ -262,8 +270,8 @@ void Modulus::add_touching()
   touching = common;
   touching.push_back(part(name_of("K_ww", "tangent"), result(name_of("K_ww", "tangent")),
                           result(name_of("K_ww", "secant")).value));
-  auto m            = reduce::mill_modulus(touching);
-  m.error           = error_of(touching);
+  auto m = reduce::mill_modulus(touching);
+  state_error(m, touching);
   Parameter tangent = result_of(m, "K1, K2, K3, work rolls on each other, K5, K6, K7 in series (30.1)", true);
   tangent.checks.push_back(difference_of_stretch(false));
   Parameter secant = result_of(m, "screw-down of touching work rolls from zero force (30.2)", false);
@@ -361,8 +369,8 @@ void Modulus::add_with_strip()
                         flattening.error_lacks});
   if (run.results.find(name_of("K_bend")))
     with_strip.push_back(part(name_of("K_bend"), result(name_of("K_bend")), 1 / bend));
-  auto m           = reduce::mill_modulus(with_strip);
-  m.error          = error_of(with_strip);
+  auto m = reduce::mill_modulus(with_strip);
+  state_error(m, with_strip);
   const auto curve = stretch(true);
   const double F   = parts.load;
   Parameter tangent =
