@@ -71,7 +71,7 @@ bool is_of_frame(const Estimate &e)
 }
 
 // What one estimate moves in a result: by the closed form of that name, "K3" of "K3.tangent"; of modes of other
-// models the most it moves any mode of the chain, of the mill modulus the most it moves any spring.  NaN: nothing
+// models the most it moves any mode of the chain, of other moduli the most it moves any spring.  NaN: nothing
 // tells.
 double move_of(const EstimateRecord &record, const std::string &name, const std::vector<std::string> &known)
 {

@@ -28,7 +28,7 @@ Spread operator+(const double more, const Spread &s)
 // Factors of the rules: usual, low, high.
 constexpr Spread neck_of_barrel{0.60, 0.50, 0.70};    // neck diameter over barrel diameter
 constexpr Spread work_neck_length{1.95, 1.4, 2.5};    // neck length over neck diameter, with the coupling end
-constexpr Spread work_end{0.85, 0.5, 1.25};           // bearing's edge to the end of the roll, over neck diameter
+constexpr Spread work_end{0.85, 0.5, 1.25};           // bearing centre to the end of the roll, over neck diameter
 constexpr Spread backup_neck_length{1.2, 0.85, 1.6};  // neck length over neck diameter
 constexpr Spread backup_end{0.75, 0.42, 1.05};        // bearing centre to the end of the roll, over neck diameter
 constexpr Spread backup_seal{0.12, 0.03, 0.25};       // barrel end to bearing, over neck diameter
@@ -184,10 +184,10 @@ void Estimator::work_neck()
   if (!std::isnan(roll.neck_length) || !is_wanted("work_roll.total_length"))
     return;
   const bool behind = std::isfinite(roll.bearing_span) && !estimated;
-  const Spread neck = behind ? 0.5 * (roll.bearing_span + B - L) + d * work_end : d * work_neck_length;
+  const Spread neck = behind ? 0.5 * (roll.bearing_span - L) + d * work_end : d * work_neck_length;
   roll.neck_length  = neck.usual;
   list("work_roll.total_length", "mm", L + 2 * neck,
-       behind ? "0.85 (0.5 .. 1.25) neck diameters behind each bearing, with the coupling end (34.4)"
+       behind ? "0.85 (0.5 .. 1.25) neck diameters behind the centre of each bearing, with the coupling end (34.4)"
               : "necks of 1.95 (1.4 .. 2.5) neck diameters, with the coupling end (34.4)",
        joined(from, keys_in("work_roll", behind ? "bearing_span" : "barrel_length")));
 }
