@@ -25,6 +25,11 @@ Spread operator+(const double more, const Spread &s)
   return {more + s.usual, more + s.low, more + s.high};
 }
 
+Spread at_most(const double bound, const Spread &s)
+{
+  return {std::min(s.usual, bound), std::min(s.low, bound), std::min(s.high, bound)};
+}
+
 // Factors of the rules: usual, low, high.
 constexpr Spread neck_of_barrel{0.60, 0.50, 0.70};    // neck diameter over barrel diameter
 constexpr Spread work_neck_length{1.95, 1.4, 2.5};    // neck length over neck diameter, with the coupling end
@@ -174,7 +179,10 @@ void Estimator::work_neck()
   const double of_backup = stand.backup_roll.bearing_span, least = L + B;
   const bool same_window = std::isfinite(of_backup) && spans.low * of_backup > least;
   if (estimated) {
-    const Spread s    = same_window ? of_backup * spans : L + B + 2 * d * work_seal;
+    // Half the bearing stays on a neck that is drawn.
+    const double farthest =
+        std::isnan(roll.neck_length) ? INFINITY : L + 2 * std::max(roll.neck_length - B / 2, B / 2);
+    const Spread s    = at_most(farthest, same_window ? of_backup * spans : L + B + 2 * d * work_seal);
     roll.bearing_span = s.usual;
     list("work_roll.bearing_span", "mm", s,
          same_window ? "0.97 (0.80 .. 1.06) of the backup roll's, in whose window it lies (34.5)"
