@@ -175,6 +175,7 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
   in.K_Zy_lower = parts.bearings[p].K_Zy_lower;
   in.Kzc        = parts.bearings[p].Kzc;
   in.Kzc_across = parts.bearings[p].Kzc_across;
+  in.K_ww       = touching_work_rolls(stand, load, parts.contacts.count("upper") ? &in.K3 : nullptr);
   in.solid      = solid_rolls(parts.components);
   in.at         = at_force(load);
   set_inputs(in, stand, p);
@@ -340,6 +341,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   resolve_frame(run, stand);
   stand.strip = fitted_strip(run, fit_question(stand, forces.loads));
   PartsOfStand made(run, stand, forces.loads, goal);
+  close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
   SideBySide passes(run);
   std::vector<std::vector<Check>> gaps(stand.passes.size());
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
@@ -461,6 +463,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   const bool gap_springs = stand.dynamics.force_meaning != "measured";
   PartsOfStand made(run, stand, forces.loads, Goal::simulate, gap_springs);
   made.take_bite(p);
+  close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
   DrivenStand driven_stand;
   auto chain = reduce::lumped_stand(stand, chain_inputs(stand, made.parts, p, forces.loads[p]));
   std::optional<StandModels> models;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 namespace mill {
@@ -21,10 +22,11 @@ bool is_mode(const std::string &name)
   return name.size() >= 2 && name[0] == 'f' && name[1] >= '1' && name[1] <= '9';
 }
 
-// Springs, masses, bearings and modes of the first pass; responses and later passes have a dot in their name.
+// Springs, masses, bearings, modes and mill modulus of the first pass; responses and later passes have a dot in
+// their name.
 bool is_ranked(const std::string &name)
 {
-  return name.find('.') == std::string::npos;
+  return name.find('.') == std::string::npos || name == "stand.modulus.kiss" || name == "stand.modulus.tangent";
 }
 
 template <class Which> double largest_move(const EstimateRecord &record, const Which &is_meant)
@@ -69,10 +71,12 @@ bool is_of_frame(const Estimate &e)
 }
 
 // What one estimate moves in a result: by the closed form of that name, "K3" of "K3.tangent"; of modes of other
-// models the most it moves any mode of the chain, of the mill modulus the most it moves any spring.  NaN: nothing
+// models the most it moves any mode of the chain, of other moduli the most it moves any spring.  NaN: nothing
 // tells.
 double move_of(const EstimateRecord &record, const std::string &name, const std::vector<std::string> &known)
 {
+  if (is_ranked(name) && holds(known, name))
+    return largest_move(record, [&](const std::string &result) { return result == name; });
   const std::string stem = name.substr(0, name.find('.')), last = name.substr(name.rfind('.') + 1);
   if (stem != name && (is_mode(last) || last == "frequency"))
     return largest_mode_move(record);
@@ -83,15 +87,30 @@ double move_of(const EstimateRecord &record, const std::string &name, const std:
   return largest_move(record, [&](const std::string &name) { return name == stem; });
 }
 
-// What all estimates of the rolls may move together.
+// What all estimates of the rolls may move together: those of one source add up, different ones by squares.
 double moved_by_rolls(const std::vector<EstimateRecord> &records, const std::string &name, const KeyList &keys,
                       const std::vector<std::string> &known)
 {
-  double sum = 0;
+  std::map<std::string, double> by_source;
   for (const EstimateRecord &record : records)
-    if (!is_of_frame(record.estimate) && holds(keys, record.estimate.key))
-      sum += move_of(record, name, known);
-  return sum;
+    if (const Estimate &e = record.estimate; !is_of_frame(e) && holds(keys, e.key))
+      by_source[e.source.empty() ? e.key : e.source] += move_of(record, name, known);
+  double squares = 0;
+  for (const auto &entry : by_source)
+    squares += entry.second * entry.second;
+  return std::sqrt(squares);
+}
+
+// An estimated stiffness of the frame as the run has it, on the measured modulus.
+void close_records(std::vector<EstimateRecord> &records, const Results &results)
+{
+  for (EstimateRecord &record : records)
+    if (const Parameter *closed = results.find(record.estimate.key); closed && is_of_frame(record.estimate)) {
+      Estimate &e         = record.estimate;
+      const double factor = closed->value / e.value;
+      for (double *value : {&e.value, &e.low, &e.high})
+        *value *= factor;
+    }
 }
 }  // namespace
 
@@ -131,6 +150,7 @@ void mark_estimates(RunContext &run)
     return;
   const double load     = load_of_first(*stand);
   run.results.estimates = ranked_estimates(*stand, load);
+  close_records(run.results.estimates, run.results);
   std::vector<std::string> known;  // names of the closed forms
   for (const ClosedFormResult &r : closed_form_stand(*stand, load))
     known.push_back(r.name);

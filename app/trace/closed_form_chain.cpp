@@ -4,6 +4,7 @@
 #include "app/stages/response/detailed_model_stage.h"
 #include "app/stages/response/dynamics_stage.h"
 #include "app/stages/stand/mode_results.h"
+#include "app/stages/stand/modulus_stage.h"
 #include "app/trace/closed_form_response.h"
 #include "app/trace/closed_form_stand.h"
 #include "core/base/require.h"
@@ -223,10 +224,11 @@ Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
 }
 
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
-reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, const std::string &prefix,
-                              const OperatingPoint &load, const SpringFactors &factors)
+reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std::size_t pass, const double load,
+                              const SpringFactors &factors)
 {
-  const auto made = [&](const std::string &name) {
+  const std::string prefix = pass == 0 ? "" : stand.passes[pass].name + ".";
+  const auto made          = [&](const std::string &name) {
     const ClosedFormResult *spring = find(all, prefix + name);
     require(spring, "no closed form gives the spring " + name);
     return *spring;
@@ -245,14 +247,18 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, const FourHigh &stand, con
         p.inputs = made(name).closed;
       },
       in);
-  in.at            = load;
+  in.at            = fmt::format("{:.1f} kN", load / 1e3);
+  in.K_ww          = touching_work_rolls(stand, load, nullptr);
   const bool solid = stand.backup_roll.bending_model == "solid";
   if (solid && !is_given(stand.given, "K_ZW"))
     tagged.given["K_ZW"].parameter = bent_beam(stand, factors);
+  if (pass == 0)  // the later ones take the same frame
+    stand.frame = tagged.frame = reduce::frame_on_modulus(tagged, in);
   const auto chain     = reduce::lumped_stand(tagged, in, reduce::StatedErrors::none);
   const auto inputs_of = [&](const char *name) { return made(name).parameter.inputs; };
   auto full            = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
-                                             inputs_of("K_Zy_lower"), reduce::given_springs(stand), stand.housing.present()},
+                                             inputs_of("K_Zy_lower"), reduce::given_springs(stand), stand.housing.present(),
+                                             reduce::closure_keys(stand)},
                                             solid);
   for (KeyList &list : full)
     list = reduce::as_drawn(list, stand);
@@ -318,7 +324,7 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const double load        = loads[p];
     add_springs(all, stand, p, prefix, load, memory, factors);
-    const auto chain         = add_chain(all, stand, prefix, fmt::format("{:.1f} kN", load / 1e3), factors);
+    const auto chain         = add_chain(all, stand, p, load, factors);
     const LumpedModel &model = chain.model;
     if (p == 0) {
       add_quick_modulus(all, stand, load, factors);

@@ -11,8 +11,9 @@
 namespace mill {
 /// Keys of a section that may be estimated.
 struct EstimateInput {
-  bool estimate  = false;
-  double modulus = not_given;  ///< N/m, of the stand with strip: what the frame is estimated from
+  bool estimate            = false;
+  double modulus           = not_given;  ///< N/m, of the whole stand with touching work rolls, measured
+  double modulus_tolerance = 0;          ///< -, relative, of its calibration
 };
 /// [work_roll], [backup_roll]: the first row; [frame]: both.
 const std::vector<Field<EstimateInput>> &estimate_rows();

@@ -35,6 +35,14 @@ const std::vector<Field<MillHousing>> &housing_rows()
         {"youngs_modulus", &T::modulus, "GPa", {1, 1000}, absent, "205 GPa", "when absent that of [steel]"});
     all.push_back(
         {"density", &T::density, "kg/m3", {500, 25000}, absent, "7800 kg/m3", "when absent that of [steel]"});
+    all.push_back({"stiffness",
+                   &T::stiffness,
+                   "MN/mm",
+                   {0.1, 100},
+                   absent,
+                   "18 MN/mm",
+                   "in place of the drawing: of one housing, force over what screw and seat move apart; "
+                   "frame.estimate = true shares it among posts and beams"});
     return all;
   }();
   return rows;
@@ -156,7 +164,19 @@ MillHousing read_housing(const Node &root, const Material &steel, Reading &readi
   const Section section = section_at(root, "housing", reading);
   if (!section.node)
     return housing;
-  read_and_echo(section, section.header(), housing_rows(), housing, reading);
+  std::vector<Field<MillHousing>> rows = housing_rows();
+  const bool known                     = section.node->find("stiffness") != nullptr;
+  if (known)  // no drawing
+    for (Field<MillHousing> &row : rows)
+      row.fallback = absent;
+  read_and_echo(section, section.header(), rows, housing, reading);
+  if (known) {
+    for (const Field<MillHousing> &row : rows)
+      if (const std::string key = section.key(row.key); reading.places.count(key) && key != "housing.stiffness")
+        contradict(reading, key, "has no effect with housing.stiffness, which is in place of the drawing", {});
+    housing.thickness = not_given;
+    return housing;
+  }
   housing.steel = steel;
   if (!std::isnan(housing.modulus))
     housing.steel.youngs_modulus = housing.modulus;

@@ -12,6 +12,7 @@ struct Estimate {
   std::string unit;               ///< of the key's row, "kg"
   std::string rule;               ///< one sentence with the number of the equation
   std::vector<std::string> from;  ///< keys that it was made from
+  std::string source = {};        ///< what moves it together with others, "section of the posts"; empty: nothing
 };
 using Estimates = std::vector<Estimate>;
 

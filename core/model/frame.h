@@ -1,6 +1,8 @@
 #pragma once
+#include "core/base/errors.h"
 #include "core/model/material.h"
 #include <map>
+#include <set>
 #include <string>
 
 namespace mill {
@@ -16,8 +18,13 @@ struct Frame {
   double lower_post_stiffness = 0, lower_beam_stiffness = 0, lower_packing_stiffness = 0;       ///< N/m
   double load_cell_stiffness = not_given;  ///< N/m, absent: rigid
   double chock_to_housing_stiffness =
-      not_given;                      ///< N/m, Kx of each work roll, both sides together; absent: rigid
-  double wished_modulus = not_given;  ///< N/m, of the whole stand, that estimates of the above were made from
+      not_given;                     ///< N/m, Kx of each work roll, both sides together; absent: rigid
+  double modulus       = not_given;  ///< N/m, of the whole stand with touching work rolls, measured
+  double modulus_error = 0.03;       ///< -, relative, of that calibration
+  std::set<std::string> closing;     ///< keys of the stiffnesses above that take what the modulus leaves for them
+  Place modulus_place;               ///< of the key
+  std::map<std::string, std::string>
+      source;  ///< of estimated members by their keys: those of one source move together
   std::map<std::string, double> tolerance;  ///< -, relative, of the members above by their keys, as far as given
 };
 

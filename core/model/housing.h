@@ -19,17 +19,18 @@ struct MillHousing {
   double modulus           = not_given;  ///< Pa, as given; absent: that of the rolls
   double density           = not_given;  ///< kg/m3, the same
   Material steel;                        ///< complete
+  double stiffness = not_given;          ///< N/m, of one housing between screw and seat, known without a drawing
   bool present() const
   {
     return !std::isnan(thickness);
   }
 };
 
-// Modulus and density as given are in `steel`, completed.
+// Modulus and density as given are in `steel`, completed; a stiffness stands in place of a drawing.
 template <class Io> void each_member(Io &&io, const MillHousing &record)
 {
   const auto &[thickness, post_width, window_width, window_height, upper_beam_height, lower_beam_height,
-               fillet_radius, foot_height, screw_pad, seat_pad, modulus, density, steel] = record;
+               fillet_radius, foot_height, screw_pad, seat_pad, modulus, density, steel, stiffness] = record;
   io("thickness", thickness);
   io("post_width", post_width);
   io("window_width", window_width);

@@ -1,5 +1,6 @@
 #include "reduce/chain/chain_keys.h"
 #include "core/case/provenance.h"
+#include "reduce/chain/frame_closure.h"
 #include "reduce/chain/screwdown.h"
 #include <cmath>
 #include <utility>
@@ -64,6 +65,14 @@ std::map<std::string, Keys> given_springs(const FourHigh &stand)
   return keys;
 }
 
+Keys closure_keys(const FourHigh &stand)
+{
+  if (!is_closed(stand.frame))
+    return {};
+  return joined(Keys{"frame.modulus"}, keys_in("steel", "youngs_modulus poisson_ratio"),
+                keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes.front(), 0));
+}
+
 std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
 {
   // A given spring replaces what it is made of, in the load path too.
@@ -72,13 +81,18 @@ std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)
     return given == s.given.end() ? keys : given->second;
   };
   const Keys beam = backup_roll_keys(solid);
-  const Keys K1 =
-      keys_in("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
-  const Keys K2 = joined(keys_in("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),
-                         s.K_Zy_upper, or_given("K_ZW", beam));
-  const Keys K6 = joined(keys_in("frame", "lower_chock_stiffness"), s.K_Zy_lower, or_given("K_ZW", beam));
-  const Keys K7 =
+  Keys K1 = keys_in("frame", "upper_post_stiffness upper_beam_stiffness piston_stiffness upper_packing_stiffness");
+  Keys K2 = joined(keys_in("frame", "oil_column_stiffness cylinder_body_stiffness upper_chock_stiffness"),
+                   s.K_Zy_upper, or_given("K_ZW", beam));
+  Keys K6 = joined(keys_in("frame", "lower_chock_stiffness"), s.K_Zy_lower, or_given("K_ZW", beam));
+  Keys K7 =
       keys_in("frame", "lower_post_stiffness lower_beam_stiffness lower_packing_stiffness load_cell_stiffness");
+
+  if (!s.closure.empty()) {
+    const Keys path = joined(s.closure, K1, K2, s.K3, s.K5, K6, K7);
+    for (Keys *spring : {&K1, &K2, &K6, &K7})
+      *spring = joined(std::move(*spring), path);
+  }
 
   const Keys upper_path = or_given("K1", K1), lower_path = or_given("K7", K7);
   const Keys density = keys_in("steel", "density");

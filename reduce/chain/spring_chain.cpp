@@ -58,9 +58,10 @@ std::vector<FrameValue> frame_values(const Frame &frame)
   for (const Field<Frame> &row : frame_rows()) {
     const auto member = std::get<double Frame::*>(row.member);
     const auto given  = frame.tolerance.find(row.key);
+    const auto source = frame.source.find(row.key);
     if (!std::isnan(frame.*member))
-      values.push_back(
-          {member, given == frame.tolerance.end() ? not_given : given->second, "frame." + tolerance_key(row.key)});
+      values.push_back({member, given == frame.tolerance.end() ? not_given : given->second,
+                        "frame." + tolerance_key(row.key), source == frame.source.end() ? "" : source->second});
   }
   return values;
 }

@@ -24,6 +24,7 @@ struct FrameValue {
   double Frame::*member;
   double error;               ///< -, relative; NaN: not stated
   std::string tolerance_key;  ///< that would say it, "frame.piston_mass_tolerance"
+  std::string source;         ///< of an estimated one: those of one source move together; empty: not estimated
 };
 
 /// All of [frame] that is there.

@@ -5,10 +5,13 @@
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/chain_keys.h"
 #include "reduce/chain/equivalent_mass.h"
+#include "reduce/chain/error_sum.h"
+#include "reduce/chain/frame_closure.h"
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace mill::reduce {
@@ -22,6 +25,8 @@ struct ChainNumbers {
   double K_ZW = not_given, K1 = not_given, K7 = not_given;  ///< given ones; absent: from the drawing
   double K2 = not_given, K6 = not_given;                    ///< given ones, for parts that are not drawn
   double K_ZW_factor = 1;                                   ///< on the one or the other
+  double K_ww        = not_given;                           ///< work rolls on each other
+  double kept = not_given;  ///< m/N, of the stand with touching rolls, that the frame keeps; absent: it is free
 };
 
 /// How the two kinds of rolls bend.
@@ -67,6 +72,17 @@ struct Reduced {
   Flexibilities u;
 };
 
+double or_series(const double given, const double series)
+{
+  return std::isnan(given) ? series : given;
+}
+
+/// Compliance of the path with touching work rolls but for the stiffnesses that follow the modulus.  m/N
+double rest_of_path(const Frame &frame, const SeriesSprings &series, const ChainNumbers &n)
+{
+  return 1 / or_series(n.K1, series.K1) + 1 / or_series(n.K2, series.K2) + 1 / n.K3 + 1 / n.K_ww + 1 / n.K5 +
+         1 / or_series(n.K6, series.K6) + 1 / or_series(n.K7, series.K7) - closing_compliance(frame);
+}
 Reduced reduce_stand(const FourHigh &stand, const ChainNumbers &n, const Rolls &rolls,
                      const std::string &reference)
 {
@@ -78,6 +94,10 @@ Reduced reduce_stand(const FourHigh &stand, const ChainNumbers &n, const Rolls &
   const PathSprings path{n.K_Zy_upper, n.K_Zy_lower, r.K_ZW};
   r.frame  = with_given_springs(stand.frame, path, n.K2, n.K6);
   r.series = series_springs(r.frame, path);
+  if (!std::isnan(n.kept)) {
+    r.frame  = with_closing_compliance(r.frame, n.kept - rest_of_path(r.frame, r.series, n));
+    r.series = series_springs(r.frame, path);
+  }
   r.u = flexibilities(r.frame, path, std::isnan(n.K1) ? r.series.K1 : n.K1, std::isnan(n.K7) ? r.series.K7 : n.K7);
   return r;
 }
@@ -107,6 +127,7 @@ struct UncertainInput {
   double error;  ///< -, relative; NaN: not stated
   Keys lacks;    ///< what would say it
   std::function<void(FourHigh &, ChainNumbers &, double)> scale;
+  std::string source = {};  ///< see ErrorSum
 };
 
 UncertainInput spring(double ChainNumbers::*number, const std::string &name, const Parameter &p)
@@ -119,7 +140,8 @@ UncertainInput of_frame(const FrameValue &part)
 {
   return {part.error,
           {part.tolerance_key},
-          [member = part.member](FourHigh &s, ChainNumbers &, const double factor) { s.frame.*member *= factor; }};
+          [member = part.member](FourHigh &s, ChainNumbers &, const double factor) { s.frame.*member *= factor; },
+          part.source};
 }
 
 /// Relative errors of all values from those of the inputs, (4.17), and what they lack.
@@ -140,17 +162,20 @@ ChainErrors propagated_errors(const FourHigh &stand, const ChainNumbers &numbers
     return chain_values(other, numbers_of_other, rolls, stand.dynamics.mass_reference);
   };
   ChainErrors sum;
+  std::array<ErrorSum, std::tuple_size<ChainValues>::value> of_value;
   for (const UncertainInput &input : inputs) {
     const ChainValues up = moved(input, 1 + step), down = moved(input, 1 - step);
     for (std::size_t v = 0; v < up.size(); ++v) {
       const double slope = up[v] > 0 && down[v] > 0 ? std::log(up[v] / down[v]) / (2 * step) : 0;
       if (std::abs(slope) < no_slope)
         continue;
-      sum.error[v] += std::abs(slope) * input.error;  // stays unknown where one of them is
+      of_value[v].add(slope, input.error, input.source);  // stays unknown where one of them is
       if (std::isnan(input.error))
         sum.lacks[v].insert(sum.lacks[v].end(), input.lacks.begin(), input.lacks.end());
     }
   }
+  for (std::size_t v = 0; v < of_value.size(); ++v)
+    sum.error[v] = of_value[v].error();
   return sum;
 }
 
@@ -252,7 +277,47 @@ void add_other_model(Parameter &p, const double beams, const bool solid)
 {
   p.checks.push_back({solid ? name_of(CheckId::stepped_beams) : "rolls by finite elements (22.13)", beams, ""});
 }
+Rolls rolls_as(const FourHigh &stand, const ChainInputs &inputs, const bool meshed)
+{
+  return meshed ? solids(stand, *inputs.solid.backup_roll, *inputs.solid.work_roll) : beams(stand);
+}
+
+ChainNumbers chain_numbers(const FourHigh &stand, const ChainInputs &in)
+{
+  ChainNumbers n;
+  n.K3         = given_or(stand, "K3", in.K3).value;
+  n.K4         = given_or(stand, "K4", in.K4).value;
+  n.K5         = given_or(stand, "K5", in.K5).value;
+  n.K_Zy_upper = given_or(stand, "K_Zy", in.K_Zy_upper).value;
+  n.K_Zy_lower = given_or(stand, "K_Zy", in.K_Zy_lower).value;
+  n.K_ZW       = given_or(stand, "K_ZW", not_given);
+  n.K1         = given_or(stand, "K1", not_given);
+  n.K7         = given_or(stand, "K7", not_given);
+  n.K2         = given_or(stand, "K2", not_given);
+  n.K6         = given_or(stand, "K6", not_given);
+  n.K_ww       = in.K_ww.value;
+  return n;
+}
+
+/// The modulus and the contact of the work rolls, which the stiffnesses that follow the modulus are made from.
+void add_closure(std::vector<UncertainInput> &uncertain, const FourHigh &stand, const ChainInputs &inputs)
+{
+  uncertain.push_back({stand.frame.modulus_error,
+                       {"frame.modulus"},
+                       [](FourHigh &, ChainNumbers &n, const double s) { n.kept /= s; }});
+  uncertain.push_back(spring(&ChainNumbers::K_ww, "stand.K_ww.tangent", inputs.K_ww));
+}
 }  // namespace
+
+Frame frame_on_modulus(const FourHigh &stand, const ChainInputs &inputs)
+{
+  if (!is_closed(stand.frame))
+    return stand.frame;
+  const bool solid     = inputs.solid && stand.backup_roll.bending_model == "solid";
+  const ChainNumbers n = chain_numbers(stand, inputs);
+  const Reduced r      = reduce_stand(stand, n, rolls_as(stand, inputs, solid), stand.dynamics.mass_reference);
+  return closed_on_modulus(stand.frame, rest_of_path(r.frame, r.series, n));
+}
 
 LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const StatedErrors stated)
 {
@@ -266,17 +331,10 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
 
   const std::string &reference = stand.dynamics.mass_reference;
   const bool solid             = inputs.solid && stand.backup_roll.bending_model == "solid";
-  const auto rolls_of          = [&](const bool meshed) {
-    return meshed ? solids(stand, *inputs.solid.backup_roll, *inputs.solid.work_roll) : beams(stand);
-  };
-  const Rolls rolls = rolls_of(solid);
-  result.K_ZW       = bending_of(stand, inputs, rolls);
-  ChainNumbers n{K3.value, K4.value, K5.value, result.K_Zy_upper.value, result.K_Zy_lower.value};
-  n.K_ZW = given_or(stand, "K_ZW", not_given);
-  n.K1   = given_or(stand, "K1", not_given);
-  n.K7   = given_or(stand, "K7", not_given);
-  n.K2   = given_or(stand, "K2", not_given);
-  n.K6   = given_or(stand, "K6", not_given);
+  const auto rolls_of          = [&](const bool meshed) { return rolls_as(stand, inputs, meshed); };
+  const Rolls rolls            = rolls_of(solid);
+  result.K_ZW                  = bending_of(stand, inputs, rolls);
+  ChainNumbers n               = chain_numbers(stand, inputs);
 
   std::vector<UncertainInput> uncertain;
   for (const FrameValue &part : frame_values(stand.frame))
@@ -299,7 +357,11 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
     if (const auto given = stand.given.find(name); given != stand.given.end() && fills(name))
       uncertain.push_back(spring(number, name, given->second.parameter));
 
-  const Reduced reduced    = reduce_stand(stand, n, rolls, reference);
+  const Reduced reduced = reduce_stand(stand, n, rolls, reference);
+  if (is_closed(stand.frame) && !std::isnan(n.K_ww)) {
+    n.kept = rest_of_path(reduced.frame, reduced.series, n) + closing_compliance(reduced.frame);
+    add_closure(uncertain, stand, inputs);
+  }
   const ChainValues values = chain_values(stand, n, rolls, reference);
   const ChainValues other  = chain_values(stand, n, rolls, reference == "mean" ? "mid" : "mean");
   ChainErrors errors =
@@ -311,7 +373,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
     add_roll_errors(errors, values, other_model, chain_values(stand, n, coarse, reference), r, solid);
   }
   auto keys = chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs,
-                          given_springs(stand), stand.housing.present()},
+                          given_springs(stand), stand.housing.present(), closure_keys(stand)},
                          solid);
 
   for (Keys &list : keys)
@@ -354,6 +416,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   }
   model.C = damper(stand);
 
+  result.K_ww        = inputs.K_ww;
   result.frame       = reduced.frame;
   result.flexibility = reduced.u;
   result.backup      = reduced.backup;

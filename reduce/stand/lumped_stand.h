@@ -31,6 +31,7 @@ struct ChainInputs {
   Parameter K_Zy_lower;                 ///< both bearings of the lower backup roll together, tangent
   std::array<Parameter, 4> Kzc;         ///< one bearing: upper backup, upper work, lower work, lower backup
   std::array<Parameter, 4> Kzc_across;  ///< the same across the load
+  Parameter K_ww;     ///< both work rolls on each other, tangent; needed where frame.modulus is given
   SolidRolls solid;   ///< without them the closed forms are used, also against backup_roll.bending_model
   OperatingPoint at;  ///< working load, "976.2 kN"
 };
@@ -39,7 +40,7 @@ struct ChainInputs {
 /// compile.
 template <class Io, class Inputs> void each_spring(Io &&io, Inputs &inputs)
 {
-  auto &[K3, K4, K5, K_Zy_upper, K_Zy_lower, Kzc, Kzc_across, solid, at] = inputs;
+  auto &[K3, K4, K5, K_Zy_upper, K_Zy_lower, Kzc, Kzc_across, K_ww, solid, at] = inputs;
   io("K3", K3);
   io("K5", K5);
   io("K4", K4);
@@ -76,6 +77,7 @@ struct LumpedStand {
   LumpedModel model;
   Parameter K_ZW;  ///< N/m, backup roll on its bearing centres, by the mass reference of the case
   Parameter K_Zy_upper, K_Zy_lower;  ///< N/m, as used: computed or given
+  Parameter K_ww;                    ///< N/m, as the inputs have it
   Frame frame;                       ///< as drawn, or what a given K2, K6 leaves for parts that are not
   Flexibilities flexibility;
   BentBackupRoll backup;             ///< as used, K_ZW given or not
@@ -97,13 +99,19 @@ enum class StatedErrors { propagated, none };
 ///
 /// Every Parameter carries unit, source, method, load and the keys it was made from.  Its error estimate is the
 /// sum of |d ln value / d ln input| x error over K3, K5, K_Zy, K_ZW, a given K1 or K7 and every mass and stiffness
-/// of the frame, by central differences of this very chain, (4.17).  Where one of those it depends on states no
-/// error it has none either, and error_lacks names which.
+/// of the frame, by central differences of this very chain, (4.17).  Where frame.modulus is given, it and K_ww are
+/// inputs too, and whatever moves, the stiffnesses that follow it keep the modulus (30.11).  Where one of those it
+/// depends on states no error it has none either, and error_lacks names which.
 ///
 /// @throws InputError  a spring of the load path, the strip width or a work roll dimension is not positive
 /// Cost: some sixty evaluations of the chain, together some ten milliseconds; three without the errors.
 LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs,
                          StatedErrors errors = StatedErrors::propagated);
+
+/// The frame of a stand whose mill modulus is given, at the load of these inputs, (30.11); the stand's own frame
+/// where it is not.  The chain of any other pass then takes the same frame.
+/// @throws InputError  rolls, contacts and bearings alone are softer than the modulus
+Frame frame_on_modulus(const FourHigh &stand, const ChainInputs &inputs);
 
 /// Only the model of lumped_stand().
 LumpedModel lumped_model(const FourHigh &stand, const ChainInputs &inputs);

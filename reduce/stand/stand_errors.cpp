@@ -1,4 +1,6 @@
 #include "reduce/stand/stand_errors.h"
+#include "reduce/chain/error_sum.h"
+#include "reduce/chain/frame_closure.h"
 #include "reduce/chain/spring_chain.h"
 #include <algorithm>
 #include <cmath>
@@ -15,9 +17,43 @@ struct Uncertain {
   double error;
   Keys lacks;
   std::function<void(FourHigh &, StandSprings &)> move;  ///< by 1 + step
+  double kept        = 0;   ///< m/N, by which the compliance with touching rolls changes that the frame keeps
+  std::string source = {};  ///< see ErrorSum
 };
 
-std::vector<Uncertain> springs_of_chain(const LumpedStand &chain)
+/// What a frame on its modulus keeps while something else moves.
+struct Keeping {
+  bool closed   = false;
+  double K_ZW   = 0;                        ///< N/m
+  bool K1_given = false, K7_given = false;  ///< else of the frame's own parts
+
+  Keeping(const FourHigh &stand, const LumpedStand &chain)
+      : closed(is_closed(stand.frame) && !std::isnan(chain.K_ww.value)), K_ZW(chain.K_ZW.value),
+        K1_given(stand.given.count("K1") > 0), K7_given(stand.given.count("K7") > 0)
+  {
+  }
+  SeriesSprings series(const FourHigh &stand, const StandSprings &s) const
+  {
+    return series_springs(stand.frame, {s.K_Zy_upper, s.K_Zy_lower, std::isnan(s.K_ZW) ? K_ZW : s.K_ZW});
+  }
+  /// m/N, but for the contact of the work rolls
+  double path(const FourHigh &stand, const StandSprings &s) const
+  {
+    const SeriesSprings made = series(stand, s);
+    return 1 / (K1_given ? s.K1 : made.K1) + 1 / made.K2 + 1 / s.K3 + 1 / s.K5 + 1 / made.K6 +
+           1 / (K7_given ? s.K7 : made.K7);
+  }
+  /// The stiffnesses that follow the modulus take what has changed, (30.11).
+  void close(FourHigh &stand, StandSprings &s, const double kept) const
+  {
+    stand.frame = with_closing_compliance(stand.frame, kept - path(stand, s) + closing_compliance(stand.frame));
+    const SeriesSprings made = series(stand, s);
+    s.K1                     = K1_given ? s.K1 : made.K1;
+    s.K7                     = K7_given ? s.K7 : made.K7;
+  }
+};
+
+std::vector<Uncertain> springs_of_chain(const LumpedStand &chain, const Keeping &keeping)
 {
   std::vector<Uncertain> all;
   const auto add = [&](double StandSprings::*spring, const char *name, const Parameter &p) {
@@ -25,8 +61,10 @@ std::vector<Uncertain> springs_of_chain(const LumpedStand &chain)
                    [spring](FourHigh &, StandSprings &s) { s.*spring *= 1 + step; }});
   };
   const LumpedModel &m = chain.model;
-  add(&StandSprings::K1, "K1", m.K[0]);
-  add(&StandSprings::K7, "K7", m.K[6]);
+  if (!keeping.closed || keeping.K1_given)  // else by the modulus and the parts of the frame
+    add(&StandSprings::K1, "K1", m.K[0]);
+  if (!keeping.closed || keeping.K7_given)
+    add(&StandSprings::K7, "K7", m.K[6]);
   add(&StandSprings::M1, "M1", m.M[0]);
   add(&StandSprings::M6, "M6", m.M[5]);
   add(&StandSprings::K3, "K3", m.K[2]);
@@ -42,22 +80,38 @@ std::vector<Uncertain> springs_of_chain(const LumpedStand &chain)
 
 std::vector<Uncertain> inputs_of(const FourHigh &stand, const LumpedStand &chain)
 {
-  std::vector<Uncertain> inputs = springs_of_chain(chain);
+  const Keeping keeping(stand, chain);
+  std::vector<Uncertain> inputs = springs_of_chain(chain, keeping);
   for (const FrameValue &part : frame_values(stand.frame))
     inputs.push_back({part.tolerance_key.substr(0, part.tolerance_key.rfind("_tolerance")),
                       part.error,
                       {part.tolerance_key},
-                      [member = part.member](FourHigh &s, StandSprings &) { s.frame.*member *= 1 + step; }});
+                      [member = part.member](FourHigh &s, StandSprings &) { s.frame.*member *= 1 + step; },
+                      0,
+                      part.source});
+  if (!keeping.closed)
+    return inputs;
+  const auto nothing = [](FourHigh &, StandSprings &) {};
+  const Parameter &K = chain.K_ww;
+  inputs.push_back({"frame.modulus",
+                    stand.frame.modulus_error,
+                    {"frame.modulus"},
+                    nothing,
+                    (1 / (1 + step) - 1) / stand.frame.modulus});
+  inputs.push_back({"K_ww", K.error_estimate, K.error_lacks.empty() ? Keys{"stand.K_ww.tangent"} : K.error_lacks,
+                    nothing, step / (1 + step) / K.value});
   return inputs;
 }
 
 /// The stand with one input moved; of another number of unknowns where the input is zero and stays so.
 StandModel moved(const Uncertain &input, const FourHigh &stand, const StandSprings &springs,
-                 const StandBuilder &build)
+                 const LumpedStand &chain, const StandBuilder &build)
 {
   FourHigh other           = stand;
   StandSprings its_springs = springs;
   input.move(other, its_springs);
+  if (const Keeping keeping(stand, chain); keeping.closed)
+    keeping.close(other, its_springs, keeping.path(stand, springs) + input.kept);
   return build(other, its_springs);
 }
 
@@ -84,9 +138,10 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
     }
     return all;
   };
+  std::vector<ErrorSum> of_mode(static_cast<std::size_t>(m));
   const Eigen::VectorXd unmoved = quotients(modes.model);
   for (const Uncertain &input : inputs_of(stand, chain)) {
-    const StandModel other = moved(input, stand, springs, build);
+    const StandModel other = moved(input, stand, springs, chain, build);
     if (other.M.rows() != modes.model.M.rows())
       continue;
     const Eigen::VectorXd quotient = quotients(other);
@@ -94,7 +149,7 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
       const double slope = 0.5 * std::log(quotient[i] / unmoved[i]) / step;
       if (!(std::abs(slope) > no_slope))
         continue;
-      sum.error[i] += std::abs(slope) * input.error;
+      of_mode[std::size_t(i)].add(slope, input.error, input.source);
       if (std::isnan(input.error)) {
         Keys &lacks = sum.lacks[std::size_t(i)];
         for (const std::string &key : input.lacks)
@@ -103,25 +158,28 @@ FrequencyErrors frequency_errors(const StandWithModes &modes, const FourHigh &st
       }
     }
   }
+  for (Eigen::Index i = 0; i < m; ++i)
+    sum.error[i] = of_mode[std::size_t(i)].error();
   return sum;
 }
 
 void set_connection_errors(StandModel &model, const FourHigh &stand, const StandSprings &springs,
                            const LumpedStand &chain, const StandBuilder &build)
 {
-  for (Connection &connection : model.connections)
-    connection.error_estimate = 0;
+  std::vector<ErrorSum> of_connection(model.connections.size());
   for (const Uncertain &input : inputs_of(stand, chain)) {
-    const StandModel other = moved(input, stand, springs, build);
+    const StandModel other = moved(input, stand, springs, chain, build);
     if (other.connections.size() != model.connections.size())
       continue;
     for (std::size_t c = 0; c < model.connections.size(); ++c) {
       const double slope =
           std::log(other.connections[c].stiffness.sum() / model.connections[c].stiffness.sum()) / step;
       if (std::abs(slope) > no_slope)
-        model.connections[c].error_estimate += std::abs(slope) * input.error;
+        of_connection[c].add(slope, input.error, input.source);
     }
   }
+  for (std::size_t c = 0; c < model.connections.size(); ++c)
+    model.connections[c].error_estimate = of_connection[c].error();
 }
 
 std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, const FourHigh &stand,
@@ -132,7 +190,7 @@ std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, c
   const Eigen::VectorXd squared = (2 * M_PI * modes.modes.frequency).cwiseAbs2();
   std::vector<ModalSensitivity> all;
   for (const Uncertain &input : inputs_of(stand, chain)) {
-    const StandModel other = moved(input, stand, springs, build);
+    const StandModel other = moved(input, stand, springs, chain, build);
     if (other.M.rows() != modes.model.M.rows())
       continue;
     ModalSensitivity s{input.name, input.error, input.lacks, V.transpose() * (stiffness_of(other) - K) * V / step,

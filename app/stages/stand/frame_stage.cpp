@@ -1,9 +1,11 @@
 #include "app/stages/stand/frame_stage.h"
 #include "core/base/errors.h"
 #include "core/case/stand_rows.h"
+#include "core/records/key_list.h"
 #include "fem/housing/housing.h"
 #include "meshes/housing/housing.h"
 #include "reduce/chain/chain_keys.h"
+#include "reduce/chain/frame_closure.h"
 #include "reduce/chain/housing_frame.h"
 #include "reduce/chain/screwdown.h"
 #include "reduce/chain/spring_chain.h"
@@ -143,5 +145,29 @@ void resolve_frame(RunContext &run, FourHigh &stand)
   if (stand.dynamics.frame == "closed")
     run.assume(
         "a drawn housing is already closed: dynamics.frame = \"closed\" concerns the six masses and the beams");
+}
+
+void close_frame(RunContext &run, FourHigh &stand, const reduce::ChainInputs &inputs)
+{
+  if (!reduce::is_closed(stand.frame))
+    return;
+  const Frame rules = stand.frame;
+  stand.frame       = reduce::frame_on_modulus(stand, inputs);
+  for (const Field<Frame> &row : frame_rows()) {
+    const auto member = std::get<double Frame::*>(row.member);
+    if (!rules.closing.count(row.key))
+      continue;
+    const std::string key = std::string("frame.") + row.key;
+    Parameter p           = computed(
+                  stand.frame.*member, "N/m",
+                  fmt::format("share of what frame.modulus = {:.4g} MN/mm leaves for the frame at the load of {} (30.11)",
+                              rules.modulus / 1e9, stand.passes.front().name),
+                  not_given, joined(reduce::Keys{key}, reduce::closure_keys(stand)));
+    p.at = inputs.at;
+    if (const auto tolerance = rules.tolerance.find(row.key); tolerance != rules.tolerance.end())
+      p.error_estimate = tolerance->second;
+    p.checks.push_back({"by the rules alone (34.9), (34.10)", rules.*member, ""});
+    run.results.add(key, p);
+  }
 }
 }  // namespace mill

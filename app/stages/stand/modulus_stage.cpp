@@ -7,6 +7,7 @@
 #include "core/numerics/mesh_pair.h"
 #include "core/records/result_names.h"
 #include "reduce/chain/beam_shapes.h"
+#include "reduce/chain/frame_closure.h"
 #include "reduce/chain/line_contact.h"
 #include "reduce/chain/mill_modulus.h"
 #include "reduce/stand/six_masses.h"
@@ -50,6 +51,26 @@ reduce::CylinderPair work_roll_pair(const FourHigh &stand)
 {
   const double d = stand.work_roll.barrel_diameter;
   return {d, d, stand.work_roll.barrel_length, stand.steel};
+}
+
+namespace {
+// What ends and profiles make of a line contact is seen on K3, where it was computed.
+double error_of_closed_form(const FourHigh &stand, const Parameter *K3, const double load)
+{
+  if (K3)
+    return difference(K3->value, reduce::line_contact(closed_form(stand), load).tangent);
+  const auto laws = reduce::secant_laws(work_roll_pair(stand), load);
+  return difference(laws.palmgren, laws.johnson);
+}
+
+}  // namespace
+
+Parameter touching_work_rolls(const FourHigh &stand, const double load, const Parameter *K3)
+{
+  Parameter p      = made("N/m", reduce::line_contact(work_roll_pair(stand), load).tangent,
+                          "Hertz line contact of both work rolls over the barrel (3.5b)", at_force(load));
+  p.error_estimate = error_of_closed_form(stand, K3, load);
+  return p;
 }
 
 double work_rolls_bending(const FourHigh &stand, const Component *solid, const double width, const double K3,
@@ -180,19 +201,12 @@ private:
     p.error_lacks    = m.lacks;
     return p;
   }
+  double error_of(const std::vector<PathPart> &path) const;
+  void state_error(reduce::MillModulus &m, const std::vector<PathPart> &path) const;
   std::vector<PathPart> path_at(double F, bool strip) const;
   reduce::LoadDeflection stretch(bool strip) const;
   Check difference_of_stretch(bool strip) const;
 };
-
-// What ends and profiles make of a line contact is seen on K3, where it was computed.
-double error_of_closed_form(const FourHigh &stand, const Parameter *K3, const double load)
-{
-  if (K3)
-    return difference(K3->value, reduce::line_contact(closed_form(stand), load).tangent);
-  const auto laws = reduce::secant_laws(work_roll_pair(stand), load);
-  return difference(laws.palmgren, laws.johnson);
-}
 
 void Modulus::add_contact_of_work_rolls()
 {
@@ -202,14 +216,12 @@ void Modulus::add_contact_of_work_rolls()
   const auto stretch = [&](const double load) {
     return reduce::line_contact(work_roll_pair(stand), load).approach;
   };
-  Parameter tangent =
-      made("N/m", contact.tangent, "Hertz line contact of both work rolls over the barrel (3.5b)", at);
-  tangent.error_estimate = error_of_closed_form(stand, run.results.find(of_pass("K3.tangent")), F);
-  tangent.checks   = {{"differences of the approach (3.4)", 0.02 * F / (stretch(1.01 * F) - stretch(0.99 * F)),
-                       "1 % of the force"}};
-  Parameter secant = tangent;
-  secant.value     = contact.secant;
-  secant.method    = "Hertz line contact of both work rolls over the barrel (3.5a)";
+  Parameter tangent = touching_work_rolls(stand, F, run.results.find(of_pass("K3.tangent")));
+  tangent.checks    = {{"differences of the approach (3.4)", 0.02 * F / (stretch(1.01 * F) - stretch(0.99 * F)),
+                        "1 % of the force"}};
+  Parameter secant  = tangent;
+  secant.value      = contact.secant;
+  secant.method     = "Hertz line contact of both work rolls over the barrel (3.5a)";
   secant.checks = {{"Foeppl (3.8)", laws.foeppl, ""}, {"Palmgren (3.10)", laws.palmgren, "lower end of the band"}};
   run.results.add(name_of("K_ww", "tangent"), tangent);
   run.results.add(name_of("K_ww", "secant"), secant);
@@ -226,6 +238,31 @@ Check Modulus::difference_of_stretch(const bool strip) const
           "by the secants of all springs, 2 % of the force"};
 }
 
+// Where the frame follows a measured modulus, the springs in series do not err on their own: what one of them is
+// softer the frame is stiffer.  Only what the path has in place of the touching work rolls adds to the error.
+double Modulus::error_of(const std::vector<PathPart> &path) const
+{
+  if (!reduce::is_closed(stand.frame))
+    return reduce::mill_modulus(path).error;
+  const auto m = reduce::mill_modulus(path), closed = reduce::mill_modulus(touching);
+  double error   = m.tangent / closed.tangent * stand.frame.modulus_error;  // (30.12)
+  const auto add = [&](const std::vector<PathPart> &of, const std::vector<PathPart> &without) {
+    for (const PathPart &part : of)
+      if (std::none_of(without.begin(), without.end(), [&](const PathPart &p) { return p.name == part.name; }))
+        error += m.tangent / part.tangent * part.error;
+  };
+  add(path, touching);
+  add(touching, path);
+  return error;
+}
+
+void Modulus::state_error(reduce::MillModulus &m, const std::vector<PathPart> &path) const
+{
+  m.error = error_of(path);
+  if (!std::isnan(m.error))
+    m.lacks.clear();
+}
+
 void Modulus::add_touching()
 {
   add_contact_of_work_rolls();
@@ -233,7 +270,8 @@ void Modulus::add_touching()
   touching = common;
   touching.push_back(part(name_of("K_ww", "tangent"), result(name_of("K_ww", "tangent")),
                           result(name_of("K_ww", "secant")).value));
-  const auto m      = reduce::mill_modulus(touching);
+  auto m = reduce::mill_modulus(touching);
+  state_error(m, touching);
   Parameter tangent = result_of(m, "K1, K2, K3, work rolls on each other, K5, K6, K7 in series (30.1)", true);
   tangent.checks.push_back(difference_of_stretch(false));
   Parameter secant = result_of(m, "screw-down of touching work rolls from zero force (30.2)", false);
@@ -331,7 +369,8 @@ void Modulus::add_with_strip()
                         flattening.error_lacks});
   if (run.results.find(name_of("K_bend")))
     with_strip.push_back(part(name_of("K_bend"), result(name_of("K_bend")), 1 / bend));
-  const auto m     = reduce::mill_modulus(with_strip);
+  auto m = reduce::mill_modulus(with_strip);
+  state_error(m, with_strip);
   const auto curve = stretch(true);
   const double F   = parts.load;
   Parameter tangent =
@@ -351,8 +390,6 @@ void Modulus::add_with_strip()
     sum += h / 3 * (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * load * compliance(load);
   }
   secant.checks.push_back({"tangents summed over the force", F / sum, "from the smallest force of the curve"});
-  if (const double wished = stand.frame.wished_modulus; !std::isnan(wished))
-    tangent.checks.push_back({"frame.modulus, from which the frame was estimated (34.8)", wished, ""});
   run.results.add(name_of("modulus", "tangent"), tangent);
   run.results.add(name_of("modulus", "secant"), secant);
   add_by_width();

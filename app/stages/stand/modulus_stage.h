@@ -25,6 +25,10 @@ struct ModulusParts {
 /// The two work rolls on each other.
 reduce::CylinderPair work_roll_pair(const FourHigh &stand);
 
+/// K_ww: both work rolls on each other over the barrel at a rolling force, tangent.  N/m
+/// @param K3  the contact computed at the same force, for the error; null: given
+Parameter touching_work_rolls(const FourHigh &stand, double load, const Parameter *K3);
+
 /// Bending of both work rolls between a strip of this width and their contact lines, as compliance of the gap:
 /// m/N, (30.3).
 /// @param solid  the work roll by finite elements; null: Euler's beam

@@ -1,5 +1,6 @@
 #include "app/twin/advice/advised_model.h"
 #include "app/stages/response/detailed_model_stage.h"
+#include "app/stages/stand/modulus_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/closed_form_parts.h"
 #include "app/twin/stand/case_chain.h"
@@ -76,6 +77,8 @@ DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
           spring = found->parameter;
       },
       inputs);
+  inputs.K_ww       = touching_work_rolls(parts.stand, chain.load, nullptr);
+  parts.stand.frame = reduce::frame_on_modulus(parts.stand, inputs);
   // Chocks of the work rolls on their bearings: these are the modes that six masses lack.
   parts.springs = reduce::stand_springs(
       parts.stand, reduce::lumped_stand(parts.stand, inputs, reduce::StatedErrors::none), true);

@@ -5,6 +5,7 @@
 #include "app/trace/stored_run.h"
 #include "core/base/errors.h"
 #include "core/model/case.h"
+#include "reduce/chain/frame_closure.h"
 #include "reduce/chain/spring_chain.h"
 #include <algorithm>
 #include <cmath>
@@ -77,6 +78,13 @@ void add_tolerances(Errors &errors, const FourHigh &stand, const double load,
     high.frame.*part.member *= 1 + step;
     add_moves(errors, closed_form_stand(low, load), closed_form_stand(high, load), numbers, part.error / step);
   }
+  if (!reduce::is_closed(stand.frame))
+    return;
+  FourHigh low = stand, high = stand;
+  low.frame.modulus *= 1 - step;
+  high.frame.modulus *= 1 + step;
+  add_moves(errors, closed_form_stand(low, load), closed_form_stand(high, load), numbers,
+            stand.frame.modulus_error / step);
 }
 
 Errors errors_of_inputs(const FourHigh &stand, const double load, const std::map<std::string, Parameter> &numbers)

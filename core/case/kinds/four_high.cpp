@@ -7,6 +7,7 @@
 #include "core/case/stand_reader.h"
 #include "core/case/stand_sections.h"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 
 namespace mill {
@@ -84,14 +85,16 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   stand.oil_films         = read_oil_films(root, reading);
   stand.housing           = read_housing(root, stand.steel, reading);
   stand.screwdown         = read_screwdown(root, reading);
-  const bool drawn        = section_at(root, "housing", reading).node != nullptr;
-  const auto backup       = std::find_if(stand.bearings.begin(), stand.bearings.end(),
-                                         [&](const RollerBearing &b) { return b.name == stand.backup_roll.bearing; });
-  const bool known        = backup != stand.bearings.end();
-  const auto replaced     = frame_keys_behind(drawn, stand.screwdown, known ? &*backup : nullptr);
-  stand.frame             = read_frame(root, replaced, given, wishes.frame, reading);
+  const bool drawn  = section_at(root, "housing", reading).node != nullptr && std::isnan(stand.housing.stiffness);
+  const auto backup = std::find_if(stand.bearings.begin(), stand.bearings.end(),
+                                   [&](const RollerBearing &b) { return b.name == stand.backup_roll.bearing; });
+  const bool known  = backup != stand.bearings.end();
+  const auto replaced = frame_keys_behind(drawn, stand.screwdown, known ? &*backup : nullptr);
+  stand.frame         = read_frame(root, replaced, given, wishes.frame, reading);
   if (known)
     drop_counted_chocks(stand.frame, *backup, reading);
+  if (!std::isnan(stand.housing.stiffness) && !wishes.frame.estimate)
+    contradict(reading, "housing.stiffness", "has no effect without frame.estimate = true", {});
   wishes.needless = needless_keys(replaced, given);
   estimate_stand(stand, wishes, reading);
   work_roll.total_length         = stand.work_roll.barrel_length + 2 * stand.work_roll.neck_length;
