@@ -126,7 +126,7 @@ const std::vector<Field<BallBearing>> &ball_bearing_rows()
       {"roll", &T::roll, "work roll | backup roll", any, "work roll", "work roll",
        "with which its inner ring turns; its outer ring is at rest"},
       {"balls", &T::balls, "count", {3, 200}, required, "14", "of one row"},
-      {"ball_diameter", &T::ball_diameter, "mm", {1, 300}, required, "38.1 mm", ""},
+      {"ball_diameter", &T::ball_diameter, "mm", {1, 300}, required, "38.1 mm", "of each ball"},
       {"pitch_diameter",
        &T::pitch_diameter,
        "mm",
