@@ -18,8 +18,7 @@ public:
   ScratchFolder() : path_((fs::temp_directory_path() / ("millstand-export-" + random_name())).string()) {}
   ~ScratchFolder()
   {
-    std::error_code ignored;
-    fs::remove_all(path_, ignored);
+    remove_folder(path_);
   }
   const std::string &path() const
   {

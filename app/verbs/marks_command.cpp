@@ -15,6 +15,8 @@
 
 namespace mill {
 namespace {
+constexpr double largest = 1e6;  // of any option, SI
+
 // "--spacing 2 mm" in SI; `like` is a unit of its dimension.
 double quantity_of(const std::string &flag, const std::string &text, const char *like)
 {
@@ -29,6 +31,9 @@ double quantity_of(const std::string &flag, const std::string &text, const char 
     throw InputError(written + ": unknown unit '" + q.unit_text + "'" + needs);
   if (!(q.unit->dimension == unit(like).dimension))
     throw InputError(written + " is " + q.unit->quantity + needs);
+  if (std::abs(q.value()) > largest)
+    throw InputError(
+        fmt::format("{} is outside of what a mill has; it takes at most {:g} in SI units", written, largest));
   return q.value();
 }
 

@@ -1,4 +1,5 @@
 #include "core/case/advice_rows.h"
+#include "core/case/section_list.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -21,35 +22,6 @@ template <class T> void check_bounds(const std::vector<Field<T>> &rows, const T 
                  fmt::format("does not increase; write the smaller {} first", factors ? "factor" : "frequency"),
                  {});
   }
-}
-
-template <class T>
-std::vector<T> read_list(const Section &advice, const char *key, const std::vector<Field<T>> &rows,
-                         Reading &reading)
-{
-  std::vector<T> list;
-  const Node::Entry *entry = advice.node ? advice.node->find(key) : nullptr;
-  if (!entry)
-    return list;
-  const std::string all = advice.key(key);
-  if (entry->value.kind != Node::Kind::array) {
-    reading.bad.insert(all);
-    reading.add(entry->key_place, fmt::format("[[{}]] is written in double brackets, once for each", all));
-    return list;
-  }
-  for (std::size_t i = 0; i < entry->value.items.size(); ++i) {
-    const Node &node       = entry->value.items[i];
-    const std::string name = fmt::format("{}.{}", all, i);
-    if (node.kind != Node::Kind::table) {
-      reading.add(node.place,
-                  fmt::format("{} = {} is a value; a section [[{}]] is needed", name, shown(node), all));
-      continue;
-    }
-    T one;
-    read_and_echo(Section{&node, name}, "[[" + all + "]]", rows, one, reading);
-    list.push_back(one);
-  }
-  return list;
 }
 
 void check_dampers(const std::vector<DamperProposal> &dampers, Reading &reading)

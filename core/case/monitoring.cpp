@@ -1,6 +1,8 @@
 #include "core/case/monitoring.h"
 #include "core/base/units.h"
+#include "core/case/section_list.h"
 #include "core/case/stand_reader.h"
+#include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -40,6 +42,24 @@ void check_band(const std::string &name, const std::array<double, 2> &band, Read
   const std::string key = "monitoring." + name;
   if (reading.usable({key}) && !(band[0] < band[1]))
     contradict(reading, key, "does not increase; write the lower frequency first", {});
+}
+
+void check_ball_bearings(const std::vector<BallBearing> &bearings, Reading &reading)
+{
+  for (std::size_t i = 0; i < bearings.size(); ++i) {
+    const BallBearing &b   = bearings[i];
+    const std::string head = fmt::format("monitoring.ball_bearing.{}.", i), ball = head + "ball_diameter",
+                      pitch = head + "pitch_diameter", balls = head + "balls", name = head + "name";
+    if (reading.usable({ball, pitch}) && !(b.ball_diameter < b.pitch_diameter))
+      contradict(reading, ball, "is not below the pitch diameter", {pitch});
+    else if (reading.usable({ball, pitch, balls}) &&
+             b.ball_diameter > b.pitch_diameter * std::sin(M_PI / b.balls))  // neighbours touch
+      contradict(reading, balls, "do not fit on the pitch circle", {ball, pitch});
+    for (std::size_t j = 0; j < i; ++j)
+      if (const std::string other = fmt::format("monitoring.ball_bearing.{}.name", j);
+          reading.usable({name, other}) && b.name == bearings[j].name)
+        contradict(reading, name, "names two bearings; give each its own name", {other});
+  }
 }
 }  // namespace
 
@@ -98,15 +118,55 @@ const std::vector<Field<Monitoring>> &monitoring_rows()
   return rows;
 }
 
+const std::vector<Field<BallBearing>> &ball_bearing_rows()
+{
+  using T = BallBearing;
+  static const std::vector<Field<T>> rows{
+      {"name", &T::name, "text", any, required, "axial", "unique; names its lines in an analysis"},
+      {"roll", &T::roll, "work roll | backup roll", any, "work roll", "work roll",
+       "with which its inner ring turns; its outer ring is at rest"},
+      {"balls", &T::balls, "count", {3, 200}, required, "14", "of one row"},
+      {"ball_diameter", &T::ball_diameter, "mm", {1, 300}, required, "38.1 mm", "of each ball"},
+      {"pitch_diameter",
+       &T::pitch_diameter,
+       "mm",
+       {5, 3000},
+       required,
+       "240 mm",
+       "of the circle through the centres of the balls; near the mean of bore and outside diameter"},
+      {"contact_angle",
+       &T::contact_angle,
+       "deg",
+       {0, 60},
+       0,
+       "40 deg",
+       "between the line of contact and the plane of the bearing; 0 for a deep-groove bearing"},
+  };
+  return rows;
+}
+
 SectionRows monitoring_section()
 {
   return {"monitoring", SectionRows::Repeat::once, false,
           "records of the mill: names of channels, zones, bands, limits", rows_of(monitoring_rows())};
 }
 
+SectionRows ball_bearing_section()
+{
+  return {"monitoring.ball_bearing", SectionRows::Repeat::list, false,
+          "a ball bearing at a roll, for the frequencies of its faults in millstand analyse; roller bearings are "
+          "those of [bearing.*]",
+          rows_of(ball_bearing_rows())};
+}
+
 TemplateNote monitoring_note()
 {
   return {"monitoring", "", {}, {}, true};
+}
+
+TemplateNote ball_bearing_note()
+{
+  return {"monitoring.ball_bearing", "", {}, {}, true};
 }
 
 Monitoring read_monitoring(const Node &root, Reading &reading)
@@ -115,7 +175,9 @@ Monitoring read_monitoring(const Node &root, Reading &reading)
   const Section section = section_at(root, "monitoring", reading);
   if (!section.node)
     return monitoring;
-  read_and_echo(section, section.header(), monitoring_rows(), monitoring, reading);
+  read_and_echo(section, section.header(), monitoring_rows(), monitoring, reading, {"ball_bearing"});
+  monitoring.ball_bearings = read_list(section, "ball_bearing", ball_bearing_rows(), reading);
+  check_ball_bearings(monitoring.ball_bearings, reading);
   check_severity(monitoring, reading);
   check_band("third_octave", monitoring.third_octave, reading);
   check_band("fifth_octave", monitoring.fifth_octave, reading);

@@ -8,8 +8,11 @@
 // [monitoring] of a case: no run of a stand uses it, so that it is not part of a Case.
 namespace mill {
 const std::vector<Field<Monitoring>> &monitoring_rows();
+const std::vector<Field<BallBearing>> &ball_bearing_rows();
 SectionRows monitoring_section();
-TemplateNote monitoring_note();  ///< names of a recorder's channels have no default
+SectionRows ball_bearing_section();  ///< [[monitoring.ball_bearing]]
+TemplateNote monitoring_note();      ///< names of a recorder's channels have no default
+TemplateNote ball_bearing_note();
 
 /// Reads and checks the section; echoes it where it is there.
 Monitoring read_monitoring(const Node &root, Reading &reading);

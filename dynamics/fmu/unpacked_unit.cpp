@@ -1,5 +1,6 @@
 #include "dynamics/fmu/unpacked_unit.h"
 #include "core/base/errors.h"
+#include "core/base/files.h"
 #include "dynamics/fmu/archive.h"
 #include "dynamics/fmu/runtime/fmi2_interface.h"
 #include "dynamics/fmu/runtime/fmi3_interface.h"
@@ -38,8 +39,7 @@ UnpackedUnit::UnpackedUnit(const std::string &archive, const std::string &identi
     if (!library_)
       throw std::runtime_error(dlerror());
   } catch (...) {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
+    remove_folder(folder_);
     throw;
   }
 }
@@ -47,8 +47,7 @@ UnpackedUnit::UnpackedUnit(const std::string &archive, const std::string &identi
 UnpackedUnit::~UnpackedUnit()
 {
   dlclose(library_);
-  std::error_code ignored;
-  fs::remove_all(folder_, ignored);
+  remove_folder(folder_);
 }
 
 std::string UnpackedUnit::resources() const

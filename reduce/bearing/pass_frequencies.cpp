@@ -3,25 +3,31 @@
 
 namespace mill::bearing {
 namespace {
-PassFrequencies with_cage(const RollerBearing &b, const double cage, const double roller)
+PassFrequencies with_cage(const int elements, const double cage, const double element)
 {
-  return {cage, b.rollers_per_row * cage, b.rollers_per_row * (1 - cage), roller};
+  return {cage, elements * cage, elements * (1 - cage), element};
 }
 }  // namespace
 
+PassFrequencies pass_frequencies(const int elements, const double diameter, const double pitch,
+                                 const double contact_angle)
+{
+  const double gamma = diameter / pitch * std::cos(contact_angle);
+  return with_cage(elements, (1 - gamma) / 2, pitch / (2 * diameter) * (1 - gamma * gamma));  // (32.10)
+}
+
 PassFrequencies pass_frequencies(const RollerBearing &b)
 {
-  const double mean_angle = b.cup_angle - b.roller_cone_angle / 2, D_pw = pitch_diameter(b);
-  const double gamma = b.roller_diameter / D_pw * std::cos(mean_angle);
-  return with_cage(b, (1 - gamma) / 2, D_pw / (2 * b.roller_diameter) * (1 - gamma * gamma));  // (32.10)
+  return pass_frequencies(b.rollers_per_row, b.roller_diameter, pitch_diameter(b),
+                          b.cup_angle - b.roller_cone_angle / 2);
 }
 
 PassFrequencies of_rolling_cones(const RollerBearing &b)
 {
   if (!(b.roller_cone_angle > 0))
-    return with_cage(b, not_given, not_given);
+    return with_cage(b.rollers_per_row, not_given, not_given);
   const double outer = std::sin(b.cup_angle), inner = std::sin(b.cup_angle - b.roller_cone_angle);
   const double cage = inner / (inner + outer);
-  return with_cage(b, cage, cage * outer / std::sin(b.roller_cone_angle / 2));  // (32.11)
+  return with_cage(b.rollers_per_row, cage, cage * outer / std::sin(b.roller_cone_angle / 2));  // (32.11)
 }
 }  // namespace mill::bearing

@@ -12,6 +12,9 @@ struct PassFrequencies {
                   ///< so often
 };
 
+/// Of balls or rollers by their number in a row, diameter and pitch diameter, m, and contact angle, rad.  (32.10)
+PassFrequencies pass_frequencies(int elements, double diameter, double pitch, double contact_angle);
+
 /// By the pitch circle and the mean contact angle.  (32.10)
 PassFrequencies pass_frequencies(const RollerBearing &bearing);
 

@@ -62,13 +62,15 @@ ChatterData read_chatter(const Run &run)
       collected[name->item] = {};
   std::error_code none;
   const std::string start = "chatter-";
-  for (const fs::directory_entry &file : fs::directory_iterator(fs::path(run.directory) / "curves", none)) {
-    const std::string stem = file.path().stem().string();
-    if (file.path().extension() != ".json" || stem.rfind(start, 0) != 0)
+  const fs::path curves   = fs::path(run.directory) / "curves";
+  for (const std::string &entry : names_in(curves.string(), none)) {
+    const fs::path file    = curves / entry;
+    const std::string stem = file.stem().string();
+    if (file.extension() != ".json" || stem.rfind(start, 0) != 0)
       continue;
     if (stem == "chatter-tandem")
-      data.tandem = stored<ChatterTandem>(file.path(), data.problems);
-    else if (const auto condition = stored<ChatterCondition>(file.path(), data.problems))
+      data.tandem = stored<ChatterTandem>(file, data.problems);
+    else if (const auto condition = stored<ChatterCondition>(file, data.problems))
       collected[stem.substr(start.size())] = *condition;
   }
   std::sort(data.problems.begin(), data.problems.end());

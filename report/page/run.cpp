@@ -228,16 +228,17 @@ void read_tables(const std::string &folder, const Checksums &of_this_run, Tables
   const fs::path where = fs::path(run.directory) / folder;
   if (!fs::is_directory(where))
     return;
-  for (const fs::directory_entry &file : fs::directory_iterator(where)) {
-    if (file.path().extension() != ".csv")
+  for (const std::string &entry : names_in(where.string())) {
+    const fs::path file = where / entry;
+    if (file.extension() != ".csv")
       continue;
-    const std::string name = folder + "/" + file.path().stem().string();
+    const std::string name = folder + "/" + file.stem().string();
     if (!of_this_run.empty() && !of_this_run.count(name + ".csv")) {
       run.remarks.push_back(name + ".csv is not of this run and is left out.");
       continue;
     }
     try {
-      run.tables[name] = table_of(name, file.path().string(), at_hand);
+      run.tables[name] = table_of(name, file.string(), at_hand);
     } catch (const InputError &error) {
       run.remarks.push_back(name + ".csv cannot be read and is left out: " + error.what());
     }

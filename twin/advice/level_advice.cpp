@@ -1,5 +1,6 @@
 #include "core/base/errors.h"
 #include "core/base/require.h"
+#include "core/model/assumed_error.h"
 #include "twin/advice/advice.h"
 #include <algorithm>
 #include <cmath>
@@ -9,7 +10,6 @@
 namespace mill::twin {
 namespace {
 constexpr double nothing         = 1e-3;  // relative change below which an action is not worth its words
-constexpr double unknown_error   = 0.10;  // relative, of a spring without a stated accuracy
 constexpr double notable_slope   = 0.05;  // of the level by a parameter, from which the result rests on it
 constexpr const char *of_damping = "modal damping";
 constexpr const char *critical_over_working = "critical over working speed";
@@ -358,7 +358,7 @@ private:
       if (!(spring.stiffness > 0))
         continue;
       const auto known   = asked_.spring_error.find(spring.name);
-      const double error = known == asked_.spring_error.end() ? unknown_error : known->second;
+      const double error = known == asked_.spring_error.end() ? assumed_spring_error : known->second;
       variance += std::pow(change(with_spring_scaled(*own_.chain, spring.name, 1 + error), 1) - as_it_is, 2);
     }
     return std::sqrt(variance);

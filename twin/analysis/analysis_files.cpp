@@ -1,6 +1,8 @@
 #include "twin/analysis/analysis_files.h"
+#include "core/records/compared_bands.h"
 #include "core/records/results.h"
 #include "twin/analysis/channel_analysis.h"
+#include "twin/spectra/level_error.h"
 #include "twin/spectra/noise_floor.h"
 #include <algorithm>
 #include <cmath>
@@ -43,7 +45,9 @@ void add_levels(Results &results, const ChannelAnalysis &seen, const std::string
       Parameter level =
           measured(seen.band_rms[i], seen.unit, operating_point,
                    fmt::format("root of the area under the density, {:g} to {:g} Hz", band.low, band.high));
-      level.error_lacks = {"a narrow band is one mode or two, and moves more than the whole level"};
+      level.error_estimate = level_error(seen.map, band.low, band.high);
+      if (!std::isfinite(level.error_estimate))
+        level.error_lacks = {"the record is too short for a level over time"};
       results.add(seen.name + "." + band.name + "_rms", level);
     }
   if (!settings.baseline || !std::isfinite(seen.velocity_rms))
@@ -100,13 +104,24 @@ ordered_json number(const double value)
   return std::isfinite(value) ? ordered_json(value) : ordered_json(nullptr);
 }
 
-ordered_json json_of(const Finding &finding)
+/// Relative standard error of the amplitude of a finding; NaN without a level over time.
+double amplitude_error(const Analysis &analysis, const Finding &finding)
+{
+  for (const ChannelAnalysis &seen : analysis.channels)
+    if (seen.name == finding.channel && finding.frequency > 0)
+      return level_error(seen.map, std::min(finding.low, finding.frequency),
+                         std::max(finding.high, finding.frequency));
+  return std::nan("");
+}
+
+ordered_json json_of(const Analysis &analysis, const Finding &finding)
 {
   ordered_json json{{"kind", finding.kind},
                     {"channel", finding.channel},
                     {"frequency", number(finding.frequency)},
                     {"interval", {number(finding.low), number(finding.high)}},
                     {"amplitude", number(finding.amplitude)},
+                    {"amplitude_error", number(amplitude_error(analysis, finding))},
                     {"unit", finding.unit},
                     {"owner", finding.owner},
                     {"evidence", finding.evidence}};
@@ -144,6 +159,17 @@ ordered_json json_of(const ChannelAnalysis &seen)
           {"false_alarm", false_alarm}};
 }
 
+/// Relative standard errors of the rms velocity in the bands that comparisons of analyses use.
+ordered_json level_errors(const ChannelAnalysis &seen)
+{
+  ordered_json all = ordered_json::array();
+  if (seen.unit == "m/s2" || seen.unit == "m/s")
+    for (const ComparedBand &band : compared_bands)
+      all.push_back({{"band", {band.low, band.high}},
+                     {"error", number(level_error(seen.map, band.low, band.high, seen.unit == "m/s2"))}});
+  return all;
+}
+
 ordered_json conventions_of(const ChannelAnalysis &seen)
 {
   const auto band = seen.spectrum.n > 0 ? seen.spectrum.band() : std::array<double, 2>{0, 0};
@@ -157,6 +183,7 @@ ordered_json conventions_of(const ChannelAnalysis &seen)
           {"dof", seen.spectrum.n > 0 ? number(seen.spectrum.dof()) : ordered_json(nullptr)},
           {"band", {band[0], band[1]}},
           {"density", "one-sided, unit^2/Hz"},
+          {"level_errors", level_errors(seen)},
           {"bandwidth", number(seen.bandwidth)}};
 }
 
@@ -333,7 +360,7 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   ordered_json json      = ordered_json::parse(results_json(results, name, "ok"));
   json["findings"]       = ordered_json::array();
   for (const Finding &finding : analysis.findings)
-    json["findings"].push_back(json_of(finding));
+    json["findings"].push_back(json_of(analysis, finding));
   json["account"] = ordered_json::array();
   for (const ChannelAnalysis &seen : analysis.channels)
     if (seen.spectrum.n > 0)

@@ -103,30 +103,74 @@ std::vector<Calibrated> judged(const ScannedFit &scan, const Eigen::VectorXd &sd
   return all;
 }
 
+namespace {
+/// Indices of what is not identified, that of which the records say most last.
+std::vector<std::size_t> not_identified(const std::vector<Calibrated> &unknowns)
+{
+  std::vector<std::size_t> rest;
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    if (!unknowns[i].identified)
+      rest.push_back(i);
+  std::stable_sort(rest.begin(), rest.end(),
+                   [&](const auto a, const auto b) { return unknowns[a].shrink > unknowns[b].shrink; });
+  return rest;
+}
+
+/// Minimum with some unknowns at their priors, and what that costs.
+struct KeptFit {
+  Fit fit;
+  double deviance;
+};
+
+KeptFit fit_with_priors(const ProblemOf &problem_of, const Fit &joint, const int threads,
+                        const std::vector<std::size_t> &at_prior)
+{
+  std::vector<Unknown> unknowns = joint.unknowns;
+  Eigen::VectorXd theta         = joint.estimate;
+  for (const std::size_t i : at_prior) {
+    unknowns[i].prior_sd   = 1e-6;  // a prior that no record moves
+    theta[Eigen::Index(i)] = unknowns[i].prior;
+  }
+  KeptFit kept{minimised(problem_of(unknowns), theta, joint.noise, {3, 60, 1e-4, threads}), 0};
+  const double cost =
+      problem_of(joint.unknowns).likelihood(kept.fit.estimate, joint.noise, Wanted::cost, threads).cost;
+  kept.deviance = 2 * (cost - joint.cost);
+  return kept;
+}
+}  // namespace
+
 Eigen::VectorXd keep_priors(const ProblemOf &problem_of, const Fit &joint, const int threads, Calibration &result)
 {
-  std::vector<Unknown> at_prior = joint.unknowns;
-  Eigen::VectorXd theta         = joint.estimate;
-  bool any                      = false;
-  for (std::size_t i = 0; i < result.unknowns.size(); ++i)
-    if (!result.unknowns[i].identified) {
-      at_prior[i].prior_sd   = 1e-6;  // a prior that no record moves
-      theta[Eigen::Index(i)] = at_prior[i].prior;
-      any                    = true;
-    }
-  if (!any)
+  for (Calibrated &u : result.unknowns)
+    u.taken = true;
+  std::vector<std::size_t> rest = not_identified(result.unknowns);
+  if (rest.empty())
     return joint.estimate;
-  const Fit kept = minimised(problem_of(at_prior), theta, joint.noise, {3, 60, 1e-4, threads});
-  const double cost =
-      problem_of(joint.unknowns).likelihood(kept.estimate, joint.noise, Wanted::cost, threads).cost;
-  result.kept_deviance     = 2 * (cost - joint.cost);
-  const Eigen::VectorXd sd = kept.sd();
-  for (std::size_t i = 0; i < result.unknowns.size(); ++i) {
-    Calibrated &u = result.unknowns[i];
-    u.kept        = u.identified ? kept.estimate[Eigen::Index(i)] : at_prior[i].prior;
-    u.kept_sd     = u.identified ? sd[Eigen::Index(i)] : 0;
+  KeptFit kept = fit_with_priors(problem_of, joint, threads, rest);
+  while (kept.deviance > most_kept_deviance) {
+    Calibrated &contradicted = result.unknowns[rest.back()];
+    contradicted.why_not +=
+        fmt::format("; the value of the fit is taken, since the value of the case raises the deviance by {:.3g}",
+                    kept.deviance);
+    rest.pop_back();
+    if (rest.empty()) {
+      kept = {joint, 0};
+      break;
+    }
+    kept = fit_with_priors(problem_of, joint, threads, rest);
   }
-  return kept.estimate;
+  result.kept_deviance     = kept.deviance;
+  const Eigen::VectorXd sd = kept.fit.sd();
+  for (std::size_t i = 0; i < result.unknowns.size(); ++i) {
+    result.unknowns[i].kept    = kept.fit.estimate[Eigen::Index(i)];
+    result.unknowns[i].kept_sd = sd[Eigen::Index(i)];
+  }
+  for (const std::size_t i : rest) {
+    result.unknowns[i].taken   = false;
+    result.unknowns[i].kept    = joint.unknowns[i].prior;
+    result.unknowns[i].kept_sd = 0;
+  }
+  return kept.fit.estimate;
 }
 
 namespace {
@@ -278,6 +322,7 @@ Calibration calibrate(const CalibrationInput &in, const Progress &progress)
   Eigen::VectorXd theta(Eigen::Index(in.unknowns.size()));
   for (std::size_t i = 0; i < result.unknowns.size(); ++i)
     theta[Eigen::Index(i)] = result.unknowns[i].kept;
+  result.modes              = predicted_modes(in.stand, result.scan, theta, in.high);
   const NoiseDensity &noise = result.scan.best.noise;
   const RecordParts fit_parts{data, in.fit}, check_parts{check, in.check};
   result.fit           = record_fit(in, theta, fit_parts, data, noise);

@@ -6,6 +6,7 @@
 #include "twin/calibration/clock_delay.h"
 #include "twin/calibration/output_only_adequacy.h"
 #include "twin/calibration/plan.h"
+#include "twin/calibration/predicted_modes.h"
 #include <optional>
 #include <string>
 #include <vector>
@@ -31,15 +32,18 @@ struct CalibrationInput {
 /// One unknown after the record.
 struct Calibrated {
   std::string name;
-  double prior_sd;   ///< of ln of the factor; of the delay s
-  double estimate;   ///< joint fit of all
-  double sd;         ///< of the joint fit
-  double low, high;  ///< 95 % of the joint fit; of a scanned spring by its profile
-  double shrink;     ///< sd over prior sd
-  bool identified;   ///< shrink <= 0.5 and no second basin below deviance 9
-  double kept;       ///< value of the calibrated case: the estimate of what is identified, the rest at its prior
+  double prior_sd;      ///< of ln of the factor; of the delay s
+  double estimate;      ///< joint fit of all
+  double sd;            ///< of the joint fit
+  double low, high;     ///< 95 % of the joint fit; of a scanned spring by its profile
+  double shrink;        ///< sd over prior sd
+  bool identified;      ///< shrink <= 0.5 and no second basin below deviance 9
+  double kept;          ///< value of the calibrated case, see keep_priors()
   std::string why_not;  ///< empty where it is identified
   double kept_sd = 0;   ///< of `kept` where the rest is at its prior; 0: the same as `sd`
+  /// The calibrated case has `kept` in place of the value of the case: it is identified, or the value of the case
+  /// contradicts the records.
+  bool taken = false;
 };
 
 /// Misfit and worst band of a record with the calibrated case.
@@ -60,10 +64,11 @@ struct EstimatedForce {
 struct Calibration {
   std::vector<Calibrated> unknowns;
   ScannedFit scan;
-  Identification identification;    ///< of the joint fit
-  Eigen::MatrixXd correlation;      ///< (p, p) -, posterior
-  std::vector<std::string> unseen;  ///< directions that the records do not show, in words
-  double kept_deviance = 0;         ///< what keeping the priors of what is not identified costs
+  Identification identification;     ///< of the joint fit
+  Eigen::MatrixXd correlation;       ///< (p, p) -, posterior
+  std::vector<std::string> unseen;   ///< directions that the records do not show, in words
+  double kept_deviance = 0;          ///< what keeping the priors of what is not identified costs
+  std::vector<PredictedMode> modes;  ///< of the calibrated case, up to the end of the band
   RecordFit fit, check;
   std::optional<ClockDelay> delay;  ///< of two clocks; nothing: it is among the unknowns
   double case_deviance = 0;         ///< of the case over the joint fit

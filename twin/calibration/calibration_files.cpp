@@ -26,13 +26,13 @@ Results values_of(const Calibration &result, const bool written)
     Parameter p;
     p.value          = delay ? change.value : std::exp(change.value);
     p.unit           = delay ? "s" : "1";
-    p.source         = u.identified ? Source::measured : Source::assumed;
+    p.source         = u.taken ? Source::measured : Source::assumed;
     p.method         = u.identified ? "likelihood of the whole records" : u.why_not;
     p.at             = at;
-    p.error_estimate = delay ? std::nan("") : u.identified ? u.sd : u.prior_sd;
+    p.error_estimate = delay ? std::nan("") : u.taken ? u.sd : u.prior_sd;
     if (delay)
       p.error_lacks = {"a delay has no relative error; its deviation is listed with the unknowns"};
-    if (u.identified && !delay)
+    if (u.taken && !delay)
       p.checks = {{"95 % from", std::exp(change.low), ""},
                   {"95 % to", std::exp(change.high), ""},
                   {"with all freed", std::exp(u.estimate), "with what is not identified free as well"}};
@@ -76,10 +76,23 @@ ordered_json unknowns_of(const CalibrationInput &input, const Calibration &resul
                    {"shrink", finite(u.shrink)},
                    {"moved", finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)},
                    {"told", u.identified},
+                   {"taken", u.taken},
                    {"kept", finite(u.kept)},
                    {"shown", {{"value", shown.value}, {"low", shown.low}, {"high", shown.high}}},
                    {"why_not", u.why_not}});
   }
+  return all;
+}
+
+ordered_json modes_of(const Calibration &result)
+{
+  ordered_json all = ordered_json::array();
+  for (const PredictedMode &mode : result.modes)
+    all.push_back({{"before", finite(mode.before)},
+                   {"frequency", finite(mode.frequency)},
+                   {"interval", {finite(mode.low), finite(mode.high)}},
+                   {"determined", mode.determined()},
+                   {"rests_on", mode.rests_on}});
   return all;
 }
 
@@ -151,6 +164,7 @@ std::string calibration_json(const CalibrationInput &input, const Calibration &r
   document["seconds"]     = {result.fit_seconds, result.check_seconds};
   document["model_error"] = input.model_error;
   document["unknowns"]    = unknowns_of(input, result, written);
+  document["modes"]       = modes_of(result);
   document["unseen"]      = result.unseen;
   ordered_json singular   = ordered_json::array();
   for (Eigen::Index i = 0; i < result.identification.singular.size(); ++i)

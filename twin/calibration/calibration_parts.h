@@ -17,7 +17,11 @@ std::vector<Calibrated> judged(const ScannedFit &scan, const Eigen::VectorXd &sd
 /// The fit of some records by unknowns whose priors are others.
 using ProblemOf = std::function<FitProblem(const std::vector<Unknown> &)>;
 
-/// What is identified, fitted again with the rest at its prior; fills kept and kept_deviance.
+constexpr double most_kept_deviance = 3.84;  ///< chi-square of one, 95 %
+
+/// What is identified, fitted again with the rest at its prior; fills kept, taken and kept_deviance.  Where that
+/// raises the deviance by more than 3.84, the records contradict a prior: then the unknown of the rest of which
+/// they say most is fitted too, and so on.  (45.9)
 /// @param joint  its unknowns begin with those of the result; more may follow, which stay free
 /// @return of all unknowns of the joint fit
 Eigen::VectorXd keep_priors(const ProblemOf &problem_of, const Fit &joint, int threads, Calibration &result);

@@ -229,8 +229,9 @@ Calibration calibrate_output_only(const CalibrationInput &in, const Progress &pr
   result.unseen               = unseen_directions(result.identification, in.stand);
   const Eigen::VectorXd scale = result.scan.best.sd().cwiseInverse();
   result.correlation          = scale.asDiagonal() * result.scan.best.covariance * scale.asDiagonal();
-  keep_priors([&](const std::vector<Unknown> &all) { return problem_of(record, all, before); }, joint, in.threads,
-              result);
+  const Eigen::VectorXd kept  = keep_priors(
+      [&](const std::vector<Unknown> &all) { return problem_of(record, all, before); }, joint, in.threads, result);
+  result.modes = predicted_modes(in.stand, result.scan, kept.head(Eigen::Index(in.unknowns.size())), in.high);
   progress.at("check", 0);
   // Is the model right?  What is not identified may be anything, so all unknowns are free here.
   const OutputOnly check      = record_of(in, in.check, record.force);

@@ -13,7 +13,6 @@
 #include "fem/body/on_mesh.h"
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
 #include <fmt/format.h>
 #include <future>
 #include <memory>
@@ -182,8 +181,7 @@ void write_study_fields(RunContext &run, Study &s, const FourHigh &stand, const 
   for (int i = 0; i < 2; ++i) {
     const std::string file = "fields/contact-" + s.name + endings[i];
     if (!s.twin.empty())
-      std::filesystem::copy_file(run.out.file("fields/contact-" + s.twin + endings[i]), run.out.file(file),
-                                 std::filesystem::copy_options::overwrite_existing);
+      run.out.write(file, read_text(run.out.file("fields/contact-" + s.twin + endings[i])));
     else if (made)
       run.out.write(file, s.fields[std::size_t(i)]);
     else {

@@ -3,8 +3,10 @@
 #include "app/stages/stand/modulus_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/closed_form_parts.h"
+#include "app/twin/calibrate/stated_errors.h"
 #include "app/twin/stand/case_chain.h"
 #include "app/twin/stand/chatter_model.h"
+#include "core/model/assumed_error.h"
 #include "core/model/case.h"
 #include "dynamics/response/modal_model.h"
 #include "reduce/stand/beam_stand.h"
@@ -35,17 +37,27 @@ bool says_untold(const std::string &name, const std::string &text)
   return false;
 }
 
-void add_errors(AdvisedModel &model, const LumpedModel &chain)
+// Errors that the case or its run states; where nothing states one, the advice says what it assumes.
+void add_errors(AdvisedModel &model, const Case &the_case, const LumpedModel &chain, const double load)
 {
+  std::string silent;
+  const StatedErrors stated = stated_errors(the_case, chain, load);
   for (std::size_t j = 0; j < chain.K.size(); ++j) {
     const std::string name   = "K" + std::to_string(j + 1);
     const Parameter &spring  = chain.K[j];
     const std::string source = source_text(spring);
-    if (std::isfinite(spring.error_estimate))
-      model.spring_error[name] = spring.error_estimate;
+    if (const auto error = stated.error.find(name); error != stated.error.end())
+      model.spring_error[name] = error->second;
+    else if (spring.value > 0)
+      silent += (silent.empty() ? "" : ", ") + name;
     if (says_untold(name, source))
       model.untold.push_back({name, "which the records do not identify (" + source + ")"});
   }
+  if (!stated.source.empty())
+    model.notes.push_back("the spread of a change takes the errors of springs stated by " + stated.source);
+  if (!silent.empty())
+    model.notes.push_back(fmt::format("no error is stated for {}: the spread of a change assumes {:g} %", silent,
+                                      100 * assumed_spring_error));
 }
 
 twin::VibratingStand in_its_modes(const StandModel &stand, const reduce::StandModes &modes, const double damping,
@@ -224,7 +236,7 @@ AdvisedModel advised_model(const Case &the_case, const StandAdvice &asked, const
   model.advised.chain = mill_model;
   if (chain.dynamics.contact == "curve")
     model.notes.push_back("contacts on curves count with their slopes at the working load");
-  add_errors(model, chain.model);
+  add_errors(model, the_case, chain.model, chain.load);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     model.advised.open = [&the_case, load = chain.load, mill_model, damping](const twin::StandChange &change) {
       if (change.force == 1)

@@ -1,5 +1,6 @@
 #include "app/twin/advice/measured_levels.h"
 #include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/base/units.h"
 #include "core/base/valid_text.h"
 #include "twin/cleaning/clean_record.h"
@@ -24,9 +25,10 @@ std::vector<std::string> records_in(const std::string &path)
     throw InputError("--measured " + path +
                      ": this folder does not exist; give the folder of the records, or one of them");
   std::vector<std::string> files;
-  for (const fs::directory_entry &entry : fs::directory_iterator(path, error))
-    if (entry.is_regular_file(error) && twin::is_record_file(entry.path().string()))
-      files.push_back(entry.path().string());
+  for (const std::string &name : names_in(path))
+    if (const std::string file = (fs::path(path) / name).string();
+        fs::is_regular_file(file, error) && twin::is_record_file(file))
+      files.push_back(file);
   if (files.empty())
     throw InputError("--measured " + path +
                      ": the folder holds no record; one ends with .csv, .npy, .npz, .uff, .mat, .wav or .lvm "

@@ -344,6 +344,7 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
   question.rise_elsewhere  = asked.rise_elsewhere;
   question.softening       = asked.softening;
   question.untold          = model.untold;
+  question.spring_error    = model.spring_error;
   question.pass            = model.pass;
   twin::LevelAdvice advice = twin::level_advice(model.advised, question);
   const bool as_white      = measured.empty() && model.detailed;  // the sums need no finer steps

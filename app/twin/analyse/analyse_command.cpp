@@ -81,6 +81,7 @@ int analyse_command(const CommandLine &command)
     stand      = analysed_stand(read_case(command.case_file, command.sets));
     monitoring = monitoring_of(command.case_file, command.sets);
     plant      = plant_of(command.case_file, command.sets);
+    add_ball_bearings(*stand, monitoring.ball_bearings);
   }
   const twin::ReadOptions reading       = read_options(command, monitoring);
   const twin::AnalysisSettings settings = settings_of(command, monitoring, plant);

@@ -1,6 +1,6 @@
 #include "app/twin/analyse/analysed_stand.h"
 #include "app/twin/stand/case_chain.h"
-#include "app/verbs/known_modes.h"
+#include "app/twin/stand/mode_errors.h"
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
 #include "dynamics/response/mill_model.h"
@@ -42,21 +42,6 @@ void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsS
   stand.kinetic_share = modes.kinetic_share;
 }
 
-// Accuracy of the frequencies as the last run of this case states it.
-void add_errors_of_run(twin::CaseModel &stand, const Case &the_case)
-{
-  constexpr double same  = 0.02;  // -, of one mode in both models
-  const KnownModes known = known_modes(the_case, "");
-  if (!known.note.empty())
-    return;
-  stand.frequency_error =
-      Eigen::VectorXd::Constant(stand.frequency.size(), std::numeric_limits<double>::quiet_NaN());
-  for (Eigen::Index i = 0; i < stand.frequency.size(); ++i)
-    for (const CampbellMode &mode : known.modes)
-      if (std::abs(mode.frequency / stand.frequency[i] - 1) < same && mode.error_estimate > 0)
-        stand.frequency_error[i] = mode.error_estimate;
-}
-
 void add_roll(twin::CaseModel &stand, const std::string &name, const double diameter)
 {
   if (std::isfinite(diameter))
@@ -75,6 +60,24 @@ void add_bearing(twin::CaseModel &stand, const std::vector<RollerBearing> &beari
 }
 }  // namespace
 
+void add_ball_bearings(twin::CaseModel &stand, const std::vector<BallBearing> &bearings)
+{
+  for (const BallBearing &b : bearings) {
+    std::string roll = b.roll;
+    std::replace(roll.begin(), roll.end(), ' ', '_');
+    const auto turning =
+        std::find_if(stand.rolls.begin(), stand.rolls.end(), [&](const auto &one) { return one.name == roll; });
+    if (turning == stand.rolls.end()) {
+      stand.notes.push_back(
+          fmt::format("bearing {}: not computed, the case states no diameter of the {}", b.name, b.roll));
+      continue;
+    }
+    const auto orders = bearing::pass_frequencies(b.balls, b.ball_diameter, b.pitch_diameter, b.contact_angle);
+    stand.bearings.push_back(
+        {b.name, roll, turning->diameter, orders.cage, orders.outer, orders.inner, orders.roller});
+  }
+}
+
 twin::CaseModel analysed_stand(const Case &the_case)
 {
   const CaseChain chain = case_chain(the_case, "analyse");
@@ -82,7 +85,7 @@ twin::CaseModel analysed_stand(const Case &the_case)
   stand.name   = the_case.name;
   stand.source = chain.source;
   add_chain(stand, chain.model, chain.dynamics);
-  add_errors_of_run(stand, the_case);
+  stand.frequency_error = mode_errors_of_run(the_case, stand.frequency);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);
     add_roll(stand, "backup_roll", four->backup_roll.barrel_diameter);

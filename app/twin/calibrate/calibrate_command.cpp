@@ -85,7 +85,7 @@ void write_calibration(const std::string &folder, const std::string &json,
   for (const char *old :
        {"calibration.json", "response.csv", "profiles.csv", "force.csv", "report.html", "calibrated.toml"})
     fs::remove(folder + "/" + old, ignored);
-  fs::remove_all(folder + "/models", ignored);
+  remove_folder(folder + "/models");
   for (const auto &[name, table] : tables)
     write_atomically(folder + "/" + name + ".csv", csv_text(table));
   for (const auto &[name, text] : calibrated) {
@@ -98,11 +98,11 @@ void write_calibration(const std::string &folder, const std::string &json,
 
 std::string line_of(const twin::Calibrated &u, const std::size_t width, const bool agrees, const bool written)
 {
-  if (!u.identified)
+  if (!u.taken)
     return fmt::format("{:<{}} {:>10}  {}\n", u.name, width, "kept", u.why_not);
   const twin::ShownChange shown = twin::shown_change(u, written);
-  return fmt::format("{:<{}} {:>10}  95 % {} .. {}\n", u.name, width, agrees ? "agrees" : shown.value, shown.low,
-                     shown.high);
+  return fmt::format("{:<{}} {:>10}  95 % {} .. {}{}\n", u.name, width, agrees ? "agrees" : shown.value, shown.low,
+                     shown.high, u.identified ? "" : "; " + u.why_not);
 }
 
 void print_result(const twin::Calibration &result, const twin::CalibrationFacts &facts, const std::string &folder)
@@ -115,6 +115,8 @@ void print_result(const twin::Calibration &result, const twin::CalibrationFacts 
     print(line_of(u, width, result.agrees, !facts.written.empty()));
   for (const std::string &direction : result.unseen)
     print("not seen: " + direction + "\n");
+  for (const std::string &mode : twin::open_mode_words(result.modes))
+    print(mode + "\n");
   print(fmt::format("check records: misfit {:.4g}, before {:.4g}; worst third octave at {:.2f} of its limit\n",
                     result.check.after, result.check.before, result.check.worst));
   for (const std::string &note : facts.notes)

@@ -3,6 +3,7 @@
 #include "app/twin/stand/case_chain.h"
 #include "core/case/fields.h"
 #include "core/case/lumped_model_toml.h"
+#include "core/model/assumed_error.h"
 #include "core/model/case.h"
 #include "twin/calibration/words.h"
 #include <algorithm>
@@ -11,7 +12,7 @@
 
 namespace mill {
 namespace {
-constexpr double given_sd = 0.10, contact_sd = 0.05, least_sd = 0.01;
+constexpr double contact_sd = 0.05, least_sd = 0.01;
 }  // namespace
 
 std::string calibration_comment(const Case &origin, const twin::Calibration &result,
@@ -23,12 +24,15 @@ std::string calibration_comment(const Case &origin, const twin::Calibration &res
   if (!result.force_recorded())
     text += "# " + twin::without_force_words() + "\n";
   for (const twin::Calibrated &u : result.unknowns)
-    if (const twin::ShownChange shown = twin::shown_change(u, true); u.identified)
-      text += fmt::format("# {:<5} {} (95 % {} .. {})\n", u.name, shown.value, shown.low, shown.high);
+    if (const twin::ShownChange shown = twin::shown_change(u, true); u.taken)
+      text += fmt::format("# {:<5} {} (95 % {} .. {}){}\n", u.name, shown.value, shown.low, shown.high,
+                          u.identified ? "" : ": " + u.why_not);
     else
       text += fmt::format("# {:<5} kept: {}\n", u.name, u.why_not);
   for (const std::string &direction : result.unseen)
     text += "# " + direction + "\n";
+  for (const std::string &mode : twin::open_mode_words(result.modes))
+    text += "# " + mode + "\n";
   if (accepted)
     for (const std::string &reason : result.refusals)
       text += "# REFUSED, written because of --accept: " + reason + "\n";
@@ -39,13 +43,13 @@ double prior_of_spring(const std::string &name, const double error, const bool c
 {
   const bool contact = computed && (name == "K3" || name == "K5");
   if (!std::isfinite(error))
-    return contact ? contact_sd : given_sd;
+    return contact ? contact_sd : assumed_spring_error;
   return std::max(error, contact ? contact_sd : least_sd);
 }
 
 double prior_of_mass(const double error)
 {
-  return std::isfinite(error) ? std::max(error, least_sd / 2) : given_sd;
+  return std::isfinite(error) ? std::max(error, least_sd / 2) : assumed_spring_error;
 }
 
 namespace {
@@ -132,7 +136,7 @@ Case with_damping(const Case &origin, const twin::Calibration &result)
 {
   Case changed = origin;
   for (const twin::Calibrated &u : result.unknowns)
-    if (u.name == "zeta" && u.identified)
+    if (u.name == "zeta" && u.taken)
       dynamics_of(changed).modal_damping *= std::exp(u.kept);
   return changed;
 }
@@ -181,7 +185,7 @@ std::string calibrated_toml(const PriorChain &chain, const Case &origin, const t
     method += "; refused, accepted by the user";
   LumpedModel model = chain.model;
   for (const twin::Calibrated &u : result.unknowns)
-    if (u.identified)
+    if (u.taken)
       for (const std::string &member : twin::members_of(u.name))
         if (Parameter *number = number_of(model, member))
           calibrate(*number, u, "calibrated: " + method);

@@ -53,7 +53,8 @@ DynamicsSettings &dynamics_of(Case &the_case);
 /// The case with the damping that is identified.
 Case with_damping(const Case &origin, const twin::Calibration &result);
 
-/// calibrated.toml: a case of kind lumped with what is identified; the rest stays as it was.
+/// calibrated.toml: a case of kind lumped with what is identified, and with what would contradict the records as
+/// it was; the rest stays as it was.
 /// @param accepted  it was refused and is written because of --accept, which the text says
 std::string calibrated_toml(const PriorChain &chain, const Case &origin, const twin::Calibration &result,
                             const std::vector<std::string> &files, bool accepted, const std::string &directory);

@@ -63,7 +63,7 @@ StandModel calibrated_stand(const StandModel &prior, const twin::Calibration &re
 {
   StandModel stand = prior;
   for (const twin::Calibrated &u : result.unknowns)
-    if (u.identified) {
+    if (u.taken) {
       for (Connection &connection : stand.connections)
         if (moves(u, connection.name)) {
           follow_load_cell(stand, connection, std::exp(u.kept));

@@ -1,4 +1,5 @@
 #include "app/twin/calibrate/record_set.h"
+#include "core/base/files.h"
 #include "core/base/valid_text.h"
 #include "core/case/fields.h"
 #include "core/case/record_set_rows.h"
@@ -180,9 +181,10 @@ RecordSet read_record_set(const std::string &folder)
     return described_set(folder, folder + "/records.toml");
   RecordSet set;
   set.folder = folder;
-  for (const auto &file : fs::directory_iterator(folder))
-    if (file.is_regular_file() && twin::is_record_file(file.path().string()))
-      set.entries.push_back({file.path().string(), "", std::numeric_limits<double>::quiet_NaN(), "smooth", {}});
+  for (const std::string &name : names_in(folder))
+    if (const std::string file = (fs::path(folder) / name).string();
+        fs::is_regular_file(file, ignored) && twin::is_record_file(file))
+      set.entries.push_back({file, "", std::numeric_limits<double>::quiet_NaN(), "smooth", {}});
   std::sort(set.entries.begin(), set.entries.end(),
             [](const RecordEntry &a, const RecordEntry &b) { return a.file < b.file; });
   if (set.entries.empty())

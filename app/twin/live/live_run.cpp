@@ -218,6 +218,8 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   if (comparison_)  // another source, or the same one again: of the same mill
     learned_ = std::make_unique<nlohmann::json>(comparison_->state());
   comparison_.emplace(std::move(setup));
+  if (const std::string note = assumed_errors_note(model_); !note.empty())
+    print("note: " + note + "\n");
   for (const std::string &note : comparison_->notes())
     print("note: " + visible(note, true) + "\n");
   if (learned_)

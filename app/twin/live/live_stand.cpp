@@ -1,8 +1,11 @@
 #include "app/twin/live/live_stand.h"
 #include "app/process/version.h"
 #include "app/run/run_setup.h"
+#include "app/twin/calibrate/stated_errors.h"
 #include "app/twin/stand/case_chain.h"
+#include "app/twin/stand/mode_errors.h"
 #include "core/base/files.h"
+#include "core/model/assumed_error.h"
 #include "core/model/case.h"
 #include "dynamics/response/modes.h"
 #include <cmath>
@@ -42,7 +45,11 @@ void add_roll_sizes(live::PageStand &stand, const std::string &roll, const doubl
 
 live::TwinModel live_model(const Case &the_case)
 {
-  CaseChain chain = case_chain(the_case, "live");
+  CaseChain chain           = case_chain(the_case, "live");
+  const StatedErrors stated = stated_errors(the_case, chain.model, chain.load);
+  for (std::size_t j = 0; j < chain.model.K.size(); ++j)
+    if (const auto error = stated.error.find("K" + std::to_string(j + 1)); error != stated.error.end())
+      chain.model.K[j].error_estimate = error->second;
   return {the_case.name,
           std::move(chain.source),
           std::move(chain.model),
@@ -98,21 +105,24 @@ LumpedModel chain_at_load(const Case &the_case, const live::TwinModel &model, co
 
 twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &model, const live::Tuning &tuning)
 {
-  constexpr double unknown_error = 0.10;  // as where owners of peaks are named
-  const auto chain               = live::tuned(model, tuning);
-  const auto modes               = dynamics::modes(chain);
-  const Eigen::Index n           = modes.frequency.size();
+  const auto chain     = live::tuned(model, tuning);
+  const auto modes     = dynamics::modes(chain);
+  const Eigen::Index n = modes.frequency.size();
   twin::ModesAtLoad at;
   at.damping = Eigen::VectorXd::Constant(n, model.dynamics.modal_damping * tuning.damping);
   at.sd      = Eigen::VectorXd::Zero(n);
   for (std::size_t j = 0; j < model.chain.K.size(); ++j) {
     const double error = model.chain.K[j].error_estimate;
     at.sd.array() +=
-        (modes.strain_share.col(Eigen::Index(j)).array() * (std::isfinite(error) ? error : unknown_error))
+        (modes.strain_share.col(Eigen::Index(j)).array() * (std::isfinite(error) ? error : assumed_spring_error))
             .square() /
         4;
   }
-  at.sd            = at.sd.cwiseSqrt();
+  at.sd                        = at.sd.cwiseSqrt();
+  const Eigen::VectorXd of_run = mode_errors_of_run(the_case, modes.frequency);
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (of_run[i] > 0)
+      at.sd[i] = of_run[i];
   const auto *four = std::get_if<FourHigh>(&the_case.spec);
   if (!four || !model.follows_load) {
     at.load      = Eigen::VectorXd::Constant(1, 1);
@@ -128,6 +138,19 @@ twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &mod
     at.frequency.row(i)    = dynamics::modes(live::tuned(loaded, tuning)).frequency.transpose();
   }
   return at;
+}
+
+std::string assumed_errors_note(const live::TwinModel &model)
+{
+  std::string silent;
+  for (std::size_t j = 0; j < model.chain.K.size(); ++j)
+    if (model.chain.K[j].value > 0 && !std::isfinite(model.chain.K[j].error_estimate))
+      silent += fmt::format("{}K{}", silent.empty() ? "" : ", ", j + 1);
+  return silent.empty()
+             ? ""
+             : fmt::format("no error is stated for {}: {:g} % is assumed in the accuracy of the modes and "
+                           "in what a re-calibration may change; run the case first, or state a tolerance",
+                           silent, 100 * assumed_spring_error);
 }
 
 live::PageParameters page_parameters(const live::TwinModel &model, const live::Tuning &tuning,

@@ -81,20 +81,20 @@ std::optional<std::int64_t> recorded_up_to(const std::string &folder, const live
 {
   std::optional<std::int64_t> last;
   std::error_code error;
-  for (const auto &entry : fs::directory_iterator(folder, error)) {
-    const std::string name = entry.path().filename().string();
-    const auto at          = name.find("Z_");
-    if (at == std::string::npos || entry.path().extension() != ".npy")
+  for (const std::string &name : names_in(folder, error)) {
+    const fs::path path = fs::path(folder) / name;
+    const auto at       = name.find("Z_");
+    if (at == std::string::npos || path.extension() != ".npy")
       continue;
     const std::int64_t first = std::strtoll(name.c_str() + at + 2, nullptr, 10);
     if (first < from)
       continue;
-    const auto text    = text_if_readable(entry.path().parent_path() / (entry.path().stem().string() + ".json"));
+    const auto text    = text_if_readable(path.parent_path() / (path.stem().string() + ".json"));
     const auto sidecar = nlohmann::json::parse(text ? *text : "", nullptr, false);
     const auto start   = live::utc_text(source.start_time + double(first) / source.rate);
     if (!sidecar.is_object() || !sidecar.contains("start") || sidecar["start"] != start)  // of any type
       continue;
-    std::ifstream file(entry.path(), std::ios::binary);
+    std::ifstream file(path, std::ios::binary);
     std::string bytes(1 << 17, '\0');
     file.read(bytes.data(), std::streamsize(bytes.size()));
     bytes.resize(std::size_t(file.gcount()));

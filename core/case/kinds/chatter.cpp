@@ -33,6 +33,7 @@ std::vector<SectionRows> chatter_sections()
   add("condition", Repeat::list, true, "what rolls at one working point", rows_of(condition_rows()));
   add("analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows()));
   all.push_back(monitoring_section());
+  all.push_back(ball_bearing_section());
   all.push_back(plant_section());
   all.push_back(chatter_advice_section());
   return all;
@@ -58,6 +59,7 @@ const CaseKind &case_kind(const ChatterCase *)
                   {"variant", "", {}, {}, true},  // [stand] says it
                   {"analysis", "", {}, {"speeds"}}};
     k.notes.push_back(monitoring_note());
+    k.notes.push_back(ball_bearing_note());
     k.notes.push_back(plant_note());
     k.notes.push_back(chatter_advice_note());
     k.repeated = [](const CaseSpec &spec, const std::string &section) {

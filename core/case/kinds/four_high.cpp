@@ -175,6 +175,7 @@ std::vector<SectionRows> four_high_sections()
        rows_of(stand_span_rows())},
       {"analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows())},
       monitoring_section(),
+      ball_bearing_section(),
       plant_section(),
       given_section(stand_given_rows(), false),
       published_section(stand_published_rows())};
@@ -205,6 +206,7 @@ std::vector<TemplateNote> four_high_notes()
           {"strip.friction", "", {}, {}, true},  // [strip] says it in a number
           drive_order_note(),
           monitoring_note(),
+          ball_bearing_note(),
           plant_note(),
           {"work_roll", "", {{"estimate", "true"}}, {}},
           {"backup_roll", "", {{"estimate", "true"}}, {}},

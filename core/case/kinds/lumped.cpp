@@ -134,11 +134,13 @@ const CaseKind &case_kind(const Lumped *)
                   campbell_section(chain_campbell_rows()),
                   drive_order_section(),
                   monitoring_section(),
+                  ball_bearing_section(),
                   plant_section()};
     for (const SectionRows &section : stand_advice_sections())
       k.sections.push_back(section);
     k.notes = {drive_order_note(),
                monitoring_note(),
+               ball_bearing_note(),
                plant_note(),
                {"model", "", {}, {}, true},  // [given] says it
                {"curve", "", {}, {}, true},  // numbers say it

@@ -1,6 +1,7 @@
 #include "report/twin/analysis/analysis_comparison.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/records/compared_bands.h"
 #include "report/front/html.h"
 #include "report/page/page.h"
 #include "report/plot/number.h"
@@ -18,13 +19,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::array<Pen, 4> pens{Pen::dark, Pen::warm, Pen::dashed, Pen::dotted};
-
-struct ComparedBand {
-  const char *name;
-  double low, high;  // Hz
-};
-constexpr std::array<ComparedBand, 3> compared_bands{
-    {{"third-octave band", 125, 240}, {"fifth-octave band", 550, 650}, {"10 to 1000 Hz", 10, 1000}}};
 
 struct ComparedAnalysis {
   std::string folder;
@@ -88,12 +82,41 @@ std::vector<std::string> shared_channels(const std::vector<ComparedAnalysis> &al
   return names;
 }
 
-std::string change_text(const double before, const double after)
+// A level with its relative standard error; NaN: not stated.
+struct Level {
+  double value, error;
+};
+
+Level band_level(const ComparedAnalysis &one, const std::string &channel, const ComparedBand &band)
 {
-  const double percent = 100 * (after / before - 1);
-  return !(before > 0) || !std::isfinite(percent)
-             ? "\u2013"
-             : (percent >= 0 ? "+" : "\u2212") + fixed(std::abs(percent), 0) + " %";
+  Level level{band_velocity(one, channel, band), std::nan("")};
+  for (const json &convention : one.document["conventions"])
+    if (convention["channel"] == channel && convention.contains("level_errors"))
+      for (const json &entry : convention["level_errors"])
+        if (number_in(entry["band"][0]) == band.low && number_in(entry["band"][1]) == band.high)
+          level.error = number_in(entry["error"]);
+  return level;
+}
+
+Level amplitude_of(const json &finding)
+{
+  return {number_in(finding["amplitude"]),
+          finding.contains("amplitude_error") ? number_in(finding["amplitude_error"]) : std::nan("")};
+}
+
+// "-63 % ± 4 %", 95 %; the interval is left out where an analysis states no error.
+std::string change_text(const Level &before, const Level &after)
+{
+  const double percent = 100 * (after.value / before.value - 1);
+  if (!(before.value > 0) || !std::isfinite(percent))
+    return "\u2013";
+  const double within     = 1.96 * 100 * after.value / before.value * std::hypot(before.error, after.error);
+  const int digits        = within < 1 ? 1 : 0;
+  const std::string shown = (percent >= 0 ? "+" : "\u2212") + fixed(std::abs(percent), digits) + " %";
+  if (!std::isfinite(within))
+    return shown;
+  return shown + " \u00b1 " + fixed(within, digits) + " %" +
+         (std::abs(percent) > within ? "" : " (not significant)");
 }
 
 // "velocity in the third-octave band -63 % (upper_work_roll)": of the band and channel that changed most.
@@ -103,9 +126,8 @@ std::string first_sentence(const std::vector<ComparedAnalysis> &all, const std::
   double largest   = -1;
   for (const ComparedBand &band : compared_bands)
     for (const std::string &channel : channels) {
-      const double before = band_velocity(all.front(), channel, band),
-                   after  = band_velocity(all.back(), channel, band);
-      const double change = std::abs(std::log(after / before));
+      const Level before = band_level(all.front(), channel, band), after = band_level(all.back(), channel, band);
+      const double change = std::abs(std::log(after.value / before.value));
       if (std::isfinite(change) && change > largest) {
         largest = change;
         text    = std::string("velocity in the ") + band.name + " " + change_text(before, after) + " (" +
@@ -122,18 +144,18 @@ std::string band_table(const std::vector<ComparedAnalysis> &all, const std::vect
     head += "<th>" + escaped(one.folder) + " [mm/s]</th>";
   for (const std::string &channel : channels)
     for (const ComparedBand &band : compared_bands) {
-      const double before = band_velocity(all.front(), channel, band);
-      if (!std::isfinite(before))
+      const Level before = band_level(all.front(), channel, band);
+      if (!std::isfinite(before.value))
         continue;
       rows += "<tr><th scope=\"row\">" + escaped(channel) + "</th><td>" + band.name + "</td>";
       for (const ComparedAnalysis &one : all)
         rows += "<td class=\"num\">" + significant(1e3 * band_velocity(one, channel, band), 3) + "</td>";
-      rows += "<td class=\"num\"><b>" + change_text(before, band_velocity(all.back(), channel, band)) +
+      rows += "<td class=\"num\"><b>" + change_text(before, band_level(all.back(), channel, band)) +
               "</b></td></tr>\n";
     }
   return rows.empty() ? ""
-                      : "<table class=\"results\"><thead><tr>" + head + "<th>change</th></tr></thead>\n<tbody>\n" +
-                            rows + "</tbody></table>\n";
+                      : "<table class=\"results\"><thead><tr>" + head +
+                            "<th>change, 95 %</th></tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
 }
 
 bool is_compared(const json &finding)
@@ -183,9 +205,8 @@ std::string peak_table(const ComparedAnalysis &before, const ComparedAnalysis &a
       const double within = std::hypot(half_interval(*a), half_interval(*b));
       change              = (moved >= 0 ? "+" : "\u2212") + significant(std::abs(moved), 2) + " Hz \u00b1 " +
                significant(within, 1) + (std::abs(moved) > within ? "" : " (not significant)") + "; amplitude " +
-               ((*a)["channel"] == (*b)["channel"]
-                    ? change_text(number_in((*a)["amplitude"]), number_in((*b)["amplitude"]))
-                    : std::string("of another channel"));
+               ((*a)["channel"] == (*b)["channel"] ? change_text(amplitude_of(*a), amplitude_of(*b))
+                                                   : std::string("of another channel"));
     }
     rows += "<tr><th scope=\"row\">" + escaped(shown["kind"].get<std::string>()) + "</th><td>" +
             escaped(shown["channel"].get<std::string>()) + "</td><td class=\"num\">" + value(a) +
@@ -236,14 +257,16 @@ std::string analysis_comparison(const std::vector<std::string> &directories)
   const Run run = run_of(directories.back(), all.back().document);
   Page page(run);
   page.section("levels", "Levels", Depth::manager);
-  page.table(band_table(all, channels),
-             "Root mean square of the velocity in bands. The change is that from the first to the "
-             "last analysis.");
+  page.table(
+      band_table(all, channels),
+      "Root mean square of the velocity in bands. The change is that from the first to the last analysis, "
+      "with the 95 % interval that the variation of the level over both records gives. A change within it is "
+      "not significant.");
   page.section("peaks", "Modes and lines", Depth::manager);
   for (std::size_t i = 1; i < all.size(); ++i)
     page.table(peak_table(all.front(), all[i]), "Frequency and amplitude (0-peak) of each mode, resonance, line "
-                                                "and family. A change of the frequency within "
-                                                "both 95 % intervals is not significant.");
+                                                "and family. A change of the frequency or of "
+                                                "the amplitude within both 95 % intervals is not significant.");
   page.section("spectra", "Spectra");
   for (const std::string &channel : channels)
     page.figure({spectra_drawing(all, channel)},

@@ -45,7 +45,7 @@ std::string unknowns_table(const json &unknowns)
   for (const json &u : unknowns) {
     const bool identified = u["told"].get<bool>();
     rows += "<tr><th scope=\"row\"><code>" + escaped(u["name"].get<std::string>()) + "</code></th>" +
-            figure_cell(identified ? "<b>" + change(u, "value") + "</b>" : "kept") +
+            figure_cell(u.value("taken", identified) ? "<b>" + change(u, "value") + "</b>" : "kept") +
             figure_cell(change(u, "low") + " … " + change(u, "high")) +
             figure_cell(u["name"] == "delay" ? significant(1e3 * number_in(u["prior_sd"]), 3) + " ms"
                                              : significant(100 * number_in(u["prior_sd"]), 2) + " %") +
@@ -54,6 +54,27 @@ std::string unknowns_table(const json &unknowns)
   }
   return table_of("<th>unknown</th><th>change of the case</th><th>95 % interval</th><th>deviation before</th>"
                   "<th>share left</th><th>moved, in deviations</th><th>result</th>",
+                  rows);
+}
+
+std::string modes_table(const json &modes)
+{
+  std::string rows;
+  int number = 0;
+  for (const json &mode : modes) {
+    std::string names;
+    for (const json &name : mode["rests_on"])
+      names += (names.empty() ? "" : ", ") + escaped(name.get<std::string>());
+    rows += "<tr><th scope=\"row\">" + std::to_string(++number) + "</th>" +
+            figure_cell(significant(number_in(mode["before"]), 5)) +
+            figure_cell("<b>" + significant(number_in(mode["frequency"]), 5) + "</b>") +
+            figure_cell(significant(number_in(mode["interval"][0]), 5) + " … " +
+                        significant(number_in(mode["interval"][1]), 5)) +
+            data(mode["determined"].get<bool>() ? "determined" : "not determined; depends on " + names) +
+            "</tr>\n";
+  }
+  return table_of("<th>mode</th><th>before [Hz]</th><th>after [Hz]</th><th>95 % interval [Hz]</th><th>by these "
+                  "records</th>",
                   rows);
 }
 
@@ -154,11 +175,17 @@ void add_unknowns(Page &page, const json &document)
           ? "Unknowns of the fit in which all are free, with their 95 % intervals. No case was written. The "
             "share left is the deviation after the fit over the deviation before."
           : "Unknowns. The change is that of the calibrated case, in which an unknown that is not identified "
-            "keeps its value. The interval covers this value and the fit in which all unknowns are free. The "
+            "keeps its value unless that value contradicts the records. The interval covers this value and the "
+            "fit in which all unknowns are free. The "
             "share left is the deviation after the fit over the deviation before.");
   page.figure({moved_drawing(document["unknowns"])}, "Change of each unknown in standard deviations of its prior. "
                                                      "Beyond 3 the records contradict the case, and the "
                                                      "calibration is refused.");
+  if (document.contains("modes") && !document["modes"].empty())
+    page.table(
+        modes_table(document["modes"]),
+        "Frequencies of the calibrated stand. A mode is determined where its interval reaches at most 2 % to "
+        "both sides. The interval of one that is not says what the records allow.");
   if (!document["unseen"].empty()) {
     page.heading("Combinations that these records do not determine");
     page.html(list_of(document["unseen"]));

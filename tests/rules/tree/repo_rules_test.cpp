@@ -277,6 +277,16 @@ TEST(Library, NeverPrintsExitsOrReadsTheEnvironment)
           << source.name << ":" << i + 1 << ": " << source.lines[i];
 }
 
+// A signal ends an iterator of the C++ library with an exception; names_in() of core/base/files reads on.
+TEST(Library, ReadsFoldersThroughOneFunction)
+{
+  const std::regex iterator(R"(\b(recursive_)?directory_iterator\b)");
+  for (const Source &source : sources(stages))
+    for (std::size_t i = 0; i < source.lines.size(); ++i)
+      EXPECT_FALSE(finds(source.lines[i], {"directory_iterator"}, iterator))
+          << source.name << ":" << i + 1 << ": use names_in() of core/base/files.h";
+}
+
 // An assert is gone in what users run; core/base/require.h is not.
 TEST(Library, ChecksWhatItReliesOnInEveryBuild)
 {

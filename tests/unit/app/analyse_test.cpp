@@ -101,3 +101,58 @@ TEST(Analyse, Refusals)
           "error: the folder mine holds files that no analysis wrote; choose another with -o, or give "
           "--force-overwrite");
 }
+
+namespace {
+// Impacts that ring at 3 kHz, so many in a second, in noise: 15 s at 10 kHz.
+void write_impacts(const std::string &path, const double rate_of_impacts)
+{
+  constexpr double rate = 10000;
+  std::ofstream out(path);
+  out << "time [s],upper_work_roll [m/s2]\n";
+  std::uint64_t state = 11;
+  for (int i = 0; i < 150000; ++i) {
+    state              = state * 6364136223846793005ull + 1442695040888963407ull;
+    const double noise = double(state >> 40) / double(1 << 24) - 0.5, t = i / rate,
+                 since = t - std::floor(t * rate_of_impacts) / rate_of_impacts;
+    out << t << "," << noise + 5 * std::exp(-since * 600) * std::sin(2 * M_PI * 3000 * since) << "\n";
+  }
+}
+}  // namespace
+
+// Ten balls of 20 mm on a circle of 100 mm at 60 deg: gamma = 0.1, so that 4.5 balls pass a point of the outer
+// ring in a turn of the roll; 4 m/s on 400 mm are 3.183 turns in a second.
+TEST(Analyse, NamesTheFaultOfABallBearing)
+{
+  const std::string folder = scratch("analyse-balls");
+  const double turn        = 4 / (M_PI * 0.4);
+  write_impacts(folder + "/pass.csv", 4.5 * turn);
+  const auto write_case = [&](const std::string &campbell) {
+    std::ofstream out(folder + "/stand.toml");
+    out << "schema = 1\nkind = \"lumped\"\n[given]\n";
+    for (int i = 1; i <= 6; ++i)
+      out << "M" << i << " = \"5000 kg\"\n";
+    for (int i = 1; i <= 7; ++i)
+      out << "K" << i << " = \"1e4 kN/mm\"\n";
+    out << campbell
+        << "[[monitoring.ball_bearing]]\nname = \"axial\"\nballs = 10\nball_diameter = \"20 mm\"\n"
+           "pitch_diameter = \"100 mm\"\ncontact_angle = \"60 deg\"\n";
+  };
+  write_case("[campbell]\nwork_roll_diameter = \"400 mm\"\n");
+  const Outcome run = millstand("analyse pass.csv --case stand.toml --speed \"4 m/s\" -o found -q", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto json = nlohmann::json::parse(mill::read_text(folder + "/found/analysis.json"));
+  bool named      = false;
+  for (const auto &finding : json["findings"])
+    if (finding["owner"].get<std::string>().rfind("BPFO of bearing axial at the work_roll: ", 0) == 0) {
+      named = true;
+      EXPECT_TRUE(
+          near(finding["frequency"].get<double>(), 4.5 * turn, within(0.01, "slip that is searched, two bins")));
+    }
+  EXPECT_TRUE(named) << json["findings"].dump(1);
+  write_case("");
+  const Outcome without = millstand("analyse pass.csv --case stand.toml --speed \"4 m/s\" -o without", folder);
+  ASSERT_EQ(without.exit_code, 0) << without.err;
+  EXPECT_NE(mill::read_text(folder + "/without/analysis.json")
+                .find("bearing axial: not computed, the case states no diameter of the work roll"),
+            std::string::npos);
+}

@@ -54,6 +54,16 @@ TEST(PassFrequencies, OfACylindricalBearing)
   EXPECT_TRUE(std::isnan(of_rolling_cones(b).cage)) << "no cones";
 }
 
+TEST(PassFrequencies, OfABallBearing)
+{
+  const auto p            = pass_frequencies(10, 0.020, 0.100, 60 * degree);  // gamma = 0.2 cos 60 deg = 0.1
+  const Tolerance by_hand = within(1e-14, "by hand");
+  EXPECT_TRUE(near(p.cage, 0.45, by_hand));
+  EXPECT_TRUE(near(p.outer, 4.5, by_hand));
+  EXPECT_TRUE(near(p.inner, 5.5, by_hand));
+  EXPECT_TRUE(near(p.roller, 2.475, by_hand)) << "2.5 times 0.99";
+}
+
 TEST(PassFrequencies, AreNotGuessedWithoutSizes)
 {
   RollerBearing b    = work_roll_bearing();

@@ -1,6 +1,7 @@
 // [monitoring] of a case: what it gives, and what is refused word for word.
 #include "core/case/monitoring.h"
 #include "core/model/case.h"
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -85,4 +86,50 @@ TEST_F(MonitoringSection, Refusals)
   EXPECT_EQ(refusal("limit = \"0 g\"\n"), "monitoring.limit = \"0 g\" is outside 0.001 m/s2 .. 100000 m/s2");
   EXPECT_EQ(refusal("third_octave = \"125 Hz\"\n").find("monitoring.third_octave = \"125 Hz\" is not a pair"), 0u);
   EXPECT_NE(refusal("chanels = { AI_07 = \"force\" }\n").find("did you mean 'channels'?"), std::string::npos);
+}
+
+TEST_F(MonitoringSection, BallBearings)
+{
+  const std::string whole =
+      "[[monitoring.ball_bearing]]\nname = \"axial\"\nroll = \"backup roll\"\nballs = 14\n"
+      "ball_diameter = \"38.1 mm\"\npitch_diameter = \"240 mm\"\ncontact_angle = \"40 deg\"\n";
+  const Monitoring m = monitoring_of(with(whole));
+  ASSERT_EQ(m.ball_bearings.size(), 1u);
+  EXPECT_EQ(m.ball_bearings[0].name, "axial");
+  EXPECT_EQ(m.ball_bearings[0].roll, "backup roll");
+  EXPECT_EQ(m.ball_bearings[0].balls, 14);
+  EXPECT_DOUBLE_EQ(m.ball_bearings[0].ball_diameter, 0.0381);
+  EXPECT_DOUBLE_EQ(m.ball_bearings[0].pitch_diameter, 0.24);
+  EXPECT_DOUBLE_EQ(m.ball_bearings[0].contact_angle, 40 * std::acos(-1) / 180);
+  EXPECT_NE(read_case(path).resolved.find("[[monitoring.ball_bearing]]"), std::string::npos);
+
+  const auto changed = [&](const std::string &from, const std::string &to) {
+    std::string text = whole;
+    text.replace(text.find(from), from.size(), to);
+    return refusal(text);
+  };
+  EXPECT_EQ(changed("\"240 mm\"", "\"30 mm\"")
+                .find("monitoring.ball_bearing.0.ball_diameter = \"38.1 mm\" is not "
+                      "below the pitch diameter"),
+            0u);
+  EXPECT_EQ(changed("balls = 14", "balls = 20")
+                .find("monitoring.ball_bearing.0.balls = 20 do not fit on the pitch "
+                      "circle"),
+            0u)
+      << "20 balls of 38.1 mm touch on a circle of 243.6 mm";
+  EXPECT_EQ(changed("balls = 14", "balls = 2").find("monitoring.ball_bearing.0.balls = 2 is outside 3 .. 200"),
+            0u);
+  EXPECT_EQ(changed("\"38.1 mm\"", "\"38.1 kN\"")
+                .find("monitoring.ball_bearing.0.ball_diameter = \"38.1 kN\" is a "
+                      "force"),
+            0u);
+  EXPECT_EQ(changed("\"40 deg\"", "\"70 deg\"")
+                .find("monitoring.ball_bearing.0.contact_angle = \"70 deg\" is "
+                      "outside 0 deg .. 60 deg"),
+            0u);
+  EXPECT_NE(changed("balls = 14\n", "").find("has no 'balls'; add for example balls = 14"), std::string::npos)
+      << changed("balls = 14\n", "");
+  EXPECT_NE(changed("\"backup roll\"", "\"motor\"").find("work roll"), std::string::npos);
+  EXPECT_EQ(refusal(whole + whole).find("monitoring.ball_bearing.1.name = \"axial\" names two bearings"), 0u);
+  EXPECT_EQ(refusal("ball_bearing = 3\n").find("[[monitoring.ball_bearing]] is written in double brackets"), 0u);
 }

@@ -3,6 +3,7 @@
 #include "report/front/html.h"
 #include "report/page/curves.h"
 #include "report/page/run.h"
+#include "tests/support/interrupted_folder.h"
 #include "tests/support/near.h"
 #include "tests/support/sample_run.h"
 #include <cmath>
@@ -70,6 +71,17 @@ TEST(Run, ItsOwnTablesAreNotReadAgain)
       << "a file says this in another way: read";
   EXPECT_EQ(from_memory.tables.size(), read.tables.size()) << "what is not a file does not belong to the run";
   EXPECT_EQ(from_memory.remarks, read.remarks);
+}
+
+TEST(Run, IsReadWholeWhereASignalInterruptsTheReadingOfItsFolders)
+{
+  const std::string directory = write_sample_run();
+  const auto calm             = read_run(directory);
+  const interrupted_folder::EachSecondCall interrupted;
+  const auto run = read_run(directory);
+  EXPECT_GE(interrupted.failed(), 2) << "curves and response";
+  EXPECT_EQ(run.tables.size(), calm.tables.size());
+  EXPECT_EQ(run.remarks, calm.remarks);
 }
 
 TEST(Run, NoResultsIsAnInputErrorWithTheRemedy)

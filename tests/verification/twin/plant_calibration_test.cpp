@@ -8,8 +8,9 @@
 #include "tests/support/calibration_record.h"
 #include "tests/support/near.h"
 #include "tests/support/synthetic_record.h"
-#include "twin/calibration/calibration.h"
+#include "twin/calibration/calibration_parts.h"
 #include "twin/calibration/words.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -89,39 +90,85 @@ void expect_values_inside_their_intervals(const Calibration &done)
     }
 }
 
-/// Errors of frequency that are asked to be below 0.5 % and are not, by draw and mode.  The prior of K2 is 82 %,
-/// and the third octaves of these two low modes hold less than 1 % of the energy, so that they refuse nothing: the
-/// fit that is found explains the records within the limits.  Whether the true stand has a lower deviance is not
-/// settled; more starts along K2, or a sensor at the upper frame, are the next things to try.
-const std::map<std::pair<int, Eigen::Index>, double> known_deviations{{{0, 1}, 0.0978}, {{0, 3}, 0.1831}};
+/// theta of the stand whose record is made.
+Eigen::VectorXd true_theta(const calibration::Recipe &recipe, const std::vector<Unknown> &unknowns)
+{
+  Eigen::VectorXd theta(Eigen::Index(unknowns.size()));
+  for (std::size_t i = 0; i < unknowns.size(); ++i)
+    theta[Eigen::Index(i)] = recipe.truth.at(unknowns[i].name);
+  return theta;
+}
+
+/// Intervals of frequencies over many draws.
+struct Held {
+  int modes = 0, held = 0, determined = 0;
+};
+
+/// What the records determine is right to half a per cent (RE-6); of the rest the interval says what they allow.
+void expect_true_modes(const Calibration &done, const Eigen::VectorXd &truth, const int draw, Held &sum)
+{
+  ASSERT_EQ(Eigen::Index(done.modes.size()), truth.size());
+  for (std::size_t i = 0; i < done.modes.size(); ++i) {
+    const PredictedMode &mode = done.modes[i];
+    const double right = truth[Eigen::Index(i)], error = mode.frequency / right - 1;
+    const bool holds = mode.low <= right && right <= mode.high;
+    ++sum.modes;
+    sum.held += holds;
+    sum.determined += mode.determined();
+    if (mode.determined())
+      EXPECT_LT(std::abs(error), 0.005) << "draw " << draw << ", mode " << i + 1;
+    if (!long_form())
+      EXPECT_TRUE(holds) << "mode " << i + 1 << ": " << right << " in " << mode.low << " .. " << mode.high;
+    else
+      std::printf(" %.3f%s%s", 100 * error, mode.determined() ? "" : "?", holds ? "" : "!");
+  }
+  if (long_form())
+    std::printf(" %% in frequency (? not determined, ! outside of its interval), draw %d, misfit %.4g -> %.4g\n",
+                draw, done.check.before, done.check.after);
+}
 
 /// A right stand, drawn: each part within one stated error.
-void expect_accepted(const int draw)
+struct Drawn {
+  calibration::Recipe recipe;
+  CalibrationInput input;
+  Calibration done;
+};
+
+Drawn drawn(const int draw, const Eigen::Index samples)
 {
   calibration::Recipe recipe = recipe_of(7000 + 10 * std::uint64_t(draw));
+  recipe.n                   = samples;
   const auto unknowns        = stated_errors_of_a_drawing();
   const auto u               = synthetic::uniforms(300 + std::uint64_t(draw), Eigen::Index(unknowns.size()));
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     recipe.truth[unknowns[i].name] = unknowns[i].prior_sd * (2 * u[Eigen::Index(i)] - 1);
   const CalibrationInput input = calibration_of(recipe, unknowns);
-  const Calibration done       = calibrate(input, {});
+  return {recipe, input, calibrate(input, {})};
+}
+
+/// 5 s of draw 0, calibrated once for all tests.
+const Drawn &short_draw()
+{
+  static const Drawn first = drawn(0, 100000);
+  return first;
+}
+
+void expect_accepted(const Drawn &one, const int draw, Held &sum)
+{
+  const auto &[recipe, input, done] = one;
+  const auto &unknowns              = input.unknowns;
   EXPECT_TRUE(done.refusals.empty()) << "draw " << draw << ": " << done.refusals.front();
-  const Eigen::VectorXd truth = true_frequencies(recipe),
-                        found = stand_at(input.stand, input.unknowns, kept(done)).frequency / (2 * M_PI);
-  for (Eigen::Index i = 0; i < truth.size(); ++i) {
-    const double error = found[i] / truth[i] - 1;
-    const auto known   = known_deviations.find({draw, i + 1});
-    if (known == known_deviations.end())
-      EXPECT_LT(std::abs(error), 0.005) << "draw " << draw << ", mode " << i + 1;
-    else
-      EXPECT_TRUE(near(std::abs(error), known->second,
-                       within(0.1, "the place of the minimum follows the noise of the record")))
-          << "draw " << draw << ", mode " << i + 1 << ": remove the known deviation where it is gone";
-    if (long_form())
-      std::printf(" %.4f", 100 * (found[i] / truth[i] - 1));
-  }
-  if (long_form())
-    std::printf(" %% in frequency, draw %d, misfit %.4g -> %.4g\n", draw, done.check.before, done.check.after);
+  expect_true_modes(done, true_frequencies(recipe), draw, sum);
+  const MeasuredResponse data = measured_response(input, input.fit);
+  const auto cost_at          = [&, &accepted = one](const Eigen::VectorXd &theta) {
+    return likelihood(accepted.input.stand, accepted.input.unknowns, theta, data, accepted.done.scan.best.noise,
+                               Wanted::cost, 2)
+        .cost;
+  };
+  EXPECT_LE(done.scan.best.cost, cost_at(true_theta(recipe, unknowns)))
+      << "draw " << draw << ": the minimum is a wrong one, since the true stand has a lower cost";
+  EXPECT_LE(2 * (cost_at(kept(done)) - done.scan.best.cost), most_kept_deviance + 0.1)
+      << "draw " << draw << ": the records contradict the case that is written";
   expect_values_inside_their_intervals(done);
 }
 
@@ -165,8 +212,30 @@ void expect_refused(const WrongStand &wrong, const int repeat)
 TEST(PlantCalibration, AcceptsARightStandWithinTheStatedErrors)
 {
   const int stands = long_form() ? std::atoi(std::getenv("MILLSTAND_STANDS")) : 1;
+  Held sum;
   for (int i = 0; i < stands; ++i)
-    expect_accepted(i);
+    expect_accepted(long_form() ? drawn(i, recipe_of(0).n) : short_draw(), i, sum);
+  EXPECT_GE(sum.held, 0.9 * sum.modes) << "intervals of 95 %";
+  EXPECT_GE(sum.determined, 5 * stands) << "six modes; the third may be open";
+  if (long_form())
+    std::printf("%d of %d intervals of frequencies hold the truth, %d modes are determined\n", sum.held, sum.modes,
+                sum.determined);
+}
+
+// In 5 s no sensor sees the third mode, in which the backup roll moves against the frame.
+TEST(PlantCalibration, NamesAModeThatTheRecordsDoNotDetermine)
+{
+  const Calibration &done = short_draw().done;
+  const auto words        = open_mode_words(done.modes);
+  ASSERT_EQ(words.size(), 1u);
+  EXPECT_EQ(words[0].rfind("mode 3, ", 0), 0u) << words[0];
+  EXPECT_NE(words[0].find("is not determined by these records; it depends on"), std::string::npos) << words[0];
+  EXPECT_NE(words[0].find("K2"), std::string::npos) << words[0];
+  const auto K2 =
+      std::find_if(done.unknowns.begin(), done.unknowns.end(), [](const Calibrated &c) { return c.name == "K2"; });
+  EXPECT_FALSE(K2->identified);
+  EXPECT_TRUE(K2->taken) << "the value of the case raises the deviance by hundreds";
+  EXPECT_NE(K2->why_not.find("; the value of the fit is taken"), std::string::npos) << K2->why_not;
 }
 
 TEST(PlantCalibration, RefusesWrongStands)

@@ -1,5 +1,6 @@
 #include "twin/live/compare/comparison.h"
 #include "core/base/errors.h"
+#include "core/model/assumed_error.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <chrono>
@@ -9,7 +10,7 @@
 namespace mill::live {
 namespace {
 constexpr double calm_memory = 60;  // s, of the level while the mill is calm
-constexpr double least_error = 0.05, unknown_error = 0.10;
+constexpr double least_error = 0.05;
 
 std::vector<std::string> compared_places(const ComparisonSetup &setup)
 {
@@ -79,7 +80,7 @@ std::vector<twin::Unknown> unknowns_of(const LumpedModel &chain)
     const bool known = std::isfinite(K.error_estimate);
     const double sd  = K.source == Source::measured && known ? K.error_estimate
                        : known                               ? std::max(least_error, K.error_estimate)
-                                                             : unknown_error;
+                                                             : assumed_spring_error;
     unknowns.push_back({fmt::format("K{}", j + 1), sd});
   }
   unknowns.push_back({"zeta", std::log(2.0)});

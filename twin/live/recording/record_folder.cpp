@@ -87,13 +87,13 @@ std::vector<FinishedPart> finish_parts(const std::string &folder,
   std::vector<FinishedPart> finished;
   std::error_code error;
   std::vector<std::string> paths;
-  for (const auto &entry : fs::directory_iterator(folder, error))
-    if (is_record_name(entry.path().filename().string(), ending))
-      paths.push_back(entry.path().string());
+  for (const std::string &name : names_in(folder, error))
+    if (is_record_name(name, ending))
+      paths.push_back((fs::path(folder) / name).string());
   std::sort(paths.begin(), paths.end());
   for (const std::string &path : paths) {
     const std::string stem = stem_of(path, ending);
-    const int file         = ::open(path.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW);
+    const int file         = open_file(path, O_RDWR | O_NOFOLLOW);
     if (file < 0) {
       said(fmt::format("{} cannot be finished: {}", path, std::strerror(errno)));
       continue;
@@ -106,7 +106,7 @@ std::vector<FinishedPart> finish_parts(const std::string &folder,
     } else if (header.rows == 0) {
       fs::remove(path, error);
       fs::remove(stem + ".json", error);
-    } else if (fs::exists(stem + ".npy")) {
+    } else if (fs::exists(stem + ".npy", error)) {
       said(path + " stays: " + stem + ".npy exists");
     } else {
       fs::rename(path, stem + ".npy", error);
@@ -128,11 +128,11 @@ std::vector<std::string> remove_old_records(const std::string &folder, const Kep
   };
   std::vector<Record> records;
   std::error_code error;
-  for (const auto &entry : fs::directory_iterator(folder, error)) {
-    const std::string path = entry.path().string();
+  for (const std::string &name : names_in(folder, error)) {
+    const std::string path = (fs::path(folder) / name).string();
     struct stat info;
-    if (is_record_name(entry.path().filename().string(), ".npy") && ::lstat(path.c_str(), &info) == 0 &&
-        S_ISREG(info.st_mode) && fs::exists(stem_of(path, ".npy") + ".json", error))
+    if (is_record_name(name, ".npy") && ::lstat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode) &&
+        fs::exists(stem_of(path, ".npy") + ".json", error))
       records.push_back({stem_of(path, ".npy"), now - double(info.st_mtime), double(info.st_size)});
   }
   std::sort(records.begin(), records.end(),

@@ -1,0 +1,93 @@
+#include "twin/calibration/predicted_modes.h"
+#include "twin/calibration/calibration_parts.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill::twin {
+namespace {
+constexpr double determined_within = 0.02;  // ln of a frequency, to each side
+constexpr double worth_a_name      = 0.3;   // of the largest contribution to a deviation
+
+/// (n, p) d ln w_i / d theta_p: half of what the dynamic stiffness of the mode changes by at its own frequency.
+Eigen::MatrixXd frequency_slopes(const StandAt &at)
+{
+  const Eigen::Index n  = at.frequency.size();
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, Eigen::Index(at.stiffness.size()));
+  for (std::size_t p = 0; p < at.stiffness.size(); ++p)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double square = at.frequency[i] * at.frequency[i];
+      if (at.stiffness[p].size())
+        slope(i, Eigen::Index(p)) += 0.5 * at.stiffness[p](i, i) / square;
+      if (at.mass[p].size())
+        slope(i, Eigen::Index(p)) -= 0.5 * at.mass[p](i, i);
+    }
+  return slope;
+}
+
+std::vector<std::string> largest_parts(const std::vector<Unknown> &unknowns, const Eigen::ArrayXd &part)
+{
+  std::vector<Eigen::Index> order;
+  for (Eigen::Index p = 0; p < part.size(); ++p)
+    if (part[p] > worth_a_name * part.maxCoeff())
+      order.push_back(p);
+  std::sort(order.begin(), order.end(), [&](const auto a, const auto b) { return part[a] > part[b]; });
+  std::vector<std::string> names;
+  for (const Eigen::Index p : order)
+    names.push_back(unknowns[std::size_t(p)].name);
+  return names;
+}
+}  // namespace
+
+std::vector<PredictedMode> predicted_modes(const FittedStand &stand, const ScannedFit &scan,
+                                           const Eigen::VectorXd &kept, const double highest)
+{
+  const std::vector<Unknown> &unknowns = scan.best.unknowns;
+  const auto frequency_at              = [&](const Eigen::VectorXd &theta) {
+    return Eigen::ArrayXd(stand_at(stand, unknowns, theta.head(kept.size())).frequency / (2 * M_PI));
+  };
+  const StandAt joint         = stand_at(stand, unknowns, scan.best.estimate);
+  const Eigen::MatrixXd slope = frequency_slopes(joint);
+  const Eigen::ArrayXd sd =
+      (slope * scan.best.covariance * slope.transpose()).diagonal().cwiseMax(0.0).cwiseSqrt();
+  const Eigen::ArrayXd centre = joint.frequency / (2 * M_PI), value = frequency_at(kept),
+                       before = frequency_at(Eigen::VectorXd::Zero(kept.size()));
+  Eigen::ArrayXd low = (centre * (-1.96 * sd).exp()).min(value), high = (centre * (1.96 * sd).exp()).max(value);
+  const auto cover = [&](const Eigen::VectorXd &theta) {
+    const Eigen::ArrayXd there = frequency_at(theta);
+    low                        = low.min(there);
+    high                       = high.max(there);
+  };
+  for (const Eigen::VectorXd &end : scan.ends)
+    cover(end);
+  for (const Basin &basin : scan.basins)
+    if (basin.deviance < other_basin)
+      cover(basin.at);
+  std::vector<PredictedMode> modes;
+  for (Eigen::Index i = 0; i < value.size() && centre[i] < highest; ++i) {
+    PredictedMode mode{before[i], value[i], low[i], high[i], {}};
+    if (std::log(mode.high / mode.low) > 2 * determined_within)
+      mode.rests_on =
+          largest_parts(unknowns, slope.row(i).transpose().array().abs() * scan.best.sd().array().eval());
+    modes.push_back(std::move(mode));
+  }
+  return modes;
+}
+
+std::vector<std::string> open_mode_words(const std::vector<PredictedMode> &modes)
+{
+  std::vector<std::string> all;
+  for (std::size_t i = 0; i < modes.size(); ++i) {
+    const PredictedMode &mode = modes[i];
+    if (mode.determined())
+      continue;
+    std::string names;
+    for (const std::string &name : mode.rests_on)
+      names += (names.empty() ? "" : ", ") + name;
+    all.push_back(fmt::format("mode {}, {:.4g} Hz ({:.3g} .. {:.3g} Hz), is not determined by these records; it "
+                              "depends on {}",
+                              i + 1, mode.frequency, mode.low, mode.high, names));
+  }
+  return all;
+}
+}  // namespace mill::twin
