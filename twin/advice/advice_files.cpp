@@ -41,24 +41,29 @@ ordered_json dampers_json(const RatedAction &action)
   return list;
 }
 
+ordered_json action_json(const RatedAction &a, const ordered_json &rank)
+{
+  return ordered_json{{"rank", rank},
+                      {"name", a.name},
+                      {"means", a.means},
+                      {"pair", a.pair},
+                      {"change", number_or_null(a.change)},
+                      {"change_sd", number_or_null(a.spread)},
+                      {"verified_change", number_or_null(a.verified)},
+                      {"first_order", number_or_null(a.first_order)},
+                      {"one_by_one", number_or_null(a.apart)},
+                      {"effects", effects_json(a.effects)},
+                      {"modes", a.modes},
+                      {"against", a.against},
+                      {"remarks", a.remarks},
+                      {"in_other_models", effects_json(a.repeated)},
+                      {"dampers", dampers_json(a)}};
+}
+
 ordered_json action_json(const AdviceRecord &record, const std::size_t i)
 {
   const RatedAction &a = record.actions[i];
-  ordered_json json{{"rank", a.against.empty() ? ordered_json(i + 1) : ordered_json(nullptr)},
-                    {"name", a.name},
-                    {"means", a.means},
-                    {"pair", a.pair},
-                    {"change", number_or_null(a.change)},
-                    {"change_sd", number_or_null(a.spread)},
-                    {"verified_change", number_or_null(a.verified)},
-                    {"first_order", number_or_null(a.first_order)},
-                    {"one_by_one", number_or_null(a.apart)},
-                    {"effects", effects_json(a.effects)},
-                    {"modes", a.modes},
-                    {"against", a.against},
-                    {"remarks", a.remarks},
-                    {"in_other_models", effects_json(a.repeated)},
-                    {"dampers", dampers_json(a)}};
+  ordered_json json    = action_json(a, a.against.empty() ? ordered_json(i + 1) : ordered_json(nullptr));
   if (!record.reaches.empty())
     json["reaches_margin"] = bool(record.reaches[i]);
   return json;
@@ -114,6 +119,9 @@ std::string advice_json(const AdviceRecord &record)
   json["actions"]   = ordered_json::array();
   for (std::size_t i = 0; i < record.actions.size(); ++i)
     json["actions"].push_back(action_json(record, i));
+  json["what_ifs"] = ordered_json::array();
+  for (const RatedAction &what_if : record.what_ifs)
+    json["what_ifs"].push_back(action_json(what_if, nullptr));
   json["tuned_dampers"] = ordered_json::array();
   for (const TunedRecord &tuned : record.tuned)
     json["tuned_dampers"].push_back(tuned_json(tuned));

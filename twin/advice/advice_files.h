@@ -23,8 +23,9 @@ struct AdviceRecord {
   std::string question;  ///< the goal in words
   std::string answer;    ///< in words
   Results results;
-  std::vector<RatedAction> actions;  ///< ranked
-  std::vector<bool> reaches;         ///< by actions: the wanted margin; empty: the goal has none
+  std::vector<RatedAction> actions;   ///< ranked
+  std::vector<RatedAction> what_ifs;  ///< what another damping ratio would do; no action sets it by itself
+  std::vector<bool> reaches;          ///< by actions: the wanted margin; empty: the goal has none
   std::vector<TunedRecord> tuned;
   std::vector<std::pair<std::string, double>> slopes;  ///< d ln goal / d ln number, by falling size
   std::vector<std::string> notes;                      ///< what was not computed, and why

@@ -154,9 +154,12 @@ void add_pass(AdvisedModel &model, const Case &the_case, const FourHigh &four, c
   const FreeStrip strip = free_strip(four);
   model.notes.insert(model.notes.end(), strip.assumed.begin(), strip.assumed.end());
   twin::RolledPass rolled;
-  rolled.model          = chatter_model(four, pass, chain.model, chain.dynamics, strip);
-  rolled.working_speed  = pass.speed;
-  rolled.process        = asked;
+  rolled.model               = chatter_model(four, pass, chain.model, chain.dynamics, strip);
+  rolled.working_speed       = pass.speed;
+  rolled.process             = asked;
+  rolled.process.flow_stress = {1, 1};
+  if (asked.wanted_speed > pass.speed)  // a level belongs to the force of the present speed
+    rolled.process.wanted_speed = not_given;
   rolled.nearer_chatter = asked.nearer_chatter;
   rolled.disturbance    = chain.dynamics.force_meaning != "measured";
   model.pass            = rolled;
