@@ -10,4 +10,12 @@ const reduce::StandWithModes &best_model(const StandModels &models);
 /// For the console: the modes of the best model below the limit (Hz) by name, compared with the six masses, and
 /// what those are good for.
 std::string headline(const StandModels &models, double limit);
+
+/// Where six masses are used: a sentence if a mode of theirs that moves the gap is off by more than 5 % from that
+/// of the best model, with the numbers; else empty.
+/// @param limit  Hz, up to which modes are compared
+std::string six_mass_gap_error(const StandModels &models, double limit);
+/// The same for two models at hand.
+std::string six_mass_gap_error(const reduce::StandWithModes &detailed, const reduce::StandWithModes &chain,
+                               double limit);
 }  // namespace mill

@@ -4,6 +4,7 @@
 #include "app/trace/closed_form_parts.h"
 #include "app/twin/stand/case_chain.h"
 #include "app/twin/stand/chatter_model.h"
+#include "app/twin/stand/detail_parts.h"
 #include "core/model/case.h"
 #include "dynamics/response/modal_model.h"
 #include "reduce/stand/beam_stand.h"
@@ -52,34 +53,6 @@ twin::VibratingStand in_its_modes(const StandModel &stand, const reduce::StandMo
 {
   return twin::vibrating_stand(
       dynamics::modal_model(stand, modes.frequency, modes.shape, damping, highest, gap_damper));
-}
-
-double gap_damper_of(const LumpedModel &chain, const DynamicsSettings &settings)
-{
-  return settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
-}
-
-// What a detailed stand is made of, by the same closed forms as the chain.
-struct DetailParts {
-  FourHigh stand;
-  reduce::StandSprings springs;
-  double gap_damper = 0;
-};
-
-DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
-{
-  DetailParts parts{with_drawn_frame(drawn), {}, gap_damper_of(chain.model, chain.dynamics)};
-  reduce::ChainInputs inputs;
-  reduce::each_spring(
-      [&](const std::string &name, Parameter &spring) {
-        if (const ClosedFormResult *found = find(chain.results, name))
-          spring = found->parameter;
-      },
-      inputs);
-  // Chocks of the work rolls on their bearings: these are the modes that six masses lack.
-  parts.springs = reduce::stand_springs(
-      parts.stand, reduce::lumped_stand(parts.stand, inputs, reduce::StatedErrors::none), true);
-  return parts;
 }
 
 bool scale_spring(reduce::StandSprings &springs, const std::string &name, const double factor)
