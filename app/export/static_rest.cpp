@@ -27,12 +27,12 @@ Complex gap_receptance(const Eigen::VectorXd &frequency, const Eigen::VectorXd &
 // The rest u = K^-1 b - sum of the kept modes: orthogonal to them, so that it is a mode of its own.  (35.11)
 void append_rest(dynamics::ModalModel &modes, const StandModel &stand, const Eigen::MatrixXd &kept)
 {
-  const Eigen::VectorXd rad = 2 * M_PI * modes.frequency;
-  const Eigen::VectorXd rest =
-      reduce::static_displacement(stand) - kept * modes.force.cwiseQuotient(rad.cwiseAbs2());
-  const double mass = rest.dot(stand.M * rest);
-  if (!(mass > 0))
-    return;  // no mode is left out
+  const Eigen::VectorXd rad   = 2 * M_PI * modes.frequency;
+  const Eigen::VectorXd whole = reduce::static_displacement(stand);
+  const Eigen::VectorXd rest  = whole - kept * modes.force.cwiseQuotient(rad.cwiseAbs2());
+  const double mass           = rest.dot(stand.M * rest);
+  if (!(stand.b.dot(rest) > exact * stand.b.dot(whole)))
+    return;  // no mode is left out that the force moves
   const Eigen::VectorXd shape = rest / std::sqrt(mass);
   const double stiffness      = shape.dot(stiffness_of(stand) * shape);
   const Eigen::Index n        = modes.frequency.size();

@@ -33,7 +33,8 @@ template <class T> void RowList<T>::add_stand()
   add("stiffness", &T::stiffness, "1", {0.05, 20}, absent, "[0.8, 1.2]",
       "factors on each of these springs; [0.8, 1.2] when absent, a factor of 1 is not tried");
   add("modal_damping", &T::modal_damping, "1", {0.05, 20}, absent, "[1, 1.5]",
-      "factors on the damping ratio of all modes; not tried when absent");
+      "factors on the damping ratio of all modes; when absent not tried for a level, [1, 1.5] as a what-if for a "
+      "critical speed");
   add("usual_damper", &T::usual_damper, "N s/m", {0, 1e12}, 1e5, "1e5 N s/m",
       "of the dampers that are tried without [[advice.damper]]: work roll to backup roll, work roll to work "
       "roll; "
