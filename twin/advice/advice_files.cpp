@@ -109,6 +109,21 @@ std::string one_text(const std::vector<std::string> &sentences)
     text += (text.empty() ? "" : "; ") + sentence;
   return text;
 }
+
+std::string csv_line(const RatedAction &a, const std::string &rank)
+{
+  std::string text = rank + "," + quoted_cell(a.name);
+  for (const double part : {a.verified, a.change, a.spread, a.first_order, a.apart})
+    text += "," + csv_number(100 * part);
+  for (const SideEffect &effect : a.effects)
+    text += "," + csv_number(effect.unit == "1" ? 100 * effect.value : effect.value);
+  std::vector<std::string> repeated;
+  for (const SideEffect &effect : a.repeated)
+    repeated.push_back(fmt::format("{}: {:+.4g} %", effect.name, 100 * effect.value));
+  for (const std::string &cell : {a.modes, one_text(a.against), one_text(a.remarks), one_text(repeated), a.means})
+    text += "," + quoted_cell(cell);
+  return text + "\n";
+}
 }  // namespace
 
 std::string advice_json(const AdviceRecord &record)
@@ -144,20 +159,10 @@ std::string advice_csv(const AdviceRecord &record)
   text += ",modes,against,remarks,in other models,what could bring it about\n";
   for (std::size_t i = 0; i < record.actions.size(); ++i) {
     const RatedAction &a = record.actions[i];
-    text += a.against.empty() ? fmt::format("{}", i + 1) : "";
-    text += "," + quoted_cell(a.name);
-    for (const double part : {a.verified, a.change, a.spread, a.first_order, a.apart})
-      text += "," + csv_number(100 * part);
-    for (const SideEffect &effect : a.effects)
-      text += "," + csv_number(effect.unit == "1" ? 100 * effect.value : effect.value);
-    std::vector<std::string> repeated;
-    for (const SideEffect &effect : a.repeated)
-      repeated.push_back(fmt::format("{}: {:+.4g} %", effect.name, 100 * effect.value));
-    for (const std::string &cell :
-         {a.modes, one_text(a.against), one_text(a.remarks), one_text(repeated), a.means})
-      text += "," + quoted_cell(cell);
-    text += "\n";
+    text += csv_line(a, a.against.empty() ? fmt::format("{}", i + 1) : "");
   }
+  for (const RatedAction &what_if : record.what_ifs)
+    text += csv_line(what_if, "what if");
   return text;
 }
 }  // namespace mill::twin

@@ -35,6 +35,6 @@ struct AdviceRecord {
 /// advice.json: results.json with goal, actions, tuned dampers, slopes and notes; NaN is null.
 std::string advice_json(const AdviceRecord &record);
 
-/// advice.csv: one line for each action, ranked; changes in percent.
+/// advice.csv: one line for each action, ranked, then the what-ifs; changes in percent.
 std::string advice_csv(const AdviceRecord &record);
 }  // namespace mill::twin
