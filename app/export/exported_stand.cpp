@@ -1,6 +1,7 @@
 #include "app/export/exported_stand.h"
 #include "app/process/version.h"
 #include "app/run/run_context.h"
+#include "app/stages/stand/mode_results.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
 #include "dynamics/fmu/model_text.h"
@@ -123,7 +124,7 @@ std::string method_of(const DrivenStand &stand)
   return fmt::format("{} in {} modes up to {:.0f} Hz and the static rest of the {} others, {} states; the gap "
                      "responds within {:.2g} % of all modes up to {:g} Hz ({:.2g} % of its static compliance "
                      "would be missing without the rest)",
-                     stand.detailed->model.name, rest.kept, rest.fastest, rest.all - rest.kept,
+                     title_of(stand.detailed->model.name), rest.kept, rest.fastest, rest.all - rest.kept,
                      2 * stand.modes->frequency.size(), 100 * rest.error, rest.limit, 100 * rest.missing);
 }
 }  // namespace

@@ -219,8 +219,9 @@ TEST(Advise, OfAFourHighWithASpeedTheCriticalSpeedIsTheGoal)
   EXPECT_EQ(action(advice, "damper 100 kN s/m, upper work roll to upper backup roll")["means"],
             "between upper work-roll chock and upper backup chock");
   EXPECT_EQ(action(advice, "speed x 0.9")["against"][0], "rolls at 11.7 m/s, at least 13 m/s are wanted");
-  EXPECT_NEAR(action(advice, "speed x 0.9")["change"].get<double>(), 1 / 0.9 - 1, 1e-6)
-      << "the friction of this case does not follow the speed";
+  EXPECT_TRUE(
+      near(action(advice, "speed x 0.9")["change"].get<double>(), 1 / 0.9 - 1,
+           within(1e-6, "friction and flow stress of this case do not follow the speed: the search alone")));
   ASSERT_EQ(advice["what_ifs"].size(), 1u);
   EXPECT_EQ(advice["what_ifs"][0]["name"], "damping ratio of all modes x 1.5");
   EXPECT_GT(advice["what_ifs"][0]["change"].get<double>(), 0);
@@ -238,8 +239,8 @@ TEST(Advise, OfAFourHighWithASpeedTheCriticalSpeedIsTheGoal)
   for (const auto &note : of_level["notes"])
     if (const auto text = note.get<std::string>(); text.find(stated) == 0)
       as_beams = std::stod(text.substr(stated.size()));
-  EXPECT_NEAR(advice["values"]["advice.critical_speed"]["value"].get<double>() / as_beams, 1, 1e-3)
-      << "the same search, four digits printed";
+  EXPECT_TRUE(near(advice["values"]["advice.critical_speed"]["value"].get<double>(), as_beams,
+                   within(1e-3, "the same search, three to four digits are printed")));
 }
 
 TEST(Advise, ACriticalSpeedIsNotAskedWhereItDoesNotExist)
@@ -247,7 +248,7 @@ TEST(Advise, ACriticalSpeedIsNotAskedWhereItDoesNotExist)
   const std::string folder = scratch("advise-goal");
   const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/four-high-1400.toml";
   const Outcome run        = millstand("advise " + stand + " --set advice.goal=critical-speed -q -o out", folder);
-  EXPECT_EQ(run.exit_code, 1);
+  EXPECT_EQ(run.exit_code, 2);
   EXPECT_NE(run.err.find("advice.goal = \"critical-speed\" needs "), std::string::npos) << run.err;
   EXPECT_NE(run.err.find("pass.0.speed"), std::string::npos) << run.err;
 }
