@@ -24,7 +24,7 @@ struct NumberedStructure {
 struct StructureAction {
   std::string name, parameter, means;  ///< as in ProcessAction
   std::string key;                     ///< for CriticalQuestion::changed
-  double factor = 1;
+  double factor = 1;                   ///< -
   bool what_if  = false;
 };
 
