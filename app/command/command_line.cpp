@@ -79,6 +79,12 @@ void add_folder_of_records(CLI::App *verb, CommandLine &c, const char *folder, c
   verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
 }
 
+// Which model of a drawing leaves the house.
+void add_model(CLI::App *verb, CommandLine &c, const std::vector<std::string> &models, const char *what)
+{
+  verb->add_option("--model", c.model, what)->check(CLI::IsMember(models));
+}
+
 void add_calibrate(CLI::App &app, CommandLine &c)
 {
   auto *verb =
@@ -90,6 +96,8 @@ void add_calibrate(CLI::App &app, CommandLine &c)
       "--free", o.free,
       "unknowns of the fit, \"K1, M2/M5, frame, zeta\": names, groups with one factor, or frame, springs, "
       "masses, ratios (default: all springs, masses with a stated error, zeta)");
+  add_model(verb, c, {"six-mass", "beam", "craig-bampton"},
+            "of a case of kind four-high (default: dynamics.model of the case, else the model that leads a run)");
   verb->add_option("--model-error", o.model_error,
                    "error that the model may have in each third octave, of its level (default \"5 %\")");
   verb->add_flag("--plan", o.plan, "which unknowns a record would identify, before anyone measures");
@@ -129,6 +137,7 @@ void add_analyse(CLI::App &app, CommandLine &c)
       "analyse", "records of a mill: spectra, modes, what follows the speed, source of each peak");
   analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
   analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
+  add_model(analyse, c, {"six-mass", "beam"}, "of a case of kind four-high: six-mass or beam (default)");
   add_record_options(analyse, c);
   analyse->add_option("--speed", c.speed, "surface speed of the rolls, if it was not recorded, \"4 m/s\"");
   analyse->add_option("--limit", c.limit, "vibration limit of this mill, 0-peak, \"2 g\"");
@@ -267,6 +276,9 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   unit->add_option("--fmi", c.fmi, "fmu: version of the FMI standard, 2 or 3")
       ->check(CLI::IsMember({2, 3}))
       ->capture_default_str();
+  add_model(
+      unit, c, {"six-mass", "beam", "craig-bampton"},
+      "six-mass, beam or craig-bampton (default: dynamics.model of the case, else the model that leads a run)");
   unit->add_option("--pass", c.pass,
                    "pass whose load and force are used, or condition of a chatter case (default: the first)");
   add_common(unit, c);

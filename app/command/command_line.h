@@ -19,6 +19,7 @@ struct CommandLine {
   std::string key;                 ///< trace: input that is followed
   std::string format;              ///< export: one of export_formats()
   std::string pass;                ///< export --pass, simulate --pass; empty: the first
+  std::string model;               ///< export, analyse, calibrate, live --model; empty: the leading one
   int fmi = 2;                     ///< export --fmi: version of the standard
   std::string log;                 ///< --log
   std::string cache;               ///< --cache; empty: the user's cache folder

@@ -4,9 +4,11 @@
 #include "app/export/exported_curves.h"
 #include "app/export/exported_files.h"
 #include "app/export/exported_stand.h"
+#include "app/export/static_rest.h"
 #include "app/process/console.h"
 #include "app/run/run_kind.h"
 #include "app/verbs/driven_case.h"
+#include "app/verbs/leading_model.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
 #include "dynamics/fmu/archive.h"
@@ -86,7 +88,8 @@ void say_name(const Case &the_case, const std::string &name)
 
 DrivenStand driven_with_warnings(const CommandLine &command, const Case &the_case)
 {
-  DrivenStand driven = driven_case(command, the_case);
+  DrivenStand driven = driven_case(command, with_leading_model(the_case, command));
+  add_static_rest(driven);
   say_warnings(driven.warnings);
   return driven;
 }

@@ -1,12 +1,14 @@
 #include "app/export/exported_stand.h"
 #include "app/process/version.h"
 #include "app/run/run_context.h"
+#include "app/stages/stand/mode_results.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
 #include "dynamics/fmu/model_text.h"
 #include "dynamics/fmu/unit_archive.h"
 #include "dynamics/response/modes.h"
 #include "dynamics/response/response.h"
+#include "reduce/stand/stand_comparison.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -110,6 +112,23 @@ fmu::CheckRun check_run(const dynamics::DrivenModel &driven, const double mean, 
 }
 }  // namespace
 
+namespace {
+std::string method_of(const DrivenStand &stand)
+{
+  if (!stand.modes)
+    return "chain of six masses";
+  if (!stand.rest)
+    return fmt::format("stand in {} modes up to {:.0f} Hz", stand.modes->frequency.size(),
+                       stand.modes->frequency.tail(1)[0]);
+  const StaticRest &rest = *stand.rest;
+  return fmt::format("{} in {} modes up to {:.0f} Hz and the static rest of the {} others, {} states; the gap "
+                     "responds within {:.2g} % of all modes up to {:g} Hz ({:.2g} % of its static compliance "
+                     "would be missing without the rest)",
+                     title_of(stand.detailed->model.name), rest.kept, rest.fastest, rest.all - rest.kept,
+                     2 * stand.modes->frequency.size(), 100 * rest.error, rest.limit, 100 * rest.missing);
+}
+}  // namespace
+
 dynamics::DrivenModel driven_of(const DrivenStand &stand)
 {
   return stand.modes ? dynamics::driven_model(*stand.modes)
@@ -135,13 +154,12 @@ fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
   const auto driven = driven_of(stand);
   model.data        = stand.modes ? modal_data(*stand.modes)
                                   : chain_data(dynamics::mill_model(stand.chain, stand.dynamics), stand);
-  model.method      = stand.modes ? fmt::format("stand in {} modes up to {:.0f} Hz", stand.modes->frequency.size(),
-                                                stand.modes->frequency.tail(1)[0])
-                                  : std::string("chain of six masses");
+  model.method      = method_of(stand);
   model.step        = held_step(
              stand.dynamics.output_rate,
-      stand.modes ? stand.modes->frequency.maxCoeff()
-                         : dynamics::modes(dynamics::mill_model(stand.chain, stand.dynamics)).frequency.maxCoeff());
+      stand.rest    ? stand.rest->fastest
+             : stand.modes ? stand.modes->frequency.maxCoeff()
+                           : dynamics::modes(dynamics::mill_model(stand.chain, stand.dynamics)).frequency.maxCoeff());
   model.series          = stand.force;
   model.data.runtime    = fmu::runtime_version;
   model.data.has_series = stand.force.force.size() > 0;

@@ -478,6 +478,13 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
           with_connection_errors(*detailed, stand, chain, made.parts.components));
     }
   }
+  if (!detailed) {
+    if (!models)
+      models = stand_models(stand, chain, made.parts.components);
+    if (const std::string sentence = six_mass_gap_error(*models, stand.dynamics.frequency_limit);
+        !sentence.empty())
+      run.warn(sentence);
+  }
   if (stand.dynamics.contact == "curve")
     driven_stand.curves = std::make_shared<CurveDrive>(curve_drive(
         run, curves_of(stand, made.parts, p), chain, detailed, stand.dynamics, stand.passes[p], forces.loads[p]));

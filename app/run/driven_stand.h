@@ -19,13 +19,23 @@ struct CurveDrive;
 /// other.
 enum class Goal { stiffness, masses, modes, chatter, simulate };
 
+/// What the reduction of a stand to some of its modes costs.
+struct StaticRest {
+  Eigen::Index kept = 0, all = 0;  ///< modes
+  double limit   = 0;              ///< Hz, up to which the modes are right
+  double fastest = 0;              ///< Hz, of those that are kept
+  double missing = 0;              ///< -, of the static compliance of the gap, without the rest
+  double error   = 0;              ///< -, response of the gap up to the limit, over its largest value
+};
+
 /// What a pass of a case drives, without driving it: for export.
 struct DrivenStand {
   LumpedModel chain;
   DynamicsSettings dynamics;
   std::optional<dynamics::ModalModel> modes;  ///< of a detailed stand; nothing: the chain of six masses is driven
   std::shared_ptr<const reduce::StandWithModes>
-      detailed;  ///< it, with the errors of its connections; null: the chain
+      detailed;                    ///< it, with the errors of its connections; null: the chain
+  std::optional<StaticRest> rest;  ///< one more mode of `modes`, for export (app/export/static_rest.h)
   Pass pass;
   ForceRecord force;                                   ///< empty: the pass has none
   double load = 0;                                     ///< N, working load of the pass

@@ -44,14 +44,6 @@ template <class T> T read_level_advice(const Node &root, const std::vector<Field
   check_dampers(advice.dampers, reading);
   return advice;
 }
-
-void check_wanted_speed(const double wanted, const double speed, const char *what, const std::string &speed_key,
-                        Reading &reading)
-{
-  if (reading.usable({"advice.wanted_speed"}) && wanted > speed)  // NaN: not asked, not given
-    contradict(reading, "advice.wanted_speed",
-               fmt::format("is above the speed at which the {} rolls; raise that first", what), {speed_key});
-}
 }  // namespace
 
 StandAdvice read_stand_advice(const Node &root, Reading &reading)
@@ -59,19 +51,16 @@ StandAdvice read_stand_advice(const Node &root, Reading &reading)
   return read_level_advice(root, stand_advice_rows(), reading);
 }
 
-FourHighAdvice read_four_high_advice(const Node &root, const std::vector<Pass> &passes, Reading &reading)
+FourHighAdvice read_four_high_advice(const Node &root, Reading &reading)
 {
-  auto advice = read_level_advice(root, four_high_advice_rows(), reading);
-  if (!passes.empty())
-    check_wanted_speed(advice.wanted_speed, passes.front().speed, "pass", "pass.0.speed", reading);
-  return advice;
+  return read_level_advice(root, four_high_advice_rows(), reading);
 }
 
 RolledAdvice rolled_advice_of(const std::string &path, const std::vector<std::string> &sets)
 {
   Reading reading;
   reading.file = path;
-  return read_four_high_advice(read_case_file(path, sets), {}, reading);
+  return read_four_high_advice(read_case_file(path, sets), reading);
 }
 
 ChatterAdvice read_chatter_advice(const Node &root, const std::vector<RollingCondition> &conditions,
@@ -86,9 +75,6 @@ ChatterAdvice read_chatter_advice(const Node &root, const std::vector<RollingCon
   const bool known = named != conditions.end();
   if (!advice.condition.empty() && reading.usable({"advice.condition"}) && !known)
     contradict(reading, "advice.condition", "is not the name of a [[condition]]", {});
-  if (known)
-    check_wanted_speed(advice.wanted_speed, named->speed, "condition",
-                       fmt::format("condition.{}.speed", named - conditions.begin()), reading);
   return advice;
 }
 }  // namespace mill

@@ -33,7 +33,8 @@ template <class T> void RowList<T>::add_stand()
   add("stiffness", &T::stiffness, "1", {0.05, 20}, absent, "[0.8, 1.2]",
       "factors on each of these springs; [0.8, 1.2] when absent, a factor of 1 is not tried");
   add("modal_damping", &T::modal_damping, "1", {0.05, 20}, absent, "[1, 1.5]",
-      "factors on the damping ratio of all modes; not tried when absent");
+      "factors on the damping ratio of all modes; when absent not tried for a level, [1, 1.5] as a what-if for a "
+      "critical speed");
   add("usual_damper", &T::usual_damper, "N s/m", {0, 1e12}, 1e5, "1e5 N s/m",
       "of the dampers that are tried without [[advice.damper]]: work roll to backup roll, work roll to work "
       "roll; "
@@ -49,7 +50,8 @@ template <class T> void RowList<T>::add_stand()
 template <class T> void RowList<T>::add_limits()
 {
   add("wanted_speed", &T::wanted_speed, "m/s", {0.01, 100}, absent, "18 m/s",
-      "least working speed; the present one when absent");
+      "speed at which the mill shall roll at least, usually above the present one: the critical speed is judged "
+      "there; the present speed when absent");
   add("force_rise", &T::force_rise, "%", {0, 1000}, 5, "5 %", "most that the rolling force may rise");
   add("torque_rise", &T::torque_rise, "%", {0, 1000}, absent, "5 %",
       "most that the rolling torque may rise; any when absent");
@@ -81,7 +83,13 @@ const std::vector<Field<FourHighAdvice>> &four_high_advice_rows()
   using T                                 = FourHighAdvice;
   static const std::vector<Field<T>> rows = [] {
     RowList<T> list;
+    list.add(
+        "goal", &T::goal, "critical-speed | level", any, absent, "level",
+        "what the advice shall improve; when absent the critical speed where the first pass has a speed and a "
+        "bite and neither place, band nor a measured force is given, else the level of the place");
     list.add_stand();
+    list.add("margin", &T::margin, "%", {0, 1000}, 10, "10 %",
+             "wanted distance: critical speed at least (1 + margin) times the working speed");
     list.add(
         "model", &T::model, "beam | craig-bampton", any, "beam", "craig-bampton",
         "in which every action is repeated and which decides: rolls as beams, within seconds, or as component "
@@ -92,6 +100,8 @@ const std::vector<Field<FourHighAdvice>> &four_high_advice_rows()
     list.add_process();
     list.bounds("friction", &T::friction, "[0.8, 1.2]",
                 "factors, where friction does not follow an oil film; [0.8, 1.2] when absent");
+    list.bounds("flow_stress", &T::flow_stress, "[0.95, 1.05]",
+                "factors, for the critical speed; [0.95, 1.05] when absent");
     return list.rows;
   }();
   return rows;

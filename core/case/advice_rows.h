@@ -19,8 +19,7 @@ std::vector<TemplateNote> stand_advice_notes();  ///< comments only: without the
 TemplateNote chatter_advice_note();
 
 StandAdvice read_stand_advice(const Node &root, Reading &reading);
-/// @param passes  whose first one is rolled
-FourHighAdvice read_four_high_advice(const Node &root, const std::vector<Pass> &passes, Reading &reading);
+FourHighAdvice read_four_high_advice(const Node &root, Reading &reading);
 
 /// What belongs to the pass, of a case of kind four-high that read_case() has accepted.
 /// @throws InputError as read_case()

@@ -39,7 +39,7 @@ struct StandAdvice {
 struct ChatterAdvice {
   std::string condition;  ///< empty: the one whose critical speed is the least multiple of its speed
   double margin                         = 0.10;       ///< -, critical speed >= (1 + margin) working speed
-  double wanted_speed                   = not_given;  ///< m/s, least working speed; NaN: the present one
+  double wanted_speed                   = not_given;  ///< m/s, at least as fast it shall roll; NaN: as now
   double force_rise                     = 0.05;       ///< -, most that the rolling force may rise
   double torque_rise                    = not_given;  ///< -, most that the rolling torque may rise; NaN: any
   std::array<double, 2> speed           = {0.9, 1};

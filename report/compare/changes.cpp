@@ -1,8 +1,9 @@
 #include "core/records/result_names.h"
-#include "report/compare/comparison.h"
+#include "report/compare/certainty.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <optional>
 #include <sstream>
 
 namespace mill::report {
@@ -28,7 +29,22 @@ std::string value_in(const std::string &text)
   return trimmed(text);
 }
 
-using Inputs = std::vector<std::pair<std::string, std::string>>;  // key, value, in the order of the file
+struct Input {
+  std::string key, value;
+  bool estimated = false;
+};
+using Inputs = std::vector<Input>;  // in the order of the file
+
+// "# frame.piston_mass = "1700 kg" is estimated, .."; a name without a dot is one of the section.
+std::optional<Input> estimate_in(const std::string &line, const std::string &section)
+{
+  const auto equals = line.find(" = "), end = line.find(" is estimated");
+  if (line.rfind("# ", 0) != 0 || equals == std::string::npos || end == std::string::npos || end < equals)
+    return {};
+  const std::string name = line.substr(2, equals - 2);
+  return Input{name.find('.') == std::string::npos ? section + name : name,
+               line.substr(equals + 3, end - equals - 3), true};
+}
 
 // resolved.toml has one key a line; sections in double brackets are counted from 0.
 Inputs inputs_in(const std::string &resolved)
@@ -44,21 +60,51 @@ Inputs inputs_in(const std::string &resolved)
       section                = name + "." + std::to_string(repeated[name]++) + ".";
     } else if (!line.empty() && line[0] == '[')
       section = line.substr(1, line.find(']') - 1) + ".";
+    else if (const auto estimate = estimate_in(line, section))
+      inputs.push_back(*estimate);
     else if (const auto equals = line.find(" = "); !line.empty() && line[0] != '#' && equals != std::string::npos)
-      inputs.emplace_back(section + line.substr(0, equals), value_in(line.substr(equals + 3)));
+      inputs.push_back({section + line.substr(0, equals), value_in(line.substr(equals + 3))});
   }
   return inputs;
 }
 
-std::string value_of(const Inputs &inputs, const std::string &key)
+Input input_of(const Inputs &inputs, const std::string &key)
 {
-  const auto match = std::find_if(inputs.begin(), inputs.end(), [&](const auto &one) { return one.first == key; });
-  return match == inputs.end() ? "" : match->second;
+  const auto match = std::find_if(inputs.begin(), inputs.end(), [&](const Input &one) { return one.key == key; });
+  return match == inputs.end() ? Input{key, ""} : *match;
 }
 
-bool states_error(const Result &result)
+// Equal values, or two estimates: these follow what is given, by the same rule.
+bool are_alike(const Input &a, const Input &b)
 {
-  return std::isfinite(result.error_estimate);
+  return a.estimated == b.estimated && (a.estimated || a.value == b.value);
+}
+
+std::vector<std::string> keys_of(const std::vector<Inputs> &all)
+{
+  std::vector<std::string> keys;
+  for (const Inputs &inputs : all)
+    for (const Input &input : inputs)
+      if (std::find(keys.begin(), keys.end(), input.key) == keys.end())
+        keys.push_back(input.key);
+  return keys;
+}
+
+// "K4 = { value = .., error_estimate = 0.05 }" or "barrel_length_tolerance" next to the value.
+bool states_own_error(const Inputs &inputs, const Input &input)
+{
+  return input.value.find("error_estimate = ") != std::string::npos ||
+         !input_of(inputs, input.key + "_tolerance").value.empty();
+}
+
+std::vector<DifferentInput> different_inputs(const Inputs &first, const Inputs &other)
+{
+  std::vector<DifferentInput> different;
+  for (const std::string &key : keys_of({first, other}))
+    if (const Input a = input_of(first, key), b = input_of(other, key); !are_alike(a, b))
+      different.push_back({key, a.value, b.value, a.estimated != b.estimated,
+                           states_own_error(first, a) || states_own_error(other, b)});
+  return different;
 }
 
 // What a mill is judged by.
@@ -70,53 +116,67 @@ bool leads(const Result &result)
          (parts.front() == family::chatter && parts.back() == "critical_speed");
 }
 
+double change_between(const Result &first, const Result &other)
+{
+  const double size = std::max(std::abs(first.value), std::abs(other.value));
+  return size > 0 ? (other.value - first.value) / (first.value != 0 ? std::abs(first.value) : size) : 0;
+}
+
 // Against the first run that has the result.
-ChangedResult change_of(std::vector<const Result *> results)
+ChangedResult change_of(const std::vector<Run> &runs, const std::vector<Inputs> &inputs,
+                        std::vector<const Result *> results)
 {
   ChangedResult c{std::move(results)};
-  const auto first =
-      std::find_if(c.results.begin(), c.results.end(), [](const Result *r) { return r != nullptr; });
-  for (auto other = first + 1; other != c.results.end(); ++other) {
-    if (!*other)
-      continue;
-    const double size = std::max(std::abs((*first)->value), std::abs((*other)->value));
-    const double change =
-        size > 0 ? ((*other)->value - (*first)->value) / ((*first)->value != 0 ? std::abs((*first)->value) : size)
-                 : 0;
-    if (std::abs(change) > std::abs(c.change)) {
-      c.change = change;
-      c.known  = states_error(**first) && states_error(**other);
-      c.beyond =
-          c.known && std::abs(change) > std::abs((*first)->error_estimate) + std::abs((*other)->error_estimate);
-    }
+  std::size_t first = 0, largest = 0;
+  while (c.results[first] == nullptr)
+    ++first;
+  largest = first;
+  for (std::size_t other = first + 1; other < c.results.size(); ++other)
+    if (c.results[other])
+      if (const double change = change_between(*c.results[first], *c.results[other]);
+          std::abs(change) > std::abs(c.change)) {
+        c.change = change;
+        largest  = other;
+      }
+  if (std::abs(c.change) > rounding) {
+    DifferenceError error = error_of_difference(runs[first], runs[largest], *c.results[first], *c.results[largest],
+                                                c.change, different_inputs(inputs[first], inputs[largest]));
+    c.certainty           = error.certainty;
+    c.error               = error.error;
+    c.behind              = std::move(error.behind);
   }
   return c;
+}
+
+std::vector<Inputs> inputs_of_all(const std::vector<std::string> &resolved)
+{
+  std::vector<Inputs> all;
+  for (const std::string &text : resolved)
+    all.push_back(inputs_in(text));
+  return all;
 }
 }  // namespace
 
 std::vector<ChangedInput> changed_inputs(const std::vector<std::string> &resolved)
 {
-  std::vector<Inputs> all;
-  std::vector<std::string> keys;
-  for (const std::string &text : resolved) {
-    all.push_back(inputs_in(text));
-    for (const auto &[key, value] : all.back())
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        keys.push_back(key);
-  }
+  const std::vector<Inputs> all = inputs_of_all(resolved);
   std::vector<ChangedInput> changed;
-  for (const std::string &key : keys) {
-    ChangedInput one{key, {}};
+  for (const std::string &key : keys_of(all)) {
+    std::vector<Input> values;
     for (const Inputs &inputs : all)
-      one.values.push_back(value_of(inputs, key));
-    if (std::any_of(one.values.begin(), one.values.end(), [&](const auto &v) { return v != one.values.front(); }))
-      changed.push_back(one);
+      values.push_back(input_of(inputs, key));
+    if (std::all_of(values.begin(), values.end(), [&](const Input &v) { return are_alike(v, values.front()); }))
+      continue;
+    changed.push_back({key, {}});
+    for (const Input &value : values)
+      changed.back().values.push_back(value.value + (value.estimated ? " (estimated)" : ""));
   }
   return changed;
 }
 
-std::vector<ChangedResult> changed_results(const std::vector<Run> &runs)
+std::vector<ChangedResult> changed_results(const std::vector<Run> &runs, const std::vector<std::string> &resolved)
 {
+  const std::vector<Inputs> inputs = inputs_of_all(resolved);
   std::vector<ChangedResult> changed;
   std::vector<std::string> seen;
   for (const Run &run : runs)
@@ -133,7 +193,7 @@ std::vector<ChangedResult> changed_results(const std::vector<Run> &runs)
       }
       if (finite < 2)
         continue;
-      if (const ChangedResult c = change_of(all); std::abs(c.change) > rounding)
+      if (const ChangedResult c = change_of(runs, inputs, all); std::abs(c.change) > rounding)
         changed.push_back(c);
     }
   std::stable_sort(changed.begin(), changed.end(), [](const ChangedResult &a, const ChangedResult &b) {

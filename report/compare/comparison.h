@@ -16,17 +16,27 @@ struct ChangedInput {
 /// @param resolved  (runs) texts of resolved.toml
 std::vector<ChangedInput> changed_inputs(const std::vector<std::string> &resolved);
 
+/// How sure a difference is.  What is the same in both runs cancels in it.
+enum class Certainty {
+  certain,  ///< only given keys differ behind the result: the difference is what they do
+  beyond,   ///< larger than the error that does not cancel
+  within,   ///< not larger than it
+  unknown,  ///< a run states no error where one is needed
+};
+
 /// One result that more than one run has and that is not the same in all.
 struct ChangedResult {
   std::vector<const Result *> results;  ///< (runs) nullptr: that run has none
-  double change = 0;                    ///< -, largest deviation from the first run, with its sign
-  bool known    = false;                ///< both runs state an error
-  bool beyond   = false;                ///< larger than the errors of both together, which are known
+  double change       = 0;              ///< -, largest deviation from the first run, with its sign
+  Certainty certainty = Certainty::unknown;
+  double error        = 0;          ///< -, of `change`; NaN: not known
+  std::vector<std::string> behind;  ///< keys that differ between the two runs and that the result is made from
 };
 
 /// Modulus, named modes and critical speeds first, then the others; the largest change first in either part.
-/// Deviations below 1e-9 are rounding and count as none.
-std::vector<ChangedResult> changed_results(const std::vector<Run> &runs);
+/// Deviations below 1e-9 are rounding and are left out.
+/// @param resolved  (runs) texts of resolved.toml.  The error of a difference: theory.md 34.5
+std::vector<ChangedResult> changed_results(const std::vector<Run> &runs, const std::vector<std::string> &resolved);
 
 /// The page that compares them, complete.
 /// @param resolved  (runs) texts of resolved.toml, for what was changed

@@ -10,6 +10,7 @@
 #include "report/results/tables.h"
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace mill::report {
 namespace {
@@ -63,19 +64,43 @@ std::string input_table(const std::vector<Run> &runs, const std::vector<ChangedI
          rows + "</tbody></table>\n";
 }
 
+// "given.K4, pass.0.load and 3 more"
+std::string named_keys(const std::vector<std::string> &keys)
+{
+  constexpr std::size_t most = 3;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(keys.size(), most); ++i)
+    text += (i == 0 ? "" : ", ") + ("<code>" + escaped(keys[i]) + "</code>");
+  return keys.size() > most ? text + " and " + std::to_string(keys.size() - most) + " more" : text;
+}
+
+std::string certainty_cell(const ChangedResult &changed)
+{
+  const std::string error = accuracy(changed.error);
+  switch (changed.certainty) {
+  case Certainty::certain:
+    return "certain: follows from " + named_keys(changed.behind);
+  case Certainty::beyond:
+    return "beyond the accuracy of the difference, " + error;
+  case Certainty::within:
+    return "within the accuracy of the difference, " + error;
+  case Certainty::unknown:
+    break;
+  }
+  return "accuracy not known";
+}
+
 std::string result_row(const ChangedResult &changed)
 {
   const Result *any = nullptr;
   for (const Result *result : changed.results)
     any = any ? any : result;
-  std::string row = "<tr" + std::string(changed.beyond ? " class=\"beyond\"" : "") + "><th scope=\"row\"><code>" +
+  const bool sure = changed.certainty == Certainty::certain || changed.certainty == Certainty::beyond;
+  std::string row = "<tr" + std::string(sure ? " class=\"beyond\"" : "") + "><th scope=\"row\"><code>" +
                     escaped(any->name) + "</code><small>" + escaped(meaning_of(any->name)) + "</small></th>";
   for (const Result *result : changed.results)
     row += "<td class=\"value\">" + (result ? value_cell(*result) : std::string("\u2013")) + "</td>";
-  return row + "<td class=\"num\"><b>" + percent(changed.change) + "</b></td><td>" +
-         (!changed.known   ? "accuracy not known"
-          : changed.beyond ? "beyond the accuracy of both"
-                           : "within the accuracy") +
+  return row + "<td class=\"num\"><b>" + percent(changed.change) + "</b></td><td>" + certainty_cell(changed) +
          "</td></tr>\n";
 }
 
@@ -115,26 +140,33 @@ std::vector<std::string> drawn_curves(const std::vector<Run> &runs)
 
 std::string verdict_of(const std::vector<ChangedInput> &inputs, const std::vector<ChangedResult> &results)
 {
-  const auto n_unknown =
-      std::count_if(results.begin(), results.end(), [](const ChangedResult &r) { return !r.known; });
-  const auto n_beyond =
-      std::count_if(results.begin(), results.end(), [](const ChangedResult &r) { return r.beyond; });
+  const auto number = [&](const Certainty certainty) {
+    return std::count_if(results.begin(), results.end(),
+                         [&](const ChangedResult &r) { return r.certainty == certainty; });
+  };
   const auto counted = [](const std::size_t n, const char *what) {
     return std::to_string(n) + " " + what + (n == 1 ? "" : "s");
   };
   std::string text = counted(inputs.size(), "input") + (inputs.size() == 1 ? " differs; " : " differ; ");
   if (results.empty())
     return text + "all results that the runs share are equal.";
-  return text + counted(results.size(), "result") + (results.size() == 1 ? " differs, " : " differ, ") +
-         std::to_string(n_beyond) + " by more than the accuracy of both runs" +
-         (n_unknown > 0 ? ", " + std::to_string(n_unknown) + " of unknown accuracy." : ".");
+  text += counted(results.size(), "result") + (results.size() == 1 ? " differs" : " differ");
+  std::string list;
+  for (const auto &[certainty, words] :
+       {std::pair(Certainty::certain, " with certainty"),
+        std::pair(Certainty::beyond, " by more than the accuracy of the difference"),
+        std::pair(Certainty::within, " within that accuracy"),
+        std::pair(Certainty::unknown, " with an accuracy that is not known")})
+    if (const auto n = number(certainty); n > 0)
+      list += (list.empty() ? ": " : ", ") + std::to_string(n) + words;
+  return text + list + ".";
 }
 }  // namespace
 
 std::string comparison_page(const std::vector<Run> &runs, const std::vector<std::string> &resolved)
 {
   const auto inputs  = changed_inputs(resolved);
-  const auto results = changed_results(runs);
+  const auto results = changed_results(runs, resolved);
   Page page(runs.front());
   page.section("inputs", "What was changed", Depth::manager);
   if (inputs.empty())
@@ -147,8 +179,10 @@ std::string comparison_page(const std::vector<Run> &runs, const std::vector<std:
   else
     page.table(result_table(runs, results),
                "Results that differ from " + escaped(label_of(runs, 0)) +
-                   ": modulus, modes and critical speeds, then the others, the largest change first. A change "
-                   "within the sum of both error estimates is not significant.");
+                   ": modulus, modes and critical speeds, then the others, the largest change first. What is the "
+                   "same in both runs cancels in a difference: a difference that follows from given keys alone is "
+                   "certain. Where an estimate is replaced, its interval is the accuracy; where models, meshes or "
+                   "several values with errors of their own differ, the errors of both results are.");
   if (const auto drawings = drawn_curves(runs); !drawings.empty()) {
     page.section("curves", "The same curves", Depth::engineer);
     page.figure(drawings, "Curves that the runs share, on the same axes.");

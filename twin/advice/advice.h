@@ -38,8 +38,9 @@ struct RatedAction {
   std::vector<std::string> against;  ///< what it violates, one sentence each; empty: above the line
   std::vector<std::string> remarks;  ///< what the number rests on, one sentence each
   bool pair       = false;
-  bool kept_apart = false;             ///< violates what no partner can mend: it is not paired
-  std::vector<Attachment> joined;      ///< dampers that it adds
+  bool what_if    = false;         ///< a damping ratio, which no action sets by itself: listed apart, never paired
+  bool kept_apart = false;         ///< violates what no partner can mend: it is not paired
+  std::vector<Attachment> joined;  ///< dampers that it adds
   std::vector<SideEffect> repeated;    ///< the same change in other models of the stand, by their names
   StandChange of_stand;                ///< what it does to springs and damping
   std::vector<ProcessAction> process;  ///< and to the pass

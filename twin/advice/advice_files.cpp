@@ -41,24 +41,29 @@ ordered_json dampers_json(const RatedAction &action)
   return list;
 }
 
+ordered_json action_json(const RatedAction &a, const ordered_json &rank)
+{
+  return ordered_json{{"rank", rank},
+                      {"name", a.name},
+                      {"means", a.means},
+                      {"pair", a.pair},
+                      {"change", number_or_null(a.change)},
+                      {"change_sd", number_or_null(a.spread)},
+                      {"verified_change", number_or_null(a.verified)},
+                      {"first_order", number_or_null(a.first_order)},
+                      {"one_by_one", number_or_null(a.apart)},
+                      {"effects", effects_json(a.effects)},
+                      {"modes", a.modes},
+                      {"against", a.against},
+                      {"remarks", a.remarks},
+                      {"in_other_models", effects_json(a.repeated)},
+                      {"dampers", dampers_json(a)}};
+}
+
 ordered_json action_json(const AdviceRecord &record, const std::size_t i)
 {
   const RatedAction &a = record.actions[i];
-  ordered_json json{{"rank", a.against.empty() ? ordered_json(i + 1) : ordered_json(nullptr)},
-                    {"name", a.name},
-                    {"means", a.means},
-                    {"pair", a.pair},
-                    {"change", number_or_null(a.change)},
-                    {"change_sd", number_or_null(a.spread)},
-                    {"verified_change", number_or_null(a.verified)},
-                    {"first_order", number_or_null(a.first_order)},
-                    {"one_by_one", number_or_null(a.apart)},
-                    {"effects", effects_json(a.effects)},
-                    {"modes", a.modes},
-                    {"against", a.against},
-                    {"remarks", a.remarks},
-                    {"in_other_models", effects_json(a.repeated)},
-                    {"dampers", dampers_json(a)}};
+  ordered_json json    = action_json(a, a.against.empty() ? ordered_json(i + 1) : ordered_json(nullptr));
   if (!record.reaches.empty())
     json["reaches_margin"] = bool(record.reaches[i]);
   return json;
@@ -104,6 +109,21 @@ std::string one_text(const std::vector<std::string> &sentences)
     text += (text.empty() ? "" : "; ") + sentence;
   return text;
 }
+
+std::string csv_line(const RatedAction &a, const std::string &rank)
+{
+  std::string text = rank + "," + quoted_cell(a.name);
+  for (const double part : {a.verified, a.change, a.spread, a.first_order, a.apart})
+    text += "," + csv_number(100 * part);
+  for (const SideEffect &effect : a.effects)
+    text += "," + csv_number(effect.unit == "1" ? 100 * effect.value : effect.value);
+  std::vector<std::string> repeated;
+  for (const SideEffect &effect : a.repeated)
+    repeated.push_back(fmt::format("{}: {:+.4g} %", effect.name, 100 * effect.value));
+  for (const std::string &cell : {a.modes, one_text(a.against), one_text(a.remarks), one_text(repeated), a.means})
+    text += "," + quoted_cell(cell);
+  return text + "\n";
+}
 }  // namespace
 
 std::string advice_json(const AdviceRecord &record)
@@ -114,6 +134,9 @@ std::string advice_json(const AdviceRecord &record)
   json["actions"]   = ordered_json::array();
   for (std::size_t i = 0; i < record.actions.size(); ++i)
     json["actions"].push_back(action_json(record, i));
+  json["what_ifs"] = ordered_json::array();
+  for (const RatedAction &what_if : record.what_ifs)
+    json["what_ifs"].push_back(action_json(what_if, nullptr));
   json["tuned_dampers"] = ordered_json::array();
   for (const TunedRecord &tuned : record.tuned)
     json["tuned_dampers"].push_back(tuned_json(tuned));
@@ -136,20 +159,10 @@ std::string advice_csv(const AdviceRecord &record)
   text += ",modes,against,remarks,in other models,what could bring it about\n";
   for (std::size_t i = 0; i < record.actions.size(); ++i) {
     const RatedAction &a = record.actions[i];
-    text += a.against.empty() ? fmt::format("{}", i + 1) : "";
-    text += "," + quoted_cell(a.name);
-    for (const double part : {a.verified, a.change, a.spread, a.first_order, a.apart})
-      text += "," + csv_number(100 * part);
-    for (const SideEffect &effect : a.effects)
-      text += "," + csv_number(effect.unit == "1" ? 100 * effect.value : effect.value);
-    std::vector<std::string> repeated;
-    for (const SideEffect &effect : a.repeated)
-      repeated.push_back(fmt::format("{}: {:+.4g} %", effect.name, 100 * effect.value));
-    for (const std::string &cell :
-         {a.modes, one_text(a.against), one_text(a.remarks), one_text(repeated), a.means})
-      text += "," + quoted_cell(cell);
-    text += "\n";
+    text += csv_line(a, a.against.empty() ? fmt::format("{}", i + 1) : "");
   }
+  for (const RatedAction &what_if : record.what_ifs)
+    text += csv_line(what_if, "what if");
   return text;
 }
 }  // namespace mill::twin

@@ -23,8 +23,9 @@ struct AdviceRecord {
   std::string question;  ///< the goal in words
   std::string answer;    ///< in words
   Results results;
-  std::vector<RatedAction> actions;  ///< ranked
-  std::vector<bool> reaches;         ///< by actions: the wanted margin; empty: the goal has none
+  std::vector<RatedAction> actions;   ///< ranked
+  std::vector<RatedAction> what_ifs;  ///< what another damping ratio would do; no action sets it by itself
+  std::vector<bool> reaches;          ///< by actions: the wanted margin; empty: the goal has none
   std::vector<TunedRecord> tuned;
   std::vector<std::pair<std::string, double>> slopes;  ///< d ln goal / d ln number, by falling size
   std::vector<std::string> notes;                      ///< what was not computed, and why
@@ -34,6 +35,6 @@ struct AdviceRecord {
 /// advice.json: results.json with goal, actions, tuned dampers, slopes and notes; NaN is null.
 std::string advice_json(const AdviceRecord &record);
 
-/// advice.csv: one line for each action, ranked; changes in percent.
+/// advice.csv: one line for each action, ranked, then the what-ifs; changes in percent.
 std::string advice_csv(const AdviceRecord &record);
 }  // namespace mill::twin

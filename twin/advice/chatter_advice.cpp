@@ -18,6 +18,7 @@ constexpr double least_rise = 1e-5;  // relative change of a critical speed that
 struct ProcessStep {
   ProcessAction action;   // name, parameter, means and slope_key also of the structure
   std::string structure;  // key of a number of the structure; empty: a process action
+  bool what_if = false;
 };
 
 class CriticalAdviser {
@@ -84,12 +85,18 @@ private:
   CriticalAdvice sorted(std::vector<Rated> all)
   {
     std::stable_sort(all.begin(), all.end(), [](const Rated &a, const Rated &b) {
+      if (a.action.what_if != b.action.what_if)
+        return b.action.what_if;
       if (a.action.against.empty() != b.action.against.empty())
         return a.action.against.empty();
       return a.action.gain > b.action.gain;
     });
     say_what_cannot_be_told_apart(all);
     for (Rated &one : all) {
+      if (one.action.what_if) {
+        advice_.what_ifs.push_back(std::move(one.action));
+        continue;
+      }
       advice_.actions.push_back(std::move(one.action));
       advice_.states.push_back(std::move(one.state));
       advice_.reaches.push_back(one.reaches);
@@ -112,9 +119,26 @@ private:
               {{fmt::format("{} x {:g}", number.name, factor), number.key,
                 of_spring ? "part of the stand that this spring stands for" : "dampers, liners, cylinders",
                 number.key, factor},
-               number.key});
+               number.key,
+               number.unit == "1"});  // a damping ratio
     }
+    for (const StructureAction &action : asked_.actions)
+      steps.push_back(
+          {{action.name, action.parameter, action.means, action.key, action.factor}, action.key, action.what_if});
     return steps;
+  }
+
+  // N/N, rolling force over the present one; 1 where no bite is solved, which the search then states.
+  double force_ratio(const ChangedPass &pass) const
+  {
+    try {
+      return dynamics::working_point(pass.bite, asked_.working_speed * pass.speed_factor, asked_.scheme)
+                 .state.force /
+             advice_.now.force;
+    } catch (const InputError &) {
+    } catch (const SolverError &) {
+    }
+    return 1;
   }
 
   double foretold(const ProcessStep &step) const
@@ -148,6 +172,7 @@ private:
       action.name += (action.name.empty() ? "" : " and ") + step->action.name;
       action.means += (action.means.empty() ? "" : "; ") + step->action.means;
       action.parameters.push_back(step->action.parameter);
+      action.what_if = action.what_if || step->what_if;
       log_change += foretold(*step);
       if (step->structure.empty())
         process.push_back(step->action);
@@ -156,6 +181,8 @@ private:
     }
     action.first_order     = std::expm1(log_change);
     const ChangedPass pass = changed_pass(asked_.bite, process);
+    if (asked_.follows_force && !process.empty())
+      structure.emplace_back("force", force_ratio(pass));
     ChatterModel model{asked_.stand, pass.bite, asked_.scheme, asked_.range, asked_.numbers};
     if (!structure.empty()) {
       NumberedStructure changed = asked_.changed(structure);
@@ -234,7 +261,8 @@ private:
   // An action compared with the next better one, where the errors of mill and bite may turn their order.  (46.12)
   void say_what_cannot_be_told_apart(std::vector<Rated> &ranked) const
   {
-    for (std::size_t i = 1; i < ranked.size() && ranked[i].action.against.empty(); ++i) {
+    for (std::size_t i = 1; i < ranked.size() && ranked[i].action.against.empty() && !ranked[i].action.what_if;
+         ++i) {
       const Rated &better = ranked[i - 1];
       Rated &one          = ranked[i];
       if (better.errors.empty() || one.errors.empty() || now_errors_.empty())
@@ -251,7 +279,9 @@ private:
   // Change of the force by an action that helps and keeps every limit; 0 where it does not.
   double relieved(const Rated &single) const
   {
-    return single.action.against.empty() ? std::min(0.0, single.state.force / advice_.now.force - 1) : 0;
+    return single.action.against.empty() && !single.action.what_if
+               ? std::min(0.0, single.state.force / advice_.now.force - 1)
+               : 0;
   }
 
   // Pairs of the best single actions of different parameters; a partner may mend what one of them violates.
@@ -265,7 +295,7 @@ private:
       return singles[a].action.gain > singles[b].action.gain;
     });
     for (const std::size_t i : order)
-      if (singles[i].action.gain > least_rise && !singles[i].action.kept_apart &&
+      if (singles[i].action.gain > least_rise && !singles[i].action.kept_apart && !singles[i].action.what_if &&
           int(best.size()) < asked_.paired && std::none_of(best.begin(), best.end(), [&](const std::size_t j) {
             return steps[j].action.parameter == steps[i].action.parameter;
           }))

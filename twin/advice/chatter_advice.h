@@ -20,10 +20,21 @@ struct NumberedStructure {
   std::vector<dynamics::StructureNumber> numbers;
 };
 
+/// An action on the stand that is none of its numbers: a spring of a drawing, a damper.
+struct StructureAction {
+  std::string name, parameter, means;  ///< as in ProcessAction
+  std::string key;                     ///< for CriticalQuestion::changed
+  double factor = 1;                   ///< -
+  bool what_if  = false;
+};
+
 /// Of a stand with its bite; its numbers are springs and dampers that may be changed.
 struct CriticalQuestion : ChatterModel {
   /// The structure with several of its numbers changed at once.
   std::function<NumberedStructure(const StructureChanges &)> changed;
+  std::vector<StructureAction> actions;  ///< tried in addition to the numbers
+  /// Springs follow the rolling force: `changed` takes the key "force", N over the present one.
+  bool follows_force   = false;
   double working_speed = 0;    ///< m/s
   double margin        = 0.1;  ///< -, critical speed >= (1 + margin) working speed
   ProcessAdvice process;       ///< what is tried with the pass, and what it must keep
@@ -38,6 +49,7 @@ struct CriticalAdvice {
   bool reached  = false;                                     ///< the wanted margin is there already
   double spread = std::numeric_limits<double>::quiet_NaN();  ///< -, relative sd of the critical speed (46.10)
   dynamics::SensitivityTable slopes;  ///< exact ones; empty inputs where no critical speed exists
+  std::vector<RatedAction> what_ifs;  ///< of damping ratios, by falling change
   std::vector<RatedAction> actions;   ///< ranked; change: of critical over working speed
   std::vector<bool> reaches;          ///< by actions: the wanted margin is reached
   std::vector<CriticalState> states;  ///< by actions

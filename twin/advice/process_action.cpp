@@ -37,6 +37,8 @@ std::vector<ProcessAction> process_actions(const bite::RollBite &bite, const Pro
       bounds.exit_tension);
   add("oil viscosity", "other oil, its temperature, concentration of the emulsion", int(PassNumber::viscosity),
       bounds.viscosity);
+  add("flow stress", "another grade, coiling temperature or annealing: it belongs to the product",
+      int(PassNumber::stress_factor), bounds.flow_stress);
   for (const PassNumber number : {PassNumber::friction, PassNumber::friction_scale})
     if (!has_film(bite.strip.friction))
       add("friction", "other lubrication, roughness of the rolls", int(number), bounds.friction);

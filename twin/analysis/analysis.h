@@ -28,7 +28,8 @@ struct CaseModel {
   Eigen::VectorXd frequency;         ///< (k) Hz
   Eigen::MatrixXd shape;             ///< (m, k) displacement of each place
   Eigen::MatrixXd strain_share;      ///< (k, s) -
-  Eigen::MatrixXd kinetic_share;     ///< (k, m) -
+  Eigen::MatrixXd kinetic_share;     ///< (k, b) -
+  std::vector<std::string> bodies = {};  ///< (b) of kinetic_share; empty: the places
   std::vector<TurningRoll> rolls;
   std::vector<TurningBearing> bearings;
   std::vector<std::string> notes;  ///< what the case does not say and is therefore not computed

@@ -62,7 +62,7 @@ std::string described(const CaseModel &stand, const Eigen::Index mode)
   const double kinetic = stand.kinetic_share.row(mode).maxCoeff(&mass);
   return fmt::format("mode {} of the case ({:.4g} Hz): spring {} {:.0f} %, mass {} {:.0f} %", mode + 1,
                      stand.frequency[mode], stand.springs[std::size_t(spring)], 100 * strain,
-                     stand.places[std::size_t(mass)], 100 * kinetic);
+                     (stand.bodies.empty() ? stand.places : stand.bodies)[std::size_t(mass)], 100 * kinetic);
 }
 }  // namespace
 

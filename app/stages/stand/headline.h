@@ -11,4 +11,12 @@ const reduce::StandWithModes &best_model(const StandModels &models);
 /// between the rolls and without it side by side, compared with the six masses; how many others there are; what
 /// the six masses are good for.
 std::string headline(const StandStates &states, double limit);
+
+/// Where six masses are used: a sentence if a mode of theirs that moves the gap is off by more than 5 % from that
+/// of the best model, with the numbers; else empty.
+/// @param limit  Hz, up to which modes are compared
+std::string six_mass_gap_error(const StandModels &models, double limit);
+/// The same for two models at hand.
+std::string six_mass_gap_error(const reduce::StandWithModes &detailed, const reduce::StandWithModes &chain,
+                               double limit);
 }  // namespace mill

@@ -3,6 +3,7 @@
 #include "app/process/console.h"
 #include "app/stages/stand/stand_components.h"
 #include "app/twin/advice/critical_speed_advice.h"
+#include "app/twin/advice/pass_speed_advice.h"
 #include "app/twin/advice/stand_advice.h"
 #include "app/twin/stand/record_options.h"
 #include "app/verbs/driven_case.h"
@@ -69,6 +70,10 @@ void say_advice(const twin::AdviceRecord &record, const std::string &folder)
   if (const std::size_t more = std::max(above, most_said) - most_said + std::max(n - above, most_said) - most_said;
       more > 0)
     print(fmt::format("  {} more in advice.csv\n", more));
+  if (!record.what_ifs.empty())
+    print("  ------------------ what if the damping were another one\n");
+  for (const twin::RatedAction &what_if : record.what_ifs)
+    say_action(what_if, 0);
   for (const std::string &note : record.notes)
     print("note: " + visible(note, true) + "\n");
   print("report: " + folder + "/report.html\n");
@@ -108,8 +113,9 @@ int advise_command(const CommandLine &command, const Case &the_case)
     });
     return rolls;
   };
-  const twin::AdviceRecord record = chatter
-                                        ? critical_speed_advice(the_case, threads_for(command))
+  const twin::AdviceRecord record = chatter ? critical_speed_advice(the_case, threads_for(command))
+                                    : asks_critical_speed(the_case, rolled, command.measured)
+                                        ? pass_speed_advice(the_case, rolled, components, threads_for(command))
                                         : stand_advice(the_case, command.measured, reading, rolled, components);
   require_result_folder(folder, "advice.json", "advice", command.force_overwrite);
   write_advice(folder, record);

@@ -1,12 +1,12 @@
 #include "app/twin/advice/advised_model.h"
 #include "app/stages/response/detailed_model_stage.h"
-#include "app/stages/stand/modulus_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/closed_form_parts.h"
 #include "app/twin/calibrate/stated_errors.h"
 #include "app/twin/stand/case_chain.h"
 #include "app/twin/stand/chatter_model.h"
 #include "core/model/assumed_error.h"
+#include "app/twin/stand/detail_parts.h"
 #include "core/model/case.h"
 #include "dynamics/response/modal_model.h"
 #include "reduce/stand/beam_stand.h"
@@ -65,36 +65,6 @@ twin::VibratingStand in_its_modes(const StandModel &stand, const reduce::StandMo
 {
   return twin::vibrating_stand(
       dynamics::modal_model(stand, modes.frequency, modes.shape, damping, highest, gap_damper));
-}
-
-double gap_damper_of(const LumpedModel &chain, const DynamicsSettings &settings)
-{
-  return settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
-}
-
-// What a detailed stand is made of, by the same closed forms as the chain.
-struct DetailParts {
-  FourHigh stand;
-  reduce::StandSprings springs;
-  double gap_damper = 0;
-};
-
-DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
-{
-  DetailParts parts{with_drawn_frame(drawn), {}, gap_damper_of(chain.model, chain.dynamics)};
-  reduce::ChainInputs inputs;
-  reduce::each_spring(
-      [&](const std::string &name, Parameter &spring) {
-        if (const ClosedFormResult *found = find(chain.results, name))
-          spring = found->parameter;
-      },
-      inputs);
-  inputs.K_ww       = touching_work_rolls(parts.stand, chain.load, nullptr);
-  parts.stand.frame = reduce::frame_on_modulus(parts.stand, inputs);
-  // Chocks of the work rolls on their bearings: these are the modes that six masses lack.
-  parts.springs = reduce::stand_springs(
-      parts.stand, reduce::lumped_stand(parts.stand, inputs, reduce::StatedErrors::none), true);
-  return parts;
 }
 
 bool scale_spring(reduce::StandSprings &springs, const std::string &name, const double factor)
@@ -169,9 +139,12 @@ void add_pass(AdvisedModel &model, const Case &the_case, const FourHigh &four, c
   const FreeStrip strip = free_strip(four);
   model.notes.insert(model.notes.end(), strip.assumed.begin(), strip.assumed.end());
   twin::RolledPass rolled;
-  rolled.model          = chatter_model(four, pass, chain.model, chain.dynamics, strip);
-  rolled.working_speed  = pass.speed;
-  rolled.process        = asked;
+  rolled.model               = chatter_model(four, pass, chain.model, chain.dynamics, strip);
+  rolled.working_speed       = pass.speed;
+  rolled.process             = asked;
+  rolled.process.flow_stress = {1, 1};
+  if (asked.wanted_speed > pass.speed)  // a level belongs to the force of the present speed
+    rolled.process.wanted_speed = not_given;
   rolled.nearer_chatter = asked.nearer_chatter;
   rolled.disturbance    = chain.dynamics.force_meaning != "measured";
   model.pass            = rolled;

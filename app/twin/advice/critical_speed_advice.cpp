@@ -1,5 +1,6 @@
 #include "app/twin/advice/critical_speed_advice.h"
 #include "app/chatter/chatter_question.h"
+#include "app/twin/advice/speed_record.h"
 #include "app/twin/stand/chatter_model.h"
 #include "core/model/case.h"
 #include <algorithm>
@@ -99,84 +100,7 @@ CriticalQuestion question_of(const ChatterCase &spec, const std::size_t conditio
   return q;
 }
 
-std::string speed_words(const twin::CriticalState &state)
-{
-  using dynamics::Verdict;
-  if (state.at_least)
-    return fmt::format("none up to {:.4g} m/s", state.speed);
-  if (state.found.verdict == Verdict::crossing)
-    return fmt::format("{:.3f} m/s", state.speed);
-  return "none: unstable at low speed too";
-}
-
-std::string critical_answer(const CriticalAdvice &advice, const CriticalQuestion &q)
-{
-  const std::string now = fmt::format("The critical speed is {}, the working speed {:.4g} m/s. ",
-                                      speed_words(advice.now), q.working_speed);
-  if (advice.reached)
-    return now + fmt::format("The wanted margin of {:g} % is there already.", 100 * q.margin);
-  if (advice.actions.empty() || !advice.actions.front().against.empty())
-    return now + "No action that was tried raises it and keeps the limits.";
-  const RatedAction &best = advice.actions.front();
-  return now +
-         fmt::format("Best: {}, {} ({:+.2f} %, first order {:+.2f} %), which {} the wanted margin of {:g} %.",
-                     best.name, speed_words(advice.states.front()), 100 * best.change, 100 * best.first_order,
-                     advice.reaches.front() ? "reaches" : "does not reach", 100 * q.margin);
-}
-
-// Growth over speed as it is, and of the best actions, at the speeds that the search of the first tried.
-Table growth_table(const CriticalAdvice &advice)
-{
-  std::vector<double> speeds;
-  for (const dynamics::SpeedPoint &point : advice.now.found.points)
-    if (std::isfinite(point.growth))
-      speeds.push_back(point.speed);
-  const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(speeds.data(), Eigen::Index(speeds.size()));
-  const auto growth       = [&](const dynamics::CriticalSpeed &found) {
-    Eigen::VectorXd g(v.size());
-    for (Eigen::Index i = 0; i < v.size(); ++i) {
-      g[i]                               = not_given;
-      const dynamics::SpeedPoint *before = nullptr;
-      for (const dynamics::SpeedPoint &point : found.points) {
-        if (point.speed == v[i])
-          g[i] = point.growth;
-        else if (before && before->speed < v[i] && v[i] < point.speed)
-          g[i] = before->growth +
-                 (point.growth - before->growth) * (v[i] - before->speed) / (point.speed - before->speed);
-        before = &point;
-      }
-    }
-    return g;
-  };
-  Table table;
-  table.add("speed", "m/s", v).add("as it is", "1/s", growth(advice.now.found));
-  for (std::size_t i = 0, drawn = 0; i < advice.actions.size() && drawn < 2; ++i)
-    if (advice.actions[i].against.empty() && (drawn == 0 || !advice.actions[i].pair)) {
-      table.add(advice.actions[i].name, "1/s", growth(advice.states[i].found));
-      ++drawn;
-    }
-  return table;
-}
-
-Parameter speed_of(const twin::CriticalState &state, const std::string &method, const double at,
-                   const double spread = not_given)
-{
-  Parameter p;
-  p.value          = state.found.verdict == dynamics::Verdict::crossing ? state.speed : not_given;
-  p.unit           = "m/s";
-  p.method         = method;
-  p.at             = {"working speed {}", {{at, "m/s", ".4g"}}};
-  p.error_estimate = spread;
-  if (std::isnan(spread))
-    p.error_lacks = {"errors of stand, friction law and flow stress"};
-  return p;
-}
 }  // namespace
-
-std::string no_torque_limit()
-{
-  return "advice.torque_rise is not given: the torque is shown and limits nothing";
-}
 
 twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads)
 {
@@ -185,47 +109,21 @@ twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads
   const RollingCondition &own = spec.conditions[condition];
   CriticalQuestion question   = question_of(spec, condition);
   question.threads            = threads;
+  question.working_speed      = std::fmax(own.speed, spec.advice.wanted_speed);
   const CriticalAdvice advice = twin::critical_advice(question);
   twin::AdviceRecord record;
   record.case_name = the_case.name;
   record.stand     = chatter_question(spec, condition).structure;
   record.goal      = "critical speed";
   record.question =
-      fmt::format("critical speed of condition {} at least {:g} % above the working speed of {:.4g} m/s, "
+      fmt::format("critical speed of condition {} at least {:g} % above the {} speed of {:.4g} m/s, "
                   "exit thickness {:.4g} mm kept",
-                  own.name, 100 * question.margin, question.working_speed, 1e3 * own.exit_thickness);
-  record.answer    = critical_answer(advice, question);
+                  own.name, 100 * question.margin, question.working_speed > own.speed ? "wanted" : "working",
+                  question.working_speed, 1e3 * own.exit_thickness);
   const auto input = [&](const char *key) { return fmt::format("condition.{}.{}", condition, key); };
-  Parameter now    = speed_of(advice.now, "search over the speed", question.working_speed, advice.spread);
-  now.inputs       = {input("entry_thickness"), input("exit_thickness"), input("entry_tension"),
-                      input("exit_tension"),    input("width"),          "analysis.speeds"};
-  record.results.add("advice.critical_speed", now);
-  if (!advice.actions.empty() && advice.actions.front().against.empty()) {
-    record.results.add("advice.best.critical_speed",
-                       speed_of(advice.states.front(), advice.actions.front().name, question.working_speed));
-    Parameter change = speed_of(advice.states.front(), advice.actions.front().name, question.working_speed);
-    change.value     = advice.actions.front().change;
-    change.unit      = "1";
-    if (const double sd = advice.actions.front().spread; std::isfinite(sd)) {
-      change.error_estimate = std::abs(sd / change.value);
-      change.error_lacks.clear();
-    }
-    change.checks.push_back({"first order, by exact slopes", advice.actions.front().first_order,
-                             "not the answer: second order is left out"});
-    record.results.add("advice.best.change", change);
-  }
-  for (const ChatterSensitivity &slope : advice.slopes.inputs)
-    record.slopes.emplace_back(slope.key, slope.critical_speed);
-  if (advice.now.found.verdict != dynamics::Verdict::crossing)
-    record.notes.push_back("no critical speed was found in the range searched (" +
-                           sentence(advice.now.found, question.range) +
-                           "): slopes and first order are left out, and changes count from the end of the range");
-  if (std::isnan(spec.advice.torque_rise))
-    record.notes.push_back(no_torque_limit());
-  record.notes.push_back("what the stand before or behind does with another thickness or tension is not computed");
-  record.tables["growth"] = growth_table(advice);
-  record.actions          = advice.actions;
-  record.reaches          = advice.reaches;
+  fill_speed_record(record, advice, question,
+                    {input("entry_thickness"), input("exit_thickness"), input("entry_tension"),
+                     input("exit_tension"), input("width"), "analysis.speeds"});
   return record;
 }
 }  // namespace mill

@@ -1,4 +1,5 @@
 #include "app/twin/advice/repeated_in_detail.h"
+#include "app/twin/advice/asked_choices.h"
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -11,17 +12,6 @@ namespace {
 using twin::Attachment;
 using twin::RatedAction;
 using twin::VibratingStand;
-
-// The chock that carries a roll's damper, by its name in the model of beams.
-int on_its_chock(const VibratingStand &beam, const std::string &roll)
-{
-  for (const char *side : {"upper", "lower"})
-    for (const auto &[body, chock] :
-         {std::pair{" work roll", " work-roll chock"}, {" backup roll", " backup chock"}})
-      if (roll == std::string(side) + body)
-        return beam.place(std::string(side) + chock);
-  return beam.place(roll);
-}
 
 // The detailed stand at the places of the chain: the rolls at mid-length and their chocks, since it has many more.
 class SeenStand {

@@ -1,7 +1,8 @@
 #include "app/twin/advice/stand_advice.h"
-#include "app/twin/advice/critical_speed_advice.h"
+#include "app/twin/advice/asked_choices.h"
 #include "app/twin/advice/measured_levels.h"
 #include "app/twin/advice/repeated_in_detail.h"
+#include "app/twin/advice/speed_record.h"
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include <algorithm>
@@ -26,25 +27,6 @@ const StandAdvice &asked_of(const Case &the_case)
   return std::get<Lumped>(the_case.spec).advice;
 }
 
-Place place_of_key(const Case &the_case, const std::string &key)
-{
-  const auto found = the_case.places.find(key);
-  return found == the_case.places.end() ? Place{the_case.path} : found->second;
-}
-
-// Index of a place by its name in the case.
-int place_in(const VibratingStand &stand, const Case &the_case, const std::string &key, const std::string &name)
-{
-  const int found = stand.place(name);
-  if (found >= 0)
-    return found;
-  std::vector<std::string> known = stand.places;
-  for (std::string &one : known)
-    std::replace(one.begin(), one.end(), ' ', '_');
-  throw InputError(place_of_key(the_case, key),
-                   fmt::format("{} = \"{}\": the stand has no such place{}", key, name, suggestion(name, known)));
-}
-
 std::vector<twin::SpringChoice> spring_choices(const twin::AdvisedStand &advised, const StandAdvice &asked,
                                                const Case &the_case)
 {
@@ -61,35 +43,6 @@ std::vector<twin::SpringChoice> spring_choices(const twin::AdvisedStand &advised
                                        : ""));
     if (named || (asked.springs.empty() && spring.stiffness > 0 && spring.name != "K4"))
       choices.push_back({spring.name, asked.stiffness[0], asked.stiffness[1], twin::means_of_spring(spring.name)});
-  }
-  return choices;
-}
-
-std::vector<twin::DamperChoice> damper_choices(const VibratingStand &stand, const StandAdvice &asked,
-                                               const Case &the_case)
-{
-  if (asked.dampers.empty())
-    return asked.usual_damper > 0 ? twin::usual_dampers(stand, asked.usual_damper)
-                                  : std::vector<twin::DamperChoice>();
-  std::vector<twin::DamperChoice> choices;
-  for (std::size_t i = 0; i < asked.dampers.size(); ++i) {
-    const DamperProposal &one = asked.dampers[i];
-    const auto end            = [&](const char *key, const std::string &name) {
-      return name == "ground" ? -1 : place_in(stand, the_case, fmt::format("advice.damper.{}.{}", i, key), name);
-    };
-    Attachment damper;
-    damper.from   = end("from", one.from);
-    damper.to     = end("to", one.to);
-    damper.damper = one.damper;
-    if (damper.from == damper.to)
-      throw InputError(place_of_key(the_case, fmt::format("advice.damper.{}.to", i)),
-                       fmt::format("advice.damper.{} begins and ends at one place, {}", i, one.to));
-    const auto same = std::find_if(choices.begin(), choices.end(),
-                                   [&](const auto &c) { return !one.name.empty() && c.name == one.name; });
-    if (same != choices.end())
-      same->joined.push_back(damper);
-    else
-      choices.push_back({one.name.empty() ? damper_name(stand, damper) : one.name, {damper}});
   }
   return choices;
 }

@@ -4,6 +4,7 @@
 #include "app/twin/analyse/analysed_stand.h"
 #include "app/twin/analyse/analysis_lines.h"
 #include "app/twin/stand/record_options.h"
+#include "app/verbs/leading_model.h"
 #include "core/base/files.h"
 #include "core/base/visible_text.h"
 #include "core/case/monitoring.h"
@@ -78,9 +79,10 @@ int analyse_command(const CommandLine &command)
   Monitoring monitoring;
   Plant plant;
   if (!command.case_file.empty()) {
-    stand      = analysed_stand(read_case(command.case_file, command.sets));
-    monitoring = monitoring_of(command.case_file, command.sets);
-    plant      = plant_of(command.case_file, command.sets);
+    const Case the_case = read_case(command.case_file, command.sets);
+    stand               = analysed_stand(the_case, leading_model(the_case, command) == "six-mass");
+    monitoring          = monitoring_of(command.case_file, command.sets);
+    plant               = plant_of(command.case_file, command.sets);
     add_ball_bearings(*stand, monitoring.ball_bearings);
   }
   const twin::ReadOptions reading       = read_options(command, monitoring);

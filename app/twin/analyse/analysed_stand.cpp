@@ -1,5 +1,6 @@
 #include "app/twin/analyse/analysed_stand.h"
 #include "app/twin/stand/case_chain.h"
+#include "app/twin/stand/detail_parts.h"
 #include "app/twin/stand/mode_errors.h"
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
@@ -13,6 +14,14 @@
 
 namespace mill {
 namespace {
+std::string unknown_accuracy(const std::string &springs)
+{
+  return fmt::format(
+      "the case does not state the accuracy of {}: a mode that they support is named where it is the "
+      "nearest within 5 %",
+      springs);
+}
+
 void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsSettings &settings)
 {
   const auto chain = dynamics::mill_model(model, settings);
@@ -33,13 +42,52 @@ void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsS
     stand.spring_error[Eigen::Index(j)] = error;
   }
   if (!unknown.empty())
-    stand.notes.push_back(fmt::format("the case does not state the accuracy of {}: a mode that they support is "
-                                      "named where it is the nearest within 5 %",
-                                      unknown));
+    stand.notes.push_back(unknown_accuracy(unknown));
   stand.frequency     = modes.frequency;
   stand.shape         = modes.shape;
   stand.strain_share  = modes.strain_share;
   stand.kinetic_share = modes.kinetic_share;
+}
+
+std::string place_of(std::string name)
+{
+  std::replace_if(
+      name.begin(), name.end(), [](const char c) { return c == ' ' || c == '-'; }, '_');
+  return name;
+}
+
+// The springs of a detailed stand, then its bodies, which are as their drawing says.
+void add_beams(twin::CaseModel &stand, const reduce::StandWithModes &beams, const LumpedModel &chain)
+{
+  const auto &connections = beams.model.connections;
+  const auto n = Eigen::Index(connections.size()), bodies = Eigen::Index(beams.model.parts.size());
+  stand.spring_error = Eigen::VectorXd::Zero(n + bodies);
+  std::string unknown;
+  for (Eigen::Index j = 0; j < n; ++j) {
+    const std::string &name = connections[std::size_t(j)].name;
+    double error            = connections[std::size_t(j)].error_estimate;
+    for (std::size_t k = 0; k < chain.K.size() && std::isnan(error); ++k)
+      if (name == "K" + std::to_string(k + 1))
+        error = chain.K[k].error_estimate;
+    stand.springs.push_back(name);
+    stand.spring_error[j] = error;
+    if (std::isnan(error))
+      unknown += (unknown.empty() ? "" : ", ") + name;
+  }
+  for (const std::string &part : beams.model.parts)
+    stand.springs.push_back("bending of the " + part);
+  if (!unknown.empty())
+    stand.notes.push_back(unknown_accuracy(unknown));
+  stand.shape.resize(Eigen::Index(beams.model.points.size()), beams.modes.shape.cols());
+  for (std::size_t p = 0; p < beams.model.points.size(); ++p) {
+    stand.places.push_back(place_of(beams.model.points[p].name));
+    stand.shape.row(Eigen::Index(p)) = beams.model.points[p].row.transpose() * beams.modes.shape;
+  }
+  stand.frequency = beams.modes.frequency;
+  stand.bodies    = beams.model.parts;
+  stand.strain_share.resize(beams.modes.shape.cols(), n + bodies);
+  stand.strain_share << beams.modes.strain.transpose(), beams.modes.strain_of_part.transpose();
+  stand.kinetic_share = beams.modes.kinetic.transpose();
 }
 
 void add_roll(twin::CaseModel &stand, const std::string &name, const double diameter)
@@ -78,13 +126,21 @@ void add_ball_bearings(twin::CaseModel &stand, const std::vector<BallBearing> &b
   }
 }
 
-twin::CaseModel analysed_stand(const Case &the_case)
+twin::CaseModel analysed_stand(const Case &the_case, const bool six_masses)
 {
   const CaseChain chain = case_chain(the_case, "analyse");
   twin::CaseModel stand;
-  stand.name   = the_case.name;
-  stand.source = chain.source;
-  add_chain(stand, chain.model, chain.dynamics);
+  stand.name        = the_case.name;
+  stand.source      = chain.source;
+  const auto *drawn = std::get_if<FourHigh>(&the_case.spec);
+  if (drawn && !six_masses) {
+    add_beams(stand, closed_form_beams(*drawn, chain), chain.model);
+    stand.source = fmt::format("rolls as beams, springs by closed forms at {:.1f} kN", chain.load / 1e3);
+  } else
+    add_chain(stand, chain.model, chain.dynamics);
+  if (const std::string warning = six_masses ? warning_of_six_masses(the_case, "analyse") : std::string();
+      !warning.empty())
+    stand.notes.push_back(warning);
   stand.frequency_error = mode_errors_of_run(the_case, stand.frequency);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);

@@ -6,7 +6,9 @@
 #include "app/twin/calibrate/freed_unknowns.h"
 #include "app/twin/calibrate/levels_text.h"
 #include "app/twin/calibrate/record_plan.h"
+#include "app/twin/stand/detail_parts.h"
 #include "app/twin/stand/record_options.h"
+#include "app/verbs/leading_model.h"
 #include "core/base/files.h"
 #include "core/base/visible_text.h"
 #include "core/case/monitoring.h"
@@ -140,7 +142,12 @@ void add_notes_without_force(std::vector<std::string> &notes, const Case &the_ca
 
 PriorChain prior_of_case(const CommandLine &command, const Case &the_case, const double load)
 {
-  return is_detailed(the_case) ? detailed_prior(command, the_case, load) : prior_chain(the_case, load);
+  if (is_detailed(the_case))
+    return detailed_prior(command, the_case, load);
+  PriorChain prior = prior_chain(the_case, load);
+  if (const std::string warning = warning_of_six_masses(the_case, "calibrate"); !warning.empty())
+    prior.notes.push_back(warning);
+  return prior;
 }
 
 /// A four-high stand at the load of the records, which its contacts follow.  A stand of finite elements is not
@@ -226,7 +233,7 @@ int plan_record(const CommandLine &command, const Case &the_case)
 
 int calibrate_command(const CommandLine &command)
 {
-  const Case the_case = read_case(command.target, command.sets);
+  const Case the_case = with_leading_model(read_case(command.target, command.sets), command);
   if (command.calibrate.plan)
     return plan_record(command, the_case);
   if (command.calibrate.measured.empty())

@@ -2,6 +2,7 @@
 #include "app/process/console.h"
 #include "app/twin/live/live_chatter.h"
 #include "app/twin/live/live_stand.h"
+#include "app/twin/stand/detail_parts.h"
 #include "app/twin/stand/record_options.h"
 #include "core/base/errors.h"
 #include "core/base/units.h"
@@ -49,6 +50,8 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
   open_page();
   sources_ = std::make_unique<LiveSources>(input_, options, rules(), skip_to_, queue_);
   print(fmt::format("twin:   {} ({})\nsource: {}\n", the_case.name, model_.source, sources_->description()));
+  if (const std::string warning = warning_of_six_masses(the_case, "live"); !warning.empty())
+    console::say("warning: " + warning + "\n");
   if (const std::string notice = sources_->notice(); !notice.empty())
     console::say("warning: " + notice + "\n");
   console::flush();

@@ -117,7 +117,7 @@ FourHigh read_four_high(const Node &root, Reading &reading)
   read_plant(root, reading);
   read_monitoring(root, reading);  // checked here, used by those who read records
   stand.analysis  = read_chatter_analysis(root, reading);
-  stand.advice    = read_four_high_advice(root, stand.passes, reading);
+  stand.advice    = read_four_high_advice(root, reading);
   stand.given     = read_given(root, "given", "four-high", reading);
   stand.published = read_given(root, "published", "four-high", reading);
   share_given_bearings(stand);

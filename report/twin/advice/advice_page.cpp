@@ -284,6 +284,24 @@ void value_section(Page &page, const json &values)
              "Values of <code>advice.json</code>, SI.");
 }
 
+void what_if_section(Page &page, const json &document)
+{
+  if (!document.contains("what_ifs") || document["what_ifs"].empty())
+    return;
+  std::string rows;
+  for (const json &one : document["what_ifs"])
+    rows += "<tr><th scope=\"row\">" + text_of(one["name"]) + "</th>" +
+            figure_cell("<b>" + signed_percent(one["change"]) + "</b>") +
+            figure_cell(signed_percent(one["first_order"])) + text_cell(effects_of(one)) + "</tr>\n";
+  page.section("what-ifs", "What if the damping were another one");
+  page.table(
+      "<table class=\"results\"><thead><tr><th>number</th><th>recomputed</th><th>first order</th><th>side "
+      "effects</th></tr></thead>\n<tbody>\n" +
+          rows + "</tbody></table>\n",
+      "A damping ratio is a property of the whole stand: it is measured, and no single part of the mill sets "
+      "it. These lines show how far the answer depends on it.");
+}
+
 void action_sections(Page &page, const json &document)
 {
   const auto &actions = document["actions"];
@@ -314,6 +332,7 @@ std::string advice_page(const std::string &directory, const std::string &text,
   const Run run = run_of(directory, document);
   Page page(run);
   action_sections(page, document);
+  what_if_section(page, document);
   before_and_after(page, document, tables);
   tuned_section(page, document, tables);
   slope_section(page, document);

@@ -196,6 +196,63 @@ TEST(Advise, AStandThatChattersAsBeamsHasNoLevelOfTheProcess)
       << against;
 }
 
+// A four-high with a speed: the critical speed is the goal, at the wanted speed, with dampers where they can sit.
+TEST(Advise, OfAFourHighWithASpeedTheCriticalSpeedIsTheGoal)
+{
+  const std::string folder = scratch("advise-speed");
+  const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/cold-tandem-2030.toml";
+  const std::string few    = " --set 'pass.0.speed=\"12 m/s\"' --set 'advice.springs=[\"K1\"]' --set "
+                             "'advice.usual_damper=\"1e5 N s/m\"' -q ";
+  const Outcome run =
+      millstand("advise " + stand + few + "--set 'advice.wanted_speed=\"13 m/s\"' -o speed", folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto advice = advice_in(folder + "/speed");
+  EXPECT_EQ(advice["goal"]["kind"], "critical speed");
+  EXPECT_EQ(
+      advice["goal"]["question"],
+      "critical speed of stand 5 at least 10 % above the wanted speed of 13 m/s (now 12 m/s), exit thickness "
+      "0.6 mm kept");
+  for (const char *name :
+       {"friction x 0.8", "flow stress x 0.95", "entry tension x 0.8", "exit tension x 1.2",
+        "entry thickness x 1.05", "K1 x 1.2", "dampers 100 kN s/m, both work-roll chocks to the housing"})
+    EXPECT_NO_THROW(action(advice, name)) << name;
+  EXPECT_EQ(action(advice, "damper 100 kN s/m, upper work roll to upper backup roll")["means"],
+            "between upper work-roll chock and upper backup chock");
+  EXPECT_EQ(action(advice, "speed x 0.9")["against"][0], "rolls at 11.7 m/s, at least 13 m/s are wanted");
+  EXPECT_TRUE(
+      near(action(advice, "speed x 0.9")["change"].get<double>(), 1 / 0.9 - 1,
+           within(1e-6, "friction and flow stress of this case do not follow the speed: the search alone")));
+  ASSERT_EQ(advice["what_ifs"].size(), 1u);
+  EXPECT_EQ(advice["what_ifs"][0]["name"], "damping ratio of all modes x 1.5");
+  EXPECT_GT(advice["what_ifs"][0]["change"].get<double>(), 0);
+  EXPECT_NE(mill::read_text(folder + "/speed/report.html").find("What if the damping were another one"),
+            std::string::npos);
+  const Outcome level = millstand("advise " + stand + few +
+                                      "--set advice.goal=level --set 'advice.tuned_mass=\"0 %\"' --set "
+                                      "'advice.band=[\"60 Hz\",\"90 Hz\"]' -o level",
+                                  folder);
+  ASSERT_EQ(level.exit_code, 0) << level.err;
+  const auto of_level = advice_in(folder + "/level");
+  EXPECT_EQ(of_level["goal"]["kind"], "level");
+  const std::string stated = "critical speed as it is, beams: unstable above ";
+  double as_beams          = 0;
+  for (const auto &note : of_level["notes"])
+    if (const auto text = note.get<std::string>(); text.find(stated) == 0)
+      as_beams = std::stod(text.substr(stated.size()));
+  EXPECT_TRUE(near(advice["values"]["advice.critical_speed"]["value"].get<double>(), as_beams,
+                   within(1e-3, "the same search, three to four digits are printed")));
+}
+
+TEST(Advise, ACriticalSpeedIsNotAskedWhereItDoesNotExist)
+{
+  const std::string folder = scratch("advise-goal");
+  const std::string stand  = std::string(MILLSTAND_SOURCE_DIR) + "/cases/four-high-1400.toml";
+  const Outcome run        = millstand("advise " + stand + " --set advice.goal=critical-speed -q -o out", folder);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_NE(run.err.find("advice.goal = \"critical-speed\" needs "), std::string::npos) << run.err;
+  EXPECT_NE(run.err.find("pass.0.speed"), std::string::npos) << run.err;
+}
+
 // The strip is in the stand once, by the bite that answers: what the case means by its force moves no critical
 // speed.
 TEST(Advise, TheBiteIsInTheStandOnce)

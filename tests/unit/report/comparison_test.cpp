@@ -1,4 +1,4 @@
-#include "report/compare/comparison.h"
+#include "report/compare/certainty.h"
 #include "report/front/html.h"
 #include "tests/support/near.h"
 #include <cmath>
@@ -43,13 +43,103 @@ TEST(Comparison, ResultsThatDifferLargestFirst)
   const std::vector<mill::report::Run> runs{
       run_with("a", {{"K1", 100}, {"K2", 100}, {"K3", 100}, {"K4", 1}, {"zero", 0}}),
       run_with("b", {{"K1", 101}, {"K2", 80}, {"K3", 100 * (1 + 1e-12)}, {"zero", 0}})};
-  const auto changed = changed_results(runs);
+  const auto changed = changed_results(runs, {"", ""});
   ASSERT_EQ(changed.size(), 2u) << "K3 differs by rounding, K4 stands in one run only";
   EXPECT_EQ(changed[0].results[0]->name, "K2");
   EXPECT_TRUE(near(changed[0].change, -0.2, within(1e-14, "one quotient and one difference of numbers near one")));
-  EXPECT_TRUE(changed[0].beyond);
+  EXPECT_EQ(changed[0].certainty, Certainty::beyond);
   EXPECT_TRUE(near(changed[1].change, 0.01, within(1e-13, "101/100 - 1 loses two digits by cancellation")));
-  EXPECT_FALSE(changed[1].beyond) << "1 % with 1 % of either run";
+  EXPECT_EQ(changed[1].certainty, Certainty::within) << "1 % with 1 % of either run and no input that differs";
+}
+
+namespace {
+// Modes that follow K4, K3 and a chock; the run states what an estimate of the chock moves.
+Run run_of_stand(const std::string &directory, const double f1, const double f2, const double error = 0.1)
+{
+  Run run = run_with(directory, {{"f1", f1}, {"f2", f2}}, error);
+  for (Result &result : run.results)
+    result.inputs = {"given.K4", "given.K3", "backup_roll.chock_mass_upper", "dynamics.model"};
+  return run;
+}
+
+std::vector<ChangedResult> differences(const std::string &first, const std::string &other, const double f1 = 100.5)
+{
+  return changed_results({run_of_stand("a", 100, 200), run_of_stand("b", f1, 201)}, {first, other});
+}
+}  // namespace
+
+TEST(Comparison, WhatFollowsFromOneGivenKeyIsCertain)
+{
+  const auto changed =
+      differences("title = \"a\"\n[given]\nK4 = \"17 GN/m\"\n", "title = \"b\"\n[given]\nK4 = \"18 GN/m\"\n");
+  ASSERT_EQ(changed.size(), 2u);
+  for (const ChangedResult &one : changed) {
+    EXPECT_EQ(one.certainty, Certainty::certain) << "0.5 % with 10 % of either run, which cancel";
+    EXPECT_EQ(one.error, 0);
+    EXPECT_EQ(one.behind, std::vector<std::string>{"given.K4"}) << "the title makes no result";
+  }
+}
+
+TEST(Comparison, OneGivenKeyIsCertainWhateverItsTolerance)
+{
+  const auto changed = differences("[given]\nK4 = { value = \"17 GN/m\", error_estimate = 0.1 }\n",
+                                   "[given]\nK4 = { value = \"18 GN/m\", error_estimate = 0.1 }\n");
+  EXPECT_EQ(changed[0].certainty, Certainty::certain);
+}
+
+TEST(Comparison, SeveralValuesWithErrorsOfTheirOwnLeaveTheErrorsOfBothRuns)
+{
+  const auto changed =
+      differences("[given]\nK3 = \"60 GN/m\"\nK4 = { value = \"17 GN/m\", error_estimate = 0.1 }\n",
+                  "[given]\nK3 = \"61 GN/m\"\nK4 = { value = \"18 GN/m\", error_estimate = 0.1 }\n");
+  EXPECT_EQ(changed[0].certainty, Certainty::within);
+  EXPECT_TRUE(near(changed[0].error, std::hypot(0.1, 0.1 * 1.005),
+                   within(1e-14, "two relative errors of 10 %, the second of a value 0.5 % larger")));
+  EXPECT_EQ(differences("[given]\nK3 = \"60 GN/m\"\nK4 = \"17 GN/m\"\n",
+                        "[given]\nK3 = \"61 GN/m\"\nK4 = \"18 GN/m\"\n")[0]
+                .certainty,
+            Certainty::certain)
+      << "without errors of their own";
+}
+
+TEST(Comparison, AnotherModelLeavesTheErrorsOfBothRuns)
+{
+  const std::string six = "[dynamics]\nmodel = \"six-mass\"\n", beam = "[dynamics]\nmodel = \"beam\"\n";
+  EXPECT_EQ(differences(six, beam)[0].certainty, Certainty::within);
+  EXPECT_EQ(differences(six, beam, 150)[0].certainty, Certainty::beyond) << "50 % with 18 %";
+  EXPECT_EQ(differences("[given]\nK4 = \"17 GN/m\"\n", "[given]\n")[0].certainty, Certainty::within)
+      << "one run computes it";
+}
+
+TEST(Comparison, AnEstimateThatIsReplacedLeavesItsInterval)
+{
+  mill::report::Run first       = run_of_stand("a", 100, 200);
+  first.estimates               = {{"backup_roll.chock_mass_upper", 1e4, 5e3, 2e4, "kg", "rule", {{"f1", 0.03}}}};
+  const mill::report::Run other = run_of_stand("b", 102, 201);
+  const auto result             = changed_results(
+                  {first, other}, {"# backup_roll.chock_mass_upper = \"10000 kg\" is estimated, 5000 kg .. 20000 kg\n",
+                                   "[backup_roll]\nchock_mass_upper = \"12000 kg\"\n"});
+  EXPECT_EQ(result[0].results[0]->name, "f1");
+  EXPECT_EQ(result[0].certainty, Certainty::within);
+  EXPECT_TRUE(near(result[0].error, 0.03, within(1e-15, "what the run states")));
+  EXPECT_TRUE(near(result[1].error, std::hypot(0.1, 0.1 * 1.005),
+                   within(1e-14, "the estimate does not state what it moves f2 by")));
+}
+
+TEST(Comparison, EstimatesThatFollowBothTimesAreNoInput)
+{
+  EXPECT_TRUE(changed_inputs({"# backup_roll.chock_mass_upper = \"10000 kg\" is estimated\n",
+                              "# backup_roll.chock_mass_upper = \"11000 kg\" is estimated\n"})
+                  .empty());
+}
+
+TEST(Comparison, WordsChooseModelsUnlessTheyNameAPart)
+{
+  EXPECT_TRUE(chooses_model("bite.theory", "\"karman\""));
+  EXPECT_TRUE(chooses_model("bite.elements_along", "48"));
+  EXPECT_FALSE(chooses_model("bearing.work.arrangement", "\"back-to-back\""));
+  EXPECT_FALSE(chooses_model("work_roll.barrel_diameter", "\"585 mm\""));
+  EXPECT_FALSE(chooses_model("strip.friction", "0.03"));
 }
 
 TEST(Comparison, ThePageSaysHowMuchDiffers)
@@ -57,8 +147,9 @@ TEST(Comparison, ThePageSaysHowMuchDiffers)
   const std::string page = comparison_page(
       {run_with("out/a", {{"K1", 100}, {"K2", 100}}), run_with("out/b/", {{"K1", 100}, {"K2", 150}})},
       {"a = 1\n", "a = 2\n"});
-  EXPECT_NE(page.find("1 input differs; 1 result differs, 1 by more than the accuracy of both runs."),
-            std::string::npos);
+  EXPECT_NE(page.find("1 input differs; 1 result differs: 1 with certainty."), std::string::npos);
+  EXPECT_NE(page.find("certain: follows from <code>a</code>"), std::string::npos);
+  EXPECT_EQ(page.find("within the accuracy"), std::string::npos);
   EXPECT_NE(page.find("<th>a</th><th>b</th>"), std::string::npos);
   EXPECT_NE(page.find("+50.0\u00a0%"), std::string::npos);
   EXPECT_EQ(page.find(">nan<"), std::string::npos);
