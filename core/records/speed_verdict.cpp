@@ -62,8 +62,8 @@ std::string keys_text(const std::vector<std::string> &keys)
 std::string unstable_sentence(const SpeedVerdict &v)
 {
   if (!(v.speed >= v.critical))
-    return fmt::format("Unstable: the {} grows at {} m/s; no speed {} is critical.", v.mode,
-                       speed_text(v.speed), range_text(v));
+    return fmt::format("Unstable: the {} grows at {} m/s; no speed {} is critical.", v.mode, speed_text(v.speed),
+                       range_text(v));
   return fmt::format("Unstable: {} m/s is {} above the critical speed of {}; the {} becomes unstable first.",
                      speed_text(v.speed), percent_of(v.margin()), critical_text(v), v.mode);
 }
@@ -130,6 +130,10 @@ nlohmann::ordered_json json_of(const SpeedVerdict &v)
   add("frequency", v.frequency);
   add("gap_mode_damping", v.damping);
   add("growth_rate", v.growth);
+  add("critical_speed_low_by_inputs", v.by_inputs[0]);
+  add("critical_speed_high_by_inputs", v.by_inputs[1]);
+  for (const SpeedInput &input : v.inputs)
+    json["inputs"].push_back({{"name", input.name}, {"error", input.error}, {"slope", input.slope}});
   if (v.range[1] > 0)
     json["range"] = v.range;
   if (!v.mode.empty())

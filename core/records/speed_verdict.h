@@ -14,14 +14,25 @@ enum class SpeedFinding {
   not_searched  ///< a key is missing, or the bite does not converge
 };
 
+/// An input that may be off, as the critical speed feels it.
+struct SpeedInput {
+  std::string name;  ///< "friction", "K3_and_K5": numbers that move together
+  double error = 0;  ///< -, relative, half of 95 %
+  double slope = 0;  ///< -, d ln(critical speed)/d ln(input)
+};
+
 /// The finding with its numbers; run.json holds it under "critical_speed", the words are those of sentence_of().
 struct SpeedVerdict {
   SpeedFinding finding = SpeedFinding::not_searched;
-  std::string pass;                                             ///< its name
-  double speed    = std::numeric_limits<double>::quiet_NaN();   ///< m/s, of the pass
-  double critical = std::numeric_limits<double>::quiet_NaN();   ///< m/s; NaN: there is none in the range
-  double low      = std::numeric_limits<double>::quiet_NaN();   ///< m/s, 95 % interval; NaN: below the range
-  double high     = std::numeric_limits<double>::quiet_NaN();   ///< m/s; NaN: above the range
+  std::string pass;                                            ///< its name
+  double speed    = std::numeric_limits<double>::quiet_NaN();  ///< m/s, of the pass
+  double critical = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: there is none in the range
+  double low      = std::numeric_limits<double>::quiet_NaN();  ///< m/s, 95 % interval; NaN: below the range
+  double high     = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: above the range
+  std::array<double, 2> by_inputs{std::numeric_limits<double>::quiet_NaN(),
+                                  std::numeric_limits<double>::quiet_NaN()};  ///< m/s, low and high before the
+                                                                              ///< other models widen them
+  std::vector<SpeedInput> inputs;                               ///< the one that moves the speed most first
   std::array<double, 2> range{};                                ///< m/s, searched
   std::string mode;                                             ///< "gap mode at 107 Hz (third octave)"
   double frequency = std::numeric_limits<double>::quiet_NaN();  ///< Hz, of the mode that becomes unstable first

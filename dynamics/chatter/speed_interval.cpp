@@ -115,7 +115,7 @@ SpeedInterval speed_interval(const SpeedQuestion &q, const StandSpeed &found,
     varied.exit_distance  = n.exit_distance;
     const double slope    = speed_slope(slopes, varied);
     move[Eigen::Index(i)] = slope * n.error;
-    interval.shares.push_back({n.name, slope, slope * n.error});
+    interval.shares.push_back({n.name, n.error, slope, slope * n.error});
   }
   interval.error = move.norm();  // (27.11)
   std::stable_sort(interval.shares.begin(), interval.shares.end(),

@@ -29,6 +29,7 @@ struct SpeedQuestion {
 /// What one number does to the interval.
 struct SpeedShare {
   std::string name;
+  double error = 0;  ///< -, of the number
   double slope = 0;  ///< -, d ln v/d ln p
   double move  = 0;  ///< -, slope times error
 };

@@ -20,9 +20,10 @@ struct Stability {
   StandSpeed found;
   std::vector<std::pair<std::string, StandSpeed>> others;
   dynamics::SpeedInterval interval;
-  std::optional<dynamics::WorkingPoint> working;  ///< at the speed of the pass
-  std::string no_bite;                            ///< why there is none
-  double growth = not_given;                      ///< 1/s there
+  std::array<double, 2> by_inputs{not_given, not_given};  ///< m/s, before the other models widen it
+  std::optional<dynamics::WorkingPoint> working;          ///< at the speed of the pass
+  std::string no_bite;                                    ///< why there is none
+  double growth = not_given;                              ///< 1/s there
   GapMode gap;
 };
 
@@ -72,7 +73,8 @@ Stability stability_of(const StabilityQuestion &q)
   for (const auto &[name, stand] : q.others)
     s.others.emplace_back(name, search(stand));
   if (s.found.verdict == Verdict::crossing) {
-    s.interval = dynamics::speed_interval(q.leading, s.found, q.uncertain);
+    s.interval  = dynamics::speed_interval(q.leading, s.found, q.uncertain);
+    s.by_inputs = {s.interval.low, s.interval.high};
     widen_by_models(s.interval, s.found.speed, s);
   }
   find_working_point(s, q);
@@ -103,6 +105,9 @@ SpeedVerdict verdict_of(const StabilityQuestion &q, const Stability &s)
   v.damping = s.gap.damping();
   if (s.found.verdict == Verdict::crossing) {
     v.critical  = s.found.speed;
+    v.by_inputs = s.by_inputs;
+    for (const dynamics::SpeedShare &share : s.interval.shares)
+      v.inputs.push_back({share.name, share.error, share.slope});
     v.low       = s.interval.low;
     v.high      = s.interval.high;
     v.frequency = s.found.frequency;
