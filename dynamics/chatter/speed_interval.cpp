@@ -99,11 +99,11 @@ double crossing_near(const SpeedQuestion &q, const double near)
   }
 }
 
-SpeedInterval speed_interval(const SpeedQuestion &q, const StandSpeed &found,
+SpeedInterval speed_interval(const SpeedQuestion &q, const StandSpeed &critical,
                              const std::vector<UncertainNumber> &numbers)
 {
   SpeedInterval interval;
-  const Slopes slopes = slopes_at(q.stand, q.bite, q.scheme, found.speed, &critical_crossing(found));
+  const Slopes slopes = slopes_at(q.stand, q.bite, q.scheme, critical.speed, &critical_crossing(critical));
   Eigen::VectorXd move(Eigen::Index(numbers.size()));
   for (std::size_t i = 0; i < numbers.size(); ++i) {
     const UncertainNumber &n        = numbers[i];
@@ -121,13 +121,13 @@ SpeedInterval speed_interval(const SpeedQuestion &q, const StandSpeed &found,
   std::stable_sort(interval.shares.begin(), interval.shares.end(),
                    [](const auto &a, const auto &b) { return std::abs(a.move) > std::abs(b.move); });
   if (!(interval.error > 0)) {
-    interval.low = interval.high = found.speed;
+    interval.low = interval.high = critical.speed;
     return interval;
   }
   const Eigen::VectorXd direction = move / interval.error;  // (27.12)
   const double factor             = std::exp(interval.error);
-  interval.low                    = crossing_near(moved(q, numbers, -direction), found.speed / factor);
-  interval.high                   = crossing_near(moved(q, numbers, direction), found.speed * factor);
+  interval.low                    = crossing_near(moved(q, numbers, -direction), critical.speed / factor);
+  interval.high                   = crossing_near(moved(q, numbers, direction), critical.speed * factor);
   return interval;
 }
 }  // namespace mill::dynamics

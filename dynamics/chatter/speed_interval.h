@@ -54,8 +54,8 @@ double crossing_near(const SpeedQuestion &question, double near);
 
 /// Ends are critical speeds of the program at two sets of inputs: the two likeliest at the border of the 95 %,
 /// (27.12), so that the bend of the speed over the inputs is in them.
-/// @param found  of question, Verdict::crossing
+/// @param critical  of question, Verdict::crossing
 /// Cost: slopes, and two calls of crossing_near
-SpeedInterval speed_interval(const SpeedQuestion &question, const StandSpeed &found,
+SpeedInterval speed_interval(const SpeedQuestion &question, const StandSpeed &critical,
                              const std::vector<UncertainNumber> &numbers);
 }  // namespace mill::dynamics

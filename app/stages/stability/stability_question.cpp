@@ -17,7 +17,7 @@ constexpr double least_move = 1e-3;  // of the critical speed, that is worth a r
 
 /// What was found of one pass.
 struct Stability {
-  StandSpeed found;
+  StandSpeed critical;
   std::vector<std::pair<std::string, StandSpeed>> others;
   dynamics::SpeedInterval interval;
   std::array<double, 2> by_inputs{not_given, not_given};  ///< m/s, before the other models widen it
@@ -69,13 +69,13 @@ Stability stability_of(const StabilityQuestion &q)
   const auto search = [&](const dynamics::ChatterStandModel &stand) {
     return dynamics::critical_speed(stand, q.leading.bite, q.leading.scheme, q.leading.range);
   };
-  s.found = search(q.leading.stand);
+  s.critical = search(q.leading.stand);
   for (const auto &[name, stand] : q.others)
     s.others.emplace_back(name, search(stand));
-  if (s.found.verdict == Verdict::crossing) {
-    s.interval  = dynamics::speed_interval(q.leading, s.found, q.uncertain);
+  if (s.critical.verdict == Verdict::crossing) {
+    s.interval  = dynamics::speed_interval(q.leading, s.critical, q.uncertain);
     s.by_inputs = {s.interval.low, s.interval.high};
-    widen_by_models(s.interval, s.found.speed, s);
+    widen_by_models(s.interval, s.critical.speed, s);
   }
   find_working_point(s, q);
   return s;
@@ -103,23 +103,23 @@ SpeedVerdict verdict_of(const StabilityQuestion &q, const Stability &s)
   v.range   = {q.leading.range.from, q.leading.range.to};
   v.growth  = s.growth;
   v.damping = s.gap.damping();
-  if (s.found.verdict == Verdict::crossing) {
-    v.critical  = s.found.speed;
+  if (s.critical.verdict == Verdict::crossing) {
+    v.critical  = s.critical.speed;
     v.by_inputs = s.by_inputs;
     for (const dynamics::SpeedShare &share : s.interval.shares)
       v.inputs.push_back({share.name, share.error, share.slope});
     v.low       = s.interval.low;
     v.high      = s.interval.high;
-    v.frequency = s.found.frequency;
-    v.mode      = text_of_root(q.leading.stand, s.found.at->by, s.found.frequency);
+    v.frequency = s.critical.frequency;
+    v.mode      = text_of_root(q.leading.stand, s.critical.at->by, s.critical.frequency);
   } else {
     const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(q.leading.stand, s.working->by));
     v.frequency      = std::abs(roots[0].imag()) / (2 * M_PI);
     v.mode           = text_of_root(q.leading.stand, s.working->by, v.frequency);
   }
-  v.finding = s.growth > 0                                                      ? SpeedFinding::unstable
-              : s.found.verdict == Verdict::crossing && q.speed < s.found.speed ? SpeedFinding::below
-                                                                                : SpeedFinding::stable;
+  v.finding = s.growth > 0                                                            ? SpeedFinding::unstable
+              : s.critical.verdict == Verdict::crossing && q.speed < s.critical.speed ? SpeedFinding::below
+                                                                                      : SpeedFinding::stable;
   if (v.finding == SpeedFinding::unstable)
     v.remedy = "millstand advise lists what raises the critical speed.";
   return v;
@@ -155,13 +155,13 @@ void add_results(RunContext &run, const StabilityQuestion &q, const Stability &s
       speeds.push_back({"on " + name, other.speed, "another model of the stand"});
       frequencies.push_back({"on " + name, other.frequency, "another model of the stand"});
     }
-  if (s.found.verdict == Verdict::crossing) {
-    const double v     = s.found.speed;
+  if (s.critical.verdict == Verdict::crossing) {
+    const double v     = s.critical.speed;
     const double error = 0.5 * std::log(s.interval.high / s.interval.low);
     add("critical_speed", "m/s", v, v, error, speeds);
     add("critical_speed_low", "m/s", s.interval.low, v);
     add("critical_speed_high", "m/s", s.interval.high, v);
-    add("frequency", "Hz", s.found.frequency, v, not_given, frequencies);
+    add("frequency", "Hz", s.critical.frequency, v, not_given, frequencies);
     for (const dynamics::SpeedShare &share : s.interval.shares)
       if (std::abs(share.move) > least_move)
         add("speed_slope." + share.name, "1", share.slope, v);
@@ -198,7 +198,7 @@ void add_critical_speed(RunContext &run, const StabilityQuestion &question)
     const Stability s = stability_of(question);
     add_results(run, question, s);
     run.results.speeds.push_back(verdict_of(question, s));
-    if (s.found.verdict == Verdict::crossing && !question.assumed.empty())
+    if (s.critical.verdict == Verdict::crossing && !question.assumed.empty())
       run.assume(question.assumed);
   } catch (const InputError &) {
     run.results.speeds.push_back(failed_search(question, reason_of(std::current_exception())));

@@ -147,11 +147,11 @@ struct DrawnStand {
 TEST(SpeedInterval, SlopesOfAModalStandAreThoseOfTheSixMasses)
 {
   const DrawnStand drawn;
-  SpeedQuestion q  = question_of(drawn.modes);
-  q.range          = {1, 60};
-  const auto found = critical_speed(q.stand, q.bite, q.scheme, q.range);
-  ASSERT_EQ(found.verdict, Verdict::crossing);
-  const SpeedInterval interval = speed_interval(q, found, drawn.numbers);
+  SpeedQuestion q     = question_of(drawn.modes);
+  q.range             = {1, 60};
+  const auto critical = critical_speed(q.stand, q.bite, q.scheme, q.range);
+  ASSERT_EQ(critical.verdict, Verdict::crossing);
+  const SpeedInterval interval = speed_interval(q, critical, drawn.numbers);
   for (std::size_t i = 0; i < drawn.numbers.size(); ++i) {
     const auto at = [&](const double change) {
       Eigen::VectorXd s  = Eigen::VectorXd::Zero(Eigen::Index(drawn.numbers.size()));
