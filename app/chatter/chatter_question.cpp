@@ -103,14 +103,6 @@ std::vector<std::string> keys_of(const ChatterCase &spec, const std::size_t cond
 
 }  // namespace
 
-bite::Linearisation linearisation_of(const ChatterAnalysis &analysis)
-{
-  if (analysis.linearisation == "consistent")
-    return bite::Linearisation::implicit;
-  return analysis.linearisation == "frozen-friction" ? bite::Linearisation::frozen_friction
-                                                     : bite::Linearisation::sequential;
-}
-
 ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t condition)
 {
   const ChatterStandModel stand = stand_of(spec, spec.stand);
@@ -171,9 +163,10 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   };
   const auto beam = modal(models.beam), craig_bampton = modal(models.craig_bampton);
   q.structures = {
-      {"six-mass", around(chain_structure(chain.model, settings)), dynamics::chain_numbers(chain.model, settings)},
+      {"craig-bampton", around(dynamics::structure_of(craig_bampton)), dynamics::modal_numbers(craig_bampton)},
       {"beam", around(dynamics::structure_of(beam)), dynamics::modal_numbers(beam)},
-      {"craig-bampton", around(dynamics::structure_of(craig_bampton)), dynamics::modal_numbers(craig_bampton)}};
+      {"six-mass", around(chain_structure(chain.model, settings)),
+       dynamics::chain_numbers(chain.model, settings)}};
   q.structure  = fmt::format("modal damping {:g} %", 100 * stand.dynamics.modal_damping);
   const auto p = std::size_t(std::find_if(stand.passes.begin(), stand.passes.end(),
                                           [&](const Pass &one) { return one.name == pass.name; }) -

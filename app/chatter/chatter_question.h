@@ -1,5 +1,6 @@
 #pragma once
 #include "app/chatter/chatter_study.h"
+#include "app/stages/stability/stability_question.h"
 #include "app/stages/stand/model_stage.h"
 #include "core/model/pass.h"
 #include "reduce/stand/lumped_stand.h"
@@ -9,9 +10,6 @@ namespace mill {
 struct ChatterCase;
 struct FourHigh;
 
-/// Of its name in the case.
-bite::Linearisation linearisation_of(const ChatterAnalysis &analysis);
-
 ChatterQuestion chatter_question(const ChatterCase &spec, std::size_t condition);
 
 /// A pass of a four-high stand as a working condition.
@@ -20,7 +18,7 @@ struct StandQuestion {
   std::vector<std::string> assumed;  ///< what the case does not say, one sentence each
 };
 
-/// On six masses, beams and component modes; study_chatter() takes the worst of them.
+/// On component modes, beams and six masses; study_chatter() takes the first, as every run does.
 StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const reduce::LumpedStand &chain,
                                const StandModels &models);
 }  // namespace mill

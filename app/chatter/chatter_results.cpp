@@ -179,7 +179,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
                 "the speed depends on what follows a disturbance");
   for (std::size_t i = 1; i < s.structures.size(); ++i)
     add_check(checks, ("on " + s.structures[i].name).c_str(), s.structures[i].found.speed,
-              "another model of the stand; the result is the worst of them");
+              "another model of the stand; the result is that of the most detailed one");
   add_check(checks, name_of(CheckId::published), c.published_critical_speed, c.note.c_str());
   add_check(checks, name_of(CheckId::measured), c.measured_critical_speed);
   if (s.structures.size() > 1)
@@ -264,7 +264,7 @@ std::string verdict_sentence(const ChatterStudy &s)
   if (s.structures.size() < 2)
     return text;
   const ModelBand band = band_of(s.structures);
-  text += fmt::format("; this is {}, the worst of {} models of the stand", s.structures.front().name,
+  text += fmt::format("; this is {}, the most detailed of {} models of the stand", s.structures.front().name,
                       s.structures.size());
   if (!std::isnan(band.low))
     text += ", critical speeds " + span(band.low, band.high, "m/s");

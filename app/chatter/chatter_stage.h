@@ -20,8 +20,8 @@ void solve_chatter_case(RunContext &run, const ChatterCase &spec);
 /// between the stands.
 void solve_tandem(RunContext &run, const ChatterCase &spec);
 
-/// One pass of a four-high stand as a working condition, on six masses and on the detailed models; the worst of
-/// them gives the results.
+/// One pass of a four-high stand as a working condition, on the detailed models and on six masses; the most
+/// detailed one gives the results.
 void solve_stand_chatter(RunContext &run, const FourHigh &stand, const Pass &pass,
                          const reduce::LumpedStand &chain, const StandModels &models);
 }  // namespace mill

@@ -1,4 +1,5 @@
 #include "app/chatter/chatter_study.h"
+#include "app/stages/stability/stability_question.h"
 #include "core/base/errors.h"
 #include "dynamics/chatter/loop.h"
 #include "dynamics/chatter/routh.h"
@@ -12,7 +13,6 @@
 namespace mill {
 namespace {
 using dynamics::ChatterStandModel;
-using dynamics::CriticalSpeed;
 using dynamics::StandSpeed;
 using dynamics::Verdict;
 using Scheme = bite::Linearisation;
@@ -77,26 +77,7 @@ void search_beside(ChatterStudy &s, const dynamics::SpeedRange &range)
     s.variants.push_back(search(variant.name, variant.stand, q, q.scheme, range));
 }
 
-// Speed up to which a model is stable, and what ranks two models without a critical speed: smaller is worse.
-std::pair<double, double> severity(const CriticalSpeed &critical)
-{
-  constexpr double ever = std::numeric_limits<double>::infinity();
-  switch (critical.verdict) {
-  case Verdict::unstable:
-    return {-2, -critical.margin};
-  case Verdict::unstable_below:
-    return {-1, 0};
-  case Verdict::crossing:
-    return {critical.speed, 0};
-  case Verdict::stable:
-    return {ever, -critical.margin};
-  case Verdict::no_bite:
-    break;
-  }
-  return {ever, ever};
-}
-
-// The models of the stand, the worst first; it becomes the stand of the question.
+// The models of the stand; the first one is the most detailed and becomes the stand of the question.
 void search_models(ChatterStudy &s, const dynamics::SpeedRange &range)
 {
   ChatterQuestion &q = s.question;
@@ -104,15 +85,9 @@ void search_models(ChatterStudy &s, const dynamics::SpeedRange &range)
     s.structures.push_back(search(structure.name, structure.stand, q, q.scheme, range));
   if (s.structures.size() < 2)
     return;
-  const auto worst = std::min_element(s.structures.begin(), s.structures.end(), [](const auto &a, const auto &b) {
-    return severity(a.found) < severity(b.found);
-  });
-  const auto first = q.structures.begin() + (worst - s.structures.begin());
-  std::rotate(q.structures.begin(), first, first + 1);
-  std::rotate(s.structures.begin(), worst, worst + 1);
   q.stand     = q.structures.front().stand;
   q.numbers   = q.structures.front().numbers;
-  q.structure = q.structures.front().name + " model of this run, the worst of " +
+  q.structure = q.structures.front().name + " model of this run, the most detailed of " +
                 std::to_string(q.structures.size()) + (q.structure.empty() ? "" : ", " + q.structure);
 }
 
@@ -310,11 +285,7 @@ void find_sensitivities(RunContext &run, ChatterStudy &s, const dynamics::SpeedR
 
 dynamics::SpeedRange chatter_range(const ChatterQuestion &q)
 {
-  dynamics::SpeedRange range;
-  range.from = q.analysis.speeds[0];
-  range.to   = q.analysis.speeds[1];
-  range.step = std::min(1., (range.to - range.from) / 10);
-  return range;
+  return speed_range(q.analysis);
 }
 
 ChatterSearch search_chatter(const ChatterQuestion &q)

@@ -32,7 +32,7 @@ struct ChatterQuestion {
   std::array<double, 2> film_range = {not_given, not_given};  ///< m
   std::vector<dynamics::StructureNumber> numbers;             ///< of the stand's structure
   std::vector<NamedStand> variants;                           ///< other readings of the same stand
-  /// Models of the same stand.  With more than one the worst of them becomes `stand` in study_chatter().
+  /// Models of the same stand.  With more than one the first, the most detailed one, becomes `stand` in study_chatter().
   std::vector<NamedStand> structures;
   std::vector<std::string> inputs;  ///< keys behind the results
 };
@@ -76,7 +76,7 @@ struct ChatterStudy : ChatterSearch {
   std::optional<dynamics::ChatterMode> mode;          ///< at the critical speed, else at the working speed
   int routh_unstable = -1, nyquist_unstable = -1;     ///< roots that grow at the working speed; -1: not counted
   double speed_by_routh = not_given;                  ///< m/s
-  /// The question's own scheme or stand first; of the structures the worst.
+  /// The question's own scheme or stand first; of the structures the most detailed.
   std::vector<OtherSearch> schemes, variants, structures;
   dynamics::RootLocus locus;
   std::vector<dynamics::StabilityMap> maps;

@@ -15,6 +15,7 @@
 #include "app/stages/response/dynamics_stage.h"
 #include "app/stages/response/frf_stage.h"
 #include "app/stages/response/turning_rolls.h"
+#include "app/stages/stability/critical_speed_stage.h"
 #include "app/stages/stand/frame_stage.h"
 #include "app/stages/stand/headline.h"
 #include "app/stages/stand/mode_results.h"
@@ -311,6 +312,9 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
     });
   if (goal >= Goal::simulate)
     rest.push_back([&](RunContext &part_run) { drive_pass(part_run, stand, chain, models, parts, forces, p); });
+  if (goal >= Goal::simulate)
+    rest.push_back(
+        [&](RunContext &part_run) { add_critical_speed(part_run, stand, p, chain, models, parts.components); });
   run_side_by_side(run, std::move(rest));
   if (goal == Goal::chatter)
     linked_subjects.stand_chatter(run, stand, pass, chain, models);

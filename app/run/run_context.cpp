@@ -62,6 +62,7 @@ void RunContext::absorb(RunContext &&other)
       results.warnings.push_back(sentence);
   const auto append = [](auto &all, auto &more) { all.insert(all.end(), more.begin(), more.end()); };
   append(results.assumptions, other.results.assumptions);
+  append(results.speeds, other.results.speeds);
   append(times, other.times);
   summary += other.summary;
 }
@@ -239,6 +240,8 @@ std::string manifest_json(const RunContext &run)
                   {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
                                 std::to_string(EIGEN_MINOR_VERSION)},
                   {"compiler", __VERSION__}}}};
+  for (const SpeedVerdict &verdict : run.results.speeds)
+    manifest["critical_speed"].push_back(json_of(verdict));
   add_timings(manifest, run.times);
   for (const auto &[file, sum] : run.out.checksums())
     manifest["files"][file] = sum;

@@ -12,7 +12,7 @@
 
 namespace mill {
 namespace {
-constexpr std::size_t most_lines = 25, most_modes = 8, most_limits = 6, most_values = 10;
+constexpr std::size_t most_lines = 25, most_modes = 8, most_limits = 6, most_values = 10, most_speeds = 3;
 
 std::string one_line(const std::string &text)
 {
@@ -44,6 +44,27 @@ void add_modulus_line(const Results &results, std::vector<std::string> &lines)
   if (touching)
     text += (strip ? "," : "") + stiffness(*touching) + " with touching work rolls";
   lines.push_back(text);
+}
+
+// The answer of a run first; passes with the same sentence share a line.
+void add_speed_lines(const Results &results, std::vector<std::string> &lines)
+{
+  std::vector<std::pair<std::string, std::string>> sentences;  // with the passes that they are of
+  for (const SpeedVerdict &verdict : results.speeds) {
+    const std::string sentence = sentence_of(verdict);
+    const auto same =
+        std::find_if(sentences.begin(), sentences.end(), [&](const auto &one) { return one.first == sentence; });
+    if (same == sentences.end())
+      sentences.emplace_back(sentence, verdict.pass);
+    else
+      same->second += ", " + verdict.pass;
+  }
+  const std::size_t shown = std::min(sentences.size(), most_speeds);
+  for (std::size_t i = 0; i < shown; ++i)
+    lines.push_back(
+        one_line(sentences.size() == 1 ? sentences[i].first : sentences[i].second + ": " + sentences[i].first));
+  if (sentences.size() > shown)
+    lines.push_back(fmt::format("and critical speeds of {} more passes on the page", sentences.size() - shown));
 }
 
 // mode.gap_first_kind.frequency -> gap first kind, with the open stand after it; gap modes first, because a mill
@@ -115,6 +136,7 @@ std::string run_summary(const Results &results, const std::string &name, const s
       : n_warnings == 1 ? "1 warning"
                         : fmt::format("{} warnings", n_warnings),
       results.estimates.empty() ? "" : fmt::format(", {} values estimated", results.estimates.size()))};
+  add_speed_lines(results, lines);
   add_modulus_line(results, lines);
   add_mode_lines(results, lines);
   if (lines.size() == 1)

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/parameter.h"
 #include "core/model/estimate.h"
+#include "core/records/speed_verdict.h"
 #include <map>
 #include <string>
 #include <utility>
@@ -18,7 +19,8 @@ struct Results {
   std::vector<std::pair<std::string, Parameter>> values;
   std::vector<std::string> warnings;  ///< one sentence each, shown in the status banner
   std::vector<std::string>
-      assumptions;  ///< values that are not known and were assumed by the run, one sentence each
+      assumptions;                   ///< values that are not known and were assumed by the run, one sentence each
+  std::vector<SpeedVerdict> speeds;  ///< how far each pass is from its critical speed, in the order of the passes
   std::vector<EstimateRecord> estimates;                   ///< the one that costs most accuracy first
   std::vector<std::string> left_at_template;               ///< keys whose values are still those of the template
   void add(const std::string &name, Parameter parameter);  ///< a name twice is our bug

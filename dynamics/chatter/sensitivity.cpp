@@ -1,6 +1,7 @@
 #include "dynamics/chatter/sensitivity.h"
 #include "core/base/errors.h"
 #include "core/process/parallel.h"
+#include "dynamics/chatter/speed_slopes.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -9,16 +10,6 @@
 namespace mill::dynamics {
 namespace {
 using bite::PassNumber;
-using Complex = std::complex<double>;
-
-/// One input, or several that go together: what of it is in the bite, in the structure, in the strip.
-struct VariedInput {
-  std::string key, name, unit;
-  double value = 0;  ///< SI
-  std::vector<PassNumber> bite;
-  const StructureNumber *structure = nullptr;
-  bool entry_distance = false, exit_distance = false, strip_modulus = false;
-};
 
 VariedInput varied_input_of(const bite::RollBite &bite, const PassNumber number)
 {
@@ -56,79 +47,6 @@ std::vector<VariedInput> varied_inputs_of(const ChatterStandModel &stand,
   for (const VariedInput &varied : {entry, exit, both, modulus})
     all.push_back(varied);
   return all;
-}
-
-/// Everything that one steady state and one eigenvalue say about slopes.
-struct Slopes {
-  WorkingPoint point;
-  bite::LinearSensitivity pass;
-  Eigen::MatrixXd A;
-  EigenvalueSlope eigenvalue;
-  const ChatterStandModel &stand;
-
-  /// d(growth rate)/d ln p, 1/s, (27.5)-(27.7).
-  double growth(const VariedInput &varied) const
-  {
-    const Eigen::Index n = stand.structure.n();
-    double sum           = 0;
-    for (const PassNumber number : varied.bite)
-      sum += eigenvalue.by(chatter_matrix_by(stand, pass.by[int(number)])).real();
-    if (varied.structure)
-      sum += eigenvalue.by(chatter_matrix_by(stand, point.by, *varied.structure)).real();
-    const auto row = [&](const Eigen::Index i) {  // the row of a tension goes with E/L
-      Eigen::MatrixXd A_by = Eigen::MatrixXd::Zero(A.rows(), A.cols());
-      A_by.row(i)          = A.row(i);
-      return eigenvalue.by(A_by).real();
-    };
-    if (varied.entry_distance)
-      sum -= row(2 * n);
-    if (varied.exit_distance)
-      sum -= row(2 * n + 1);
-    if (varied.strip_modulus)
-      sum += row(2 * n) + row(2 * n + 1);
-    return sum;
-  }
-  double friction(const VariedInput &varied) const
-  {
-    return of(pass.friction, varied) / point.state.friction;
-  }
-  double force(const VariedInput &varied) const
-  {
-    return of(pass.force, varied) / point.state.force;
-  }
-
-private:
-  static double of(const bite::PerPassNumber<double> &by, const VariedInput &varied)
-  {
-    double sum = 0;
-    for (const PassNumber number : varied.bite)
-      sum += by[int(number)];
-    return sum;
-  }
-};
-
-Slopes slopes_at(const ChatterStandModel &stand, const bite::RollBite &bite, const bite::Linearisation scheme,
-                 const double speed, const Crossing *crossing)
-{
-  WorkingPoint point     = working_point(bite, speed, scheme);
-  const auto pass        = linear_sensitivity(point.bite, point.state, scheme);
-  const auto A           = chatter_matrix(stand, point.by);
-  const Complex critical = crossing ? crossing->root : eigenvalues(A)[0];
-  return {std::move(point), pass, A, slope_of_eigenvalue(A, critical), stand};
-}
-
-/// -(d growth/d ln p)/(d growth/d ln v), (27.4).
-double speed_slope(const Slopes &slopes, const VariedInput &varied)
-{
-  static const VariedInput speed{"", "", "", 0, {PassNumber::roll_speed}};
-  const double growth = slopes.growth(varied);
-  return growth == 0 ? 0 : -growth / slopes.growth(speed);  // no -0
-}
-
-const Crossing &critical_crossing(const CriticalSpeed &critical)
-{
-  return *std::find_if(critical.crossings.begin(), critical.crossings.end(),
-                       [&](const Crossing &c) { return c.speed == critical.speed; });
 }
 
 /// The stand and its bite with one input times a factor.
@@ -289,7 +207,7 @@ SensitivityTable chatter_sensitivities(const ChatterStandModel &stand, const std
     table.critical_speed = critical.speed;
     table.frequency      = critical.frequency;
     const Slopes slopes  = slopes_at(stand, pass, request.scheme, critical.speed, &critical_crossing(critical));
-    table.growth_by_log_speed = slopes.growth({"", "", "", 0, {PassNumber::roll_speed}});
+    table.growth_by_log_speed = slopes.growth(roll_speed_input());
     for (std::size_t i = 0; i < varied_inputs.size(); ++i)
       if (!is_speed(varied_inputs[i]))
         table.inputs[i].critical_speed = speed_slope(slopes, varied_inputs[i]);

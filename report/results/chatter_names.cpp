@@ -12,7 +12,11 @@ struct ChatterWords {
 const ChatterWords words[] = {
     {"critical_speed", "roll speed at which vibration begins to grow"},
     {"critical_speed_highest", "the same by the most stable model of the stand"},
+    {"critical_speed_low", "lower end of its 95 % interval"},
+    {"critical_speed_high", "upper end of its 95 % interval"},
     {"frequency", "frequency of the critical mode"},
+    {"gap_mode_frequency", "frequency of the gap mode at the working speed"},
+    {"gap_mode_damping", "damping of the gap mode at the working speed, of critical"},
     {"growth_rate", "growth rate at the working speed"},
     {"working_frequency", "frequency of the least stable mode at the working speed"},
     {"unstable_roots", "roots that grow at the working speed, both of a pair"},

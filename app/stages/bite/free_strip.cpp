@@ -9,17 +9,25 @@ namespace {
 constexpr double usual_distance = 5;  // m
 }  // namespace
 
-std::string missing_of_bite(const Case &the_case)
+std::vector<std::string> keys_missing_of_bite(const Case &the_case)
 {
-  std::string missing;
+  std::vector<std::string> missing;
   for (const char *key :
        {"strip.entry_thickness", "strip.exit_thickness", "strip.friction", "strip.flow_stress"}) {
     const bool is_there = std::any_of(the_case.places.begin(), the_case.places.end(), [&](const auto &entry) {
       return entry.first == key || entry.first.rfind(std::string(key) + ".", 0) == 0;
     });
     if (!is_there)
-      missing += (missing.empty() ? "" : ", ") + std::string(key);
+      missing.emplace_back(key);
   }
+  return missing;
+}
+
+std::string missing_of_bite(const Case &the_case)
+{
+  std::string missing;
+  for (const std::string &key : keys_missing_of_bite(the_case))
+    missing += (missing.empty() ? "" : ", ") + key;
   return missing;
 }
 

@@ -7,7 +7,9 @@ namespace mill {
 struct Case;
 struct FourHigh;
 
-/// Keys that a steady bite needs and a case of kind four-high does not say, with commas; empty: it says enough.
+/// Keys that a steady bite needs and a case of kind four-high does not say; empty: it says enough.
+std::vector<std::string> keys_missing_of_bite(const Case &the_case);
+/// The same with commas.
 std::string missing_of_bite(const Case &the_case);
 
 /// Strip before and behind a stand.

@@ -1,0 +1,209 @@
+#include "app/stages/stability/stability_question.h"
+#include "app/stages/stability/gap_mode.h"
+#include "core/base/errors.h"
+#include "core/records/result_names.h"
+#include "core/records/speed_verdict.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <optional>
+
+namespace mill {
+namespace {
+using dynamics::StandSpeed;
+using dynamics::Verdict;
+
+constexpr double least_move = 1e-3;  // of the critical speed, that is worth a result
+
+/// What was found of one pass.
+struct Stability {
+  StandSpeed critical;
+  std::vector<std::pair<std::string, StandSpeed>> others;
+  dynamics::SpeedInterval interval;
+  std::array<double, 2> by_inputs{not_given, not_given};  ///< m/s, before the other models widen it
+  std::optional<dynamics::WorkingPoint> working;          ///< at the speed of the pass
+  std::string no_bite;                                    ///< why there is none
+  double growth = not_given;                              ///< 1/s there
+  GapMode gap;
+};
+
+std::string reason_of(const std::exception_ptr &failure)
+{
+  try {
+    std::rethrow_exception(failure);
+  } catch (const InputError &error) {
+    return error.problems.empty() ? error.what() : error.problems.front().message;
+  } catch (const SolverError &error) {
+    return error.report.what + (error.report.cause.empty() ? "" : "; " + error.report.cause);
+  }
+}
+
+void find_working_point(Stability &s, const StabilityQuestion &q)
+{
+  try {
+    s.working        = dynamics::working_point(q.leading.bite, q.speed, q.leading.scheme);
+    const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(q.leading.stand, s.working->by));
+    s.growth         = roots[0].real();
+    s.gap            = gap_mode(q.leading.stand, s.working->by);
+  } catch (const InputError &) {
+    s.no_bite = reason_of(std::current_exception());
+  } catch (const SolverError &) {
+    s.no_bite = reason_of(std::current_exception());
+  }
+}
+
+// The interval reaches to the critical speeds of the other models of the stand.
+void widen_by_models(dynamics::SpeedInterval &interval, const double speed, const Stability &s)
+{
+  for (const auto &[name, other] : s.others)
+    if (other.verdict == Verdict::crossing) {
+      const double apart = std::log(other.speed / speed);  // (27.13)
+      interval.low       = speed * std::exp(-std::hypot(std::log(speed / interval.low), std::min(apart, 0.)));
+      interval.high      = speed * std::exp(std::hypot(std::log(interval.high / speed), std::max(apart, 0.)));
+    }
+}
+
+Stability stability_of(const StabilityQuestion &q)
+{
+  Stability s;
+  const auto search = [&](const dynamics::ChatterStandModel &stand) {
+    return dynamics::critical_speed(stand, q.leading.bite, q.leading.scheme, q.leading.range);
+  };
+  s.critical = search(q.leading.stand);
+  for (const auto &[name, stand] : q.others)
+    s.others.emplace_back(name, search(stand));
+  if (s.critical.verdict == Verdict::crossing) {
+    s.interval  = dynamics::speed_interval(q.leading, s.critical, q.uncertain);
+    s.by_inputs = {s.interval.low, s.interval.high};
+    widen_by_models(s.interval, s.critical.speed, s);
+  }
+  find_working_point(s, q);
+  return s;
+}
+
+SpeedVerdict failed_search(const StabilityQuestion &q, const std::string &cause)
+{
+  SpeedVerdict v;
+  v.pass   = q.pass;
+  v.speed  = q.speed;
+  v.range  = {q.leading.range.from, q.leading.range.to};
+  v.cause  = cause;
+  v.remedy = "Check friction, tensions and thicknesses of the pass.";
+  return v;
+}
+
+SpeedVerdict verdict_of(const StabilityQuestion &q, const Stability &s)
+{
+  if (!s.working)
+    return failed_search(
+        q, fmt::format("the bite of {} has no steady state at {:.4g} m/s ({})", q.pass, q.speed, s.no_bite));
+  SpeedVerdict v;
+  v.pass    = q.pass;
+  v.speed   = q.speed;
+  v.range   = {q.leading.range.from, q.leading.range.to};
+  v.growth  = s.growth;
+  v.damping = s.gap.damping();
+  if (s.critical.verdict == Verdict::crossing) {
+    v.critical  = s.critical.speed;
+    v.by_inputs = s.by_inputs;
+    for (const dynamics::SpeedShare &share : s.interval.shares)
+      v.inputs.push_back({share.name, share.error, share.slope});
+    v.low       = s.interval.low;
+    v.high      = s.interval.high;
+    v.frequency = s.critical.frequency;
+    v.mode      = text_of_root(q.leading.stand, s.critical.at->by, s.critical.frequency);
+  } else {
+    const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(q.leading.stand, s.working->by));
+    v.frequency      = std::abs(roots[0].imag()) / (2 * M_PI);
+    v.mode           = text_of_root(q.leading.stand, s.working->by, v.frequency);
+  }
+  v.finding = s.growth > 0                                                            ? SpeedFinding::unstable
+              : s.critical.verdict == Verdict::crossing && q.speed < s.critical.speed ? SpeedFinding::below
+                                                                                      : SpeedFinding::stable;
+  if (v.finding == SpeedFinding::unstable)
+    v.remedy = "millstand advise lists what raises the critical speed.";
+  return v;
+}
+
+struct StabilityAdder {
+  RunContext &run;
+  const StabilityQuestion &question;
+  void operator()(const std::string &name, const std::string &unit, const double value, const double speed,
+                  const double error = not_given, std::vector<Check> checks = {}) const
+  {
+    if (std::isnan(value))
+      return;
+    Parameter p;
+    p.value  = value;
+    p.unit   = unit;
+    p.method = "eigenvalues of stand, bite and strip; " + question.model;
+    if (!std::isnan(speed))
+      p.at = {"{}", {{speed, "m/s", ".4g"}}};
+    p.error_estimate = error;
+    p.checks         = std::move(checks);
+    p.inputs         = question.inputs;
+    run.results.add(result_name({family::chatter, question.pass, name}), p);
+  }
+};
+
+void add_results(RunContext &run, const StabilityQuestion &q, const Stability &s)
+{
+  const StabilityAdder add{run, q};
+  std::vector<Check> speeds, frequencies;
+  for (const auto &[name, other] : s.others)
+    if (other.verdict == Verdict::crossing) {
+      speeds.push_back({"on " + name, other.speed, "another model of the stand"});
+      frequencies.push_back({"on " + name, other.frequency, "another model of the stand"});
+    }
+  if (s.critical.verdict == Verdict::crossing) {
+    const double v     = s.critical.speed;
+    const double error = 0.5 * std::log(s.interval.high / s.interval.low);
+    add("critical_speed", "m/s", v, v, error, speeds);
+    add("critical_speed_low", "m/s", s.interval.low, v);
+    add("critical_speed_high", "m/s", s.interval.high, v);
+    add("frequency", "Hz", s.critical.frequency, v, not_given, frequencies);
+    for (const dynamics::SpeedShare &share : s.interval.shares)
+      if (std::abs(share.move) > least_move)
+        add("speed_slope." + share.name, "1", share.slope, v);
+  }
+  if (!s.working)
+    return;
+  add("growth_rate", "1/s", s.growth, q.speed);
+  add("gap_mode_frequency", "Hz", std::abs(s.gap.root.imag()) / (2 * M_PI), q.speed);
+  add("gap_mode_damping", "1", s.gap.damping(), q.speed);
+}
+}  // namespace
+
+bite::Linearisation linearisation_of(const ChatterAnalysis &analysis)
+{
+  if (analysis.linearisation == "consistent")
+    return bite::Linearisation::implicit;
+  return analysis.linearisation == "frozen-friction" ? bite::Linearisation::frozen_friction
+                                                     : bite::Linearisation::sequential;
+}
+
+dynamics::SpeedRange speed_range(const ChatterAnalysis &analysis)
+{
+  dynamics::SpeedRange range;
+  range.from = analysis.speeds[0];
+  range.to   = analysis.speeds[1];
+  range.step = std::min(1., (range.to - range.from) / 10);
+  return range;
+}
+
+void add_critical_speed(RunContext &run, const StabilityQuestion &question)
+{
+  StageTimer timer(run, "critical speed, " + question.pass);
+  try {
+    const Stability s = stability_of(question);
+    add_results(run, question, s);
+    run.results.speeds.push_back(verdict_of(question, s));
+    if (s.critical.verdict == Verdict::crossing && !question.assumed.empty())
+      run.assume(question.assumed);
+  } catch (const InputError &) {
+    run.results.speeds.push_back(failed_search(question, reason_of(std::current_exception())));
+  } catch (const SolverError &) {
+    run.results.speeds.push_back(failed_search(question, reason_of(std::current_exception())));
+  }
+}
+}  // namespace mill

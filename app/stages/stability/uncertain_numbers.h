@@ -1,0 +1,29 @@
+#pragma once
+#include "dynamics/chatter/speed_interval.h"
+#include "reduce/stand/stand_errors.h"
+#include <string>
+#include <vector>
+
+// What of a pass and its stand is off by how much, as far as the critical speed feels it.  theory.md 27.6
+namespace mill {
+struct FourHigh;
+struct RunContext;
+
+/// What the interval takes for inputs whose error no case states, half of 95 %, relative.
+namespace usual_error {
+constexpr double friction = 0.2, flow_stress = 0.1, tension = 0.05, entry_thickness = 0.01, exit_thickness = 0.01,
+                 distance = 0.02, assumed_distance = 0.3, modal_damping = 0.3, spring_or_mass = 0.1;
+}  // namespace usual_error
+
+struct UncertainNumbers {
+  std::vector<dynamics::UncertainNumber> numbers;
+  std::string assumed;  ///< a sentence on the errors that the case does not state
+};
+
+/// Springs and masses of the stand with the errors that they state, twins of one number together (upper and lower
+/// contact of one model, bearing of one drawing, frame part of one rule); then bite, strip and damping.
+/// @param inputs  of the modes that the search uses
+/// @param n       modes that it uses
+UncertainNumbers uncertain_numbers(const RunContext &run, const FourHigh &stand, const bite::RollBite &bite,
+                                   const std::vector<reduce::ModalSensitivity> &inputs, Eigen::Index n);
+}  // namespace mill

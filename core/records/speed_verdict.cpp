@@ -1,0 +1,149 @@
+#include "core/records/speed_verdict.h"
+#include "core/base/short_number.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace mill {
+namespace {
+// Half of the wider side of the interval over the value; an end beyond the range is taken to be at the range.
+double relative_error(const SpeedVerdict &v)
+{
+  const double low = std::isnan(v.low) ? v.range[0] : v.low, high = std::isnan(v.high) ? v.range[1] : v.high;
+  return std::max(v.critical - low, high - v.critical) / v.critical;
+}
+
+// Digits of the ends of an interval: two of its width.
+std::string end_text(const double end, const double width)
+{
+  return number_within(end, 0.3 * width / end, 3);
+}
+
+std::string interval_text(const SpeedVerdict &v)
+{
+  const double low = std::isnan(v.low) ? v.range[0] : v.low, high = std::isnan(v.high) ? v.range[1] : v.high;
+  const double width = high - low;
+  if (!(width > 0))
+    return "";
+  return fmt::format(" ({}{} to {}{})", std::isnan(v.low) ? "below " : "", end_text(low, width),
+                     std::isnan(v.high) ? "above " : "", end_text(high, width));
+}
+
+std::string critical_text(const SpeedVerdict &v)
+{
+  return number_within(v.critical, 0.1 * relative_error(v), 4) + " m/s" + interval_text(v);
+}
+
+std::string speed_text(const double speed)
+{
+  return number_within(speed, 0.005, 3);
+}
+
+std::string percent_of(const double share)
+{
+  const double percent = std::abs(100 * share);
+  return fmt::format("{} %", percent < 0.95 ? short_number(percent, 1) : short_number(percent, 2));
+}
+
+std::string range_text(const SpeedVerdict &v)
+{
+  return fmt::format("from {} to {} m/s", short_number(v.range[0], 3), short_number(v.range[1], 3));
+}
+
+std::string keys_text(const std::vector<std::string> &keys)
+{
+  std::string text;
+  for (std::size_t i = 0; i < keys.size(); ++i)
+    text += (i == 0 ? "" : i + 1 == keys.size() ? " and " : ", ") + keys[i];
+  return text;
+}
+
+std::string unstable_sentence(const SpeedVerdict &v)
+{
+  if (!(v.speed >= v.critical))
+    return fmt::format("Unstable: the {} grows at {} m/s; no speed {} is critical.", v.mode, speed_text(v.speed),
+                       range_text(v));
+  return fmt::format("Unstable: {} m/s is {} above the critical speed of {}; the {} becomes unstable first.",
+                     speed_text(v.speed), percent_of(v.margin()), critical_text(v), v.mode);
+}
+}  // namespace
+
+double SpeedVerdict::margin() const
+{
+  return 1 - speed / critical;
+}
+
+const char *id_of(const SpeedFinding finding)
+{
+  switch (finding) {
+  case SpeedFinding::below:
+    return "below";
+  case SpeedFinding::unstable:
+    return "unstable";
+  case SpeedFinding::stable:
+    return "stable";
+  case SpeedFinding::not_searched:
+    break;
+  }
+  return "not-searched";
+}
+
+std::string sentence_of(const SpeedVerdict &v)
+{
+  switch (v.finding) {
+  case SpeedFinding::below:
+    return fmt::format("At {} m/s, {} below the critical speed of {}; the {} becomes unstable first.",
+                       speed_text(v.speed), percent_of(v.margin()), critical_text(v), v.mode);
+  case SpeedFinding::unstable:
+    return unstable_sentence(v);
+  case SpeedFinding::stable:
+    if (!std::isnan(v.critical))
+      return fmt::format("At {} m/s, stable again above the critical speed of {}; the {} becomes unstable there.",
+                         speed_text(v.speed), critical_text(v), v.mode);
+    return fmt::format("At {} m/s, without a critical speed {}; the {} has the least damping.",
+                       speed_text(v.speed), range_text(v), v.mode);
+  case SpeedFinding::not_searched:
+    break;
+  }
+  if (v.missing.empty())
+    return "Critical speed not searched: " + v.cause + ".";
+  return fmt::format("Critical speed not searched: {} {} not given.", keys_text(v.missing),
+                     v.missing.size() == 1 ? "is" : "are");
+}
+
+nlohmann::ordered_json json_of(const SpeedVerdict &v)
+{
+  nlohmann::ordered_json json;
+  json["id"]       = id_of(v.finding);
+  json["pass"]     = v.pass;
+  json["sentence"] = sentence_of(v);
+  const auto add   = [&](const char *name, const double value) {
+    if (!std::isnan(value))
+      json[name] = value;
+  };
+  add("speed", v.speed);
+  add("critical_speed", v.critical);
+  add("critical_speed_low", v.low);
+  add("critical_speed_high", v.high);
+  add("margin", v.margin());
+  add("frequency", v.frequency);
+  add("gap_mode_damping", v.damping);
+  add("growth_rate", v.growth);
+  add("critical_speed_low_by_inputs", v.by_inputs[0]);
+  add("critical_speed_high_by_inputs", v.by_inputs[1]);
+  for (const SpeedInput &input : v.inputs)
+    json["inputs"].push_back({{"name", input.name}, {"error", input.error}, {"slope", input.slope}});
+  if (v.range[1] > 0)
+    json["range"] = v.range;
+  if (!v.mode.empty())
+    json["mode"] = v.mode;
+  if (!v.missing.empty())
+    json["missing"] = v.missing;
+  if (!v.cause.empty())
+    json["cause"] = v.cause;
+  if (!v.remedy.empty())
+    json["remedy"] = v.remedy;
+  return json;
+}
+}  // namespace mill

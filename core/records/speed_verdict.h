@@ -1,0 +1,56 @@
+#pragma once
+#include "core/base/parameter.h"
+#include <array>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace mill {
+/// What a run says first of a pass: how far its speed is from the critical one.
+enum class SpeedFinding {
+  below,        ///< the pass runs below its critical speed
+  unstable,     ///< above it, or unstable at every speed of the range
+  stable,       ///< nothing grows at any speed of the range
+  not_searched  ///< a key is missing, or the bite does not converge
+};
+
+/// An input that may be off, as the critical speed feels it.
+struct SpeedInput {
+  std::string name;  ///< "friction", "K3_and_K5": numbers that move together
+  double error = 0;  ///< -, relative, half of 95 %
+  double slope = 0;  ///< -, d ln(critical speed)/d ln(input)
+};
+
+/// The finding with its numbers; run.json holds it under "critical_speed", the words are those of sentence_of().
+struct SpeedVerdict {
+  SpeedFinding finding = SpeedFinding::not_searched;
+  std::string pass;                                            ///< its name
+  double speed    = std::numeric_limits<double>::quiet_NaN();  ///< m/s, of the pass
+  double critical = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: there is none in the range
+  double low      = std::numeric_limits<double>::quiet_NaN();  ///< m/s, 95 % interval; NaN: below the range
+  double high     = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: above the range
+  std::array<double, 2> by_inputs{std::numeric_limits<double>::quiet_NaN(),
+                                  std::numeric_limits<double>::quiet_NaN()};  ///< m/s, low and high before the
+                                                                              ///< other models widen them
+  std::vector<SpeedInput> inputs;                               ///< the one that moves the speed most first
+  std::array<double, 2> range{};                                ///< m/s, searched
+  std::string mode;                                             ///< "gap mode at 107 Hz (third octave)"
+  double frequency = std::numeric_limits<double>::quiet_NaN();  ///< Hz, of the mode that becomes unstable first
+  double damping   = std::numeric_limits<double>::quiet_NaN();  ///< -, of the gap mode at the speed of the pass
+  double growth    = std::numeric_limits<double>::quiet_NaN();  ///< 1/s, of the least stable mode at that speed
+  std::vector<std::string> missing;                             ///< keys: "pass.speed"
+  std::string cause;                                            ///< why the bite does not converge
+  std::string remedy;                                           ///< a sentence; may be empty
+  /// 1 - speed/critical; NaN without a critical speed.
+  double margin() const;
+};
+
+/// "not-searched", "below" ..: the finding as run.json holds it.
+const char *id_of(SpeedFinding finding);
+
+/// "At 16.0 m/s, 15 % below the critical speed of 18.9 m/s (15 to 23); the gap mode at 107 Hz (third octave)
+/// becomes unstable first."
+std::string sentence_of(const SpeedVerdict &verdict);
+
+nlohmann::ordered_json json_of(const SpeedVerdict &verdict);
+}  // namespace mill
