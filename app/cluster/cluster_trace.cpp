@@ -1,3 +1,4 @@
+#include "app/cluster/cluster_bite.h"
 #include "app/cluster/cluster_results.h"
 #include "app/cluster/cluster_schedule.h"
 #include "app/cluster/cluster_stage.h"
@@ -125,8 +126,8 @@ std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case)
   for (std::size_t p = 0; p < stand.schedule.size(); ++p) {
     const ClusterPass &pass = stand.schedule[p];
     const double force      = cluster_force(stand, pass).value;
-    const auto state        = cluster::pass_state(stand, pass, force);
-    const KeyList keys      = cluster_keys(the_case, p, false);
+    const auto state   = cluster::pass_state(rolled_stand(stand, pass, cluster_force(stand, pass)), pass, force);
+    const KeyList keys = cluster_keys(the_case, p, false);
     const auto add = [&](const std::string &what, const std::string &more, const double value, const char *unit) {
       all.push_back(result_of(keys, result_name({family::cluster, pass.name, what, more}), value, unit, force));
     };

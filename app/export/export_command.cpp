@@ -138,7 +138,7 @@ int export_command(const CommandLine &command, const Case &the_case)
   if (!run_kind(the_case).driven && !(unit && std::holds_alternative<ChatterCase>(the_case.spec)))
     throw InputError("millstand export " + command.format + ": kind = \"" + the_case.kind +
                      "\" has no stand that a force can drive (" + the_case.path + "); it exports cases of kind " +
-                     (unit ? "four-high, lumped and chatter" : "four-high and lumped"));
+                     (unit ? "four-high, lumped, cluster and chatter" : "four-high, lumped and cluster"));
   if (unit)
     export_unit(command, the_case);
   else
