@@ -270,6 +270,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
 {
   const bool first = p == 0;
   auto chain       = reduce::lumped_stand(drawn, chain_inputs(drawn, parts, p, forces.loads[p]));
+  add_films(chain.model, drawn, parts.bearings[p]);
   FourHigh stand   = drawn;
   stand.frame      = with_tolerance_of_given(drawn, chain.frame);
   const Pass &pass = stand.passes[p];
@@ -466,6 +467,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
   DrivenStand driven_stand;
   auto chain = reduce::lumped_stand(stand, chain_inputs(stand, made.parts, p, forces.loads[p]));
+  add_films(chain.model, stand, made.parts.bearings[p]);
   std::optional<StandModels> models;
   const reduce::StandWithModes *detailed = nullptr;
   if (stand.dynamics.model != "six-mass" || stand.dynamics.mass_source != "closed-form") {

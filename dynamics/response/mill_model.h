@@ -17,10 +17,11 @@ constexpr int ground = -1;
 
 /// One linear spring between two masses, or between a mass and the ground.
 struct Spring {
-  std::string name;  ///< "K3"
-  int from;          ///< index of a mass, or ground
-  int to;            ///< index of a mass, or ground
-  double stiffness;  ///< N/m
+  std::string name;   ///< "K3"
+  int from;           ///< index of a mass, or ground
+  int to;             ///< index of a mass, or ground
+  double stiffness;   ///< N/m
+  double damper = 0;  ///< N s/m, in parallel with it
 };
 
 /// A chain of n masses ready to be analysed:  M y'' + C y' + K y = b F(t).  theory.md (6.1)
@@ -45,9 +46,18 @@ struct MillModel {
 ///                  frame          open:   K1 and K7 stand on the ground
 ///                                 closed: K1 joins M1 to M6, K7 stands on the ground
 ///                  modal_damping  ratio of critical of every mode, added to C (6.4)
+/// K2 and K6 have the oil films of the backup rolls at the chain's film_frequency: spring and damper, (29.18).
 /// Cost: one eigenproblem of a 6 x 6 matrix.  theory.md (6.1) to (6.5)
 /// Source: chain and published numbers: preprint doi 10.21203/rs.3.rs-1441429/v1.
 MillModel mill_model(const LumpedModel &model, const DynamicsSettings &settings);
+
+/// Hz, at which oil films are taken: that of the gap mode of the rolling chain, whose films are taken there.  NaN:
+/// the chain has no oil film.
+/// @param settings  their force_meaning is not used: K4 and C are between the work rolls
+double film_frequency(LumpedModel model, DynamicsSettings settings);
+
+/// The same chain without the dampers of its springs.
+MillModel without_spring_dampers(MillModel model);
 
 /// What the lumped record does not hold about the horizontal motion.
 struct ChockSeats {
