@@ -57,16 +57,20 @@ void add_state(RunContext &run, const ClusterStand &stand, const ClusterPassRun 
     if (name.key.empty() || !(name.gap_share >= reduce::least_share_listed))
       continue;
     Parameter f;
-    f.value       = named.modes.frequency[Eigen::Index(k)];
-    f.unit        = "Hz";
-    f.method      = fmt::format("{}, roll stack {} (38.29); {}", name.name,
+    f.value         = named.modes.frequency[Eigen::Index(k)];
+    f.unit          = "Hz";
+    f.method        = fmt::format("{}: {}; roll stack {} (38.29)", name.name, name.decided,
                            K4 > 0 ? fmt::format("with K4 = {:.5g} kN/mm between the work rolls", 1e-6 * K4)
-                                       : std::string("without the spring of the strip"),
-                                name.decided);
-    f.at          = {"{}", {{pass.force.value, "kN", ".5g"}}};
-    f.inputs      = keys;
-    f.error_lacks = {"stiffness of the supports"};
-    run.results.add(family + name.key, f);
+                                         : std::string("without the spring of the strip"));
+    f.at            = {"{}", {{pass.force.value, "kN", ".5g"}}};
+    f.inputs        = keys;
+    f.error_lacks   = {"stiffness of the supports"};
+    Parameter share = f;
+    share.value     = name.gap_share;
+    share.unit      = "1";
+    share.method    = name.name + ": share in the static compliance of the gap (22.23)";
+    run.results.add(family + name.key + ".frequency", f);
+    run.results.add(family + name.key + ".gap_share", share);
   }
 }
 }  // namespace
