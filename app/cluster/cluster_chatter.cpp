@@ -4,6 +4,7 @@
 #include "app/chatter/chatter_results.h"
 #include "app/cluster/cluster_bite.h"
 #include "core/model/case.h"
+#include "core/records/result_names.h"
 #include "reduce/stand/gap_modes.h"
 #include <algorithm>
 #include <cmath>
@@ -282,6 +283,41 @@ void solve_cluster_chatter(RunContext &run, const ClusterStand &stand, const std
   }
   if (failure && !answered)
     std::rethrow_exception(failure);
+}
+
+void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes)
+{
+  for (const ClusterPassRun &pass : passes) {
+    if (const std::string missing = missing_of_chatter(stand, pass.p); !missing.empty()) {
+      run.summary += fmt::format("pass \"{}\": critical speed not searched; give {}\n", pass.pass->name, missing);
+      continue;
+    }
+    try {
+      const ClusterChatter asked   = chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
+      const ChatterQuestion &q     = asked.question;
+      const ChatterSearch searched = search_chatter(q);
+      const auto add               = [&](const char *name, const char *unit, const double value) {
+        if (std::isnan(value))
+          return;
+        Parameter p;
+        p.value       = value;
+        p.unit        = unit;
+        p.method      = "eigenvalues of stand, bite and strip; " + q.structure;
+        p.at          = {"{}", {{searched.found.speed, "m/s", ".4g"}}};
+        p.inputs      = q.inputs;
+        p.error_lacks = {"errors of stand, friction law and flow stress"};
+        run.results.add(result_name({family::chatter, pass.pass->name, name}), p);
+      };
+      add("critical_speed", "m/s", searched.found.speed);
+      add("frequency", "Hz", searched.found.frequency);
+      run.summary += fmt::format("pass \"{}\", {:.4g} m/s: {}\n", pass.pass->name, q.condition.speed,
+                                 dynamics::sentence(searched.found, chatter_range(q)));
+    } catch (const InputError &e) {
+      run.warn(e.problems.front().message);
+    } catch (const SolverError &e) {
+      run.warn("pass \"" + pass.pass->name + "\": critical speed not searched: " + e.report.what);
+    }
+  }
 }
 
 DrivenStand driven_cluster(RunContext &run, const std::string &wanted)

@@ -251,6 +251,8 @@ void solve_cluster(RunContext &run, const ClusterStand &stand, const Goal goal)
       add_vibration(run, stand, pass, record.passes.back());
   }
   say_what_is_assumed(run, stand);
+  if (goal == Goal::simulate)
+    add_critical_speeds(run, stand, passes);
   if (goal == Goal::chatter)
     solve_cluster_chatter(run, stand, passes);
   else if (goal != Goal::stiffness) {
