@@ -54,7 +54,7 @@ void add_state(RunContext &run, const ClusterStand &stand, const ClusterPassRun 
   const NamedStackModes named = named_modes(stand, pass.state, K4);
   for (std::size_t k = 0; k < named.names.size(); ++k) {
     const reduce::ModeName &name = named.names[k];
-    if (name.key.empty() || !(name.gap_share >= reduce::least_share_listed))
+    if (!is_listed(name))
       continue;
     Parameter f;
     f.value         = named.modes.frequency[Eigen::Index(k)];
@@ -74,6 +74,11 @@ void add_state(RunContext &run, const ClusterStand &stand, const ClusterPassRun 
   }
 }
 }  // namespace
+
+bool is_listed(const reduce::ModeName &name)
+{
+  return !name.key.empty() && name.gap_share >= reduce::least_share_listed;
+}
 
 NamedStackModes named_modes(const ClusterStand &stand, const cluster::PassState &state, const double K4)
 {

@@ -11,6 +11,9 @@ struct NamedStackModes {
 /// @param K4  N/m, between the rolls at the strip; 0: open
 NamedStackModes named_modes(const ClusterStand &stand, const cluster::PassState &state, double K4);
 
+/// Has the mode results of its own: a name, and a share of the gap that is worth a row.
+bool is_listed(const reduce::ModeName &name);
+
 /// mode.* with K4 between the rolls at the strip, open.mode.* without, of the first pass.
 void add_gap_modes(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass);
 }  // namespace mill
