@@ -101,7 +101,7 @@ const CaseKind &case_kind(const ClusterCase *)
          })
       k.sections.push_back(std::move(section));
     k.sections.push_back(bite_section());
-    k.sections.push_back({"stand", Repeat::once, false, "strip before and behind the stand, for chatter",
+    k.sections.push_back({"stand", Repeat::once, false, "the strip around the stand, for millstand chatter",
                           rows_of(stand_span_rows())});
     k.sections.push_back(
         {"analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows())});
