@@ -24,5 +24,7 @@ struct LumpedModel {
   OperatingPoint at;                    ///< working load, "976.2 kN"; empty for a given model
   std::array<ChainFilm, 2> film;        ///< upper, lower backup roll
   double film_frequency = not_given;    ///< Hz, at which the chain in motion takes them; NaN: at rest
+  /// kg, M1..M6 in motion, of shapes in which the films are as stiff as at that frequency; NaN: those at rest
+  std::array<double, 6> moving_mass{not_given, not_given, not_given, not_given, not_given, not_given};
 };
 }  // namespace mill

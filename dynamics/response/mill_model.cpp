@@ -87,7 +87,8 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
                    {"K7", lower_frame, ground, K(7)}};
   model.M.resize(6);
   for (int i = 0; i < 6; ++i)
-    model.M[i] = lumped.M[std::size_t(i)].value;
+    model.M[i] = std::isnan(lumped.moving_mass[std::size_t(i)]) ? lumped.M[std::size_t(i)].value
+                                                                : lumped.moving_mass[std::size_t(i)];
   require((model.M.array() > 0).all(), "a mass of the chain is not above zero");
   model.K = assemble(6, model.springs);  // (6.2)
   require(model.K.allFinite(), "a spring of the chain is not a finite number");
@@ -182,25 +183,31 @@ Eigen::Index gap_mode_of(const MillModel &chain, const Modes &all)
 }
 }  // namespace
 
-double film_frequency(LumpedModel model, DynamicsSettings settings)
+void take_films(LumpedModel &model, DynamicsSettings settings, const MassesOnBearings &masses)
 {
   if (!(model.film[0].damper > 0 || model.film[1].damper > 0))
-    return not_given;
+    return;
   settings.force_meaning = "disturbance";
   settings.modal_damping = 0;
-  if (std::isnan(model.K[3].value))
-    model.K[3].value = 0;
-  model.film_frequency = 0;
+  LumpedModel rolling    = model;
+  if (std::isnan(rolling.K[3].value))
+    rolling.K[3].value = 0;
+  rolling.film_frequency = 0;
   for (int i = 0; i < 100; ++i) {
-    const MillModel chain = mill_model(model, settings);
-    const Modes all       = modes(chain);
-    const double f        = all.frequency[gap_mode_of(chain, all)];
-    const bool settled    = std::abs(f - model.film_frequency) < 1e-9 * f;
-    model.film_frequency  = f;
+    const auto stiffness = [&](const ChainFilm &film) {
+      return std::hypot(film.stiffness, 2 * M_PI * rolling.film_frequency * film.damper);
+    };
+    rolling.moving_mass    = masses(stiffness(rolling.film[0]), stiffness(rolling.film[1]));
+    const MillModel chain  = mill_model(rolling, settings);
+    const Modes all        = modes(chain);
+    const double f         = all.frequency[gap_mode_of(chain, all)];
+    const bool settled     = std::abs(f - rolling.film_frequency) < 1e-9 * f;
+    rolling.film_frequency = f;
     if (settled)
       break;
   }
-  return model.film_frequency;
+  model.film_frequency = rolling.film_frequency;
+  model.moving_mass    = rolling.moving_mass;
 }
 
 MillModel without_spring_dampers(MillModel model)

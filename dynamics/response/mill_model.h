@@ -4,6 +4,7 @@
 #include "core/model/material.h"
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -46,15 +47,21 @@ struct MillModel {
 ///                  frame          open:   K1 and K7 stand on the ground
 ///                                 closed: K1 joins M1 to M6, K7 stands on the ground
 ///                  modal_damping  ratio of critical of every mode, added to C (6.4)
-/// K2 and K6 have the oil films of the backup rolls at the chain's film_frequency: spring and damper, (29.18).
+/// K2 and K6 have the oil films of the backup rolls at the chain's film_frequency: spring and damper, (29.18);
+/// masses are its moving_mass where it has them.
 /// Cost: one eigenproblem of a 6 x 6 matrix.  theory.md (6.1) to (6.5)
 /// Source: chain and published numbers: preprint doi 10.21203/rs.3.rs-1441429/v1.
 MillModel mill_model(const LumpedModel &model, const DynamicsSettings &settings);
 
-/// Hz, at which oil films are taken: that of the gap mode of the rolling chain, whose films are taken there.  NaN:
-/// the chain has no oil film.
+/// M1..M6 (kg) of a chain whose backup rolls stand on bearings of these stiffnesses, N/m: upper and lower, both
+/// bearings of a roll.
+using MassesOnBearings = std::function<std::array<double, 6>(double upper, double lower)>;
+
+/// The frequency at which oil films are taken, that of the gap mode of the rolling chain whose films are taken
+/// there, and the masses of its shapes with films of |k + i w b|.  Nothing where the chain has no oil film.
+/// theory.md (29.18)
 /// @param settings  their force_meaning is not used: K4 and C are between the work rolls
-double film_frequency(LumpedModel model, DynamicsSettings settings);
+void take_films(LumpedModel &model, DynamicsSettings settings, const MassesOnBearings &masses);
 
 /// The same chain without the dampers of its springs.
 MillModel without_spring_dampers(MillModel model);

@@ -12,6 +12,7 @@
 #include "core/model/four_high.h"
 #include "core/model/roll.h"
 #include "dynamics/response/mill_model.h"
+#include "reduce/stand/lumped_stand.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -189,14 +190,24 @@ reduce::LoadDeflection over_the_force(const BearingStudy &study)
 }
 }  // namespace
 
-void add_films(LumpedModel &chain, const FourHigh &stand, const StandBearings &bearings)
+void add_films(LumpedModel &chain, const FourHigh &stand, const StandBearings &bearings,
+               const reduce::ChainInputs &inputs)
 {
   const auto given  = [&](const char *name) { return stand.given.count(name) > 0; };
   const double K[2] = {bearings.K_Zy_upper.value, bearings.K_Zy_lower.value};
   for (const std::size_t half : {0u, 1u})
     if (!given("K_Zy") && !given(half == 0 ? "K2" : "K6"))
       chain.film[half] = {K[half], bearings.film_damper[half]};
-  chain.film_frequency = dynamics::film_frequency(chain, stand.dynamics);
+  dynamics::take_films(chain, stand.dynamics, [&](const double upper, const double lower) {
+    reduce::ChainInputs moving     = inputs;
+    moving.K_Zy_upper.value        = upper > 0 ? upper : inputs.K_Zy_upper.value;
+    moving.K_Zy_lower.value        = lower > 0 ? lower : inputs.K_Zy_lower.value;
+    const reduce::LumpedStand made = reduce::lumped_stand(stand, moving, reduce::StatedErrors::none);
+    std::array<double, 6> masses{};
+    for (std::size_t i = 0; i < masses.size(); ++i)
+      masses[i] = made.model.M[i].value;
+    return masses;
+  });
 }
 
 std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand,

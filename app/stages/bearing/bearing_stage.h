@@ -5,6 +5,9 @@
 #include <vector>
 
 namespace mill {
+namespace reduce {
+struct ChainInputs;
+}
 struct BearingCase;
 struct FourHigh;
 struct LumpedModel;
@@ -32,7 +35,9 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
 
 /// The oil films of the backup rolls into the chain that they are a part of, with the frequency at which it takes
 /// them; nothing where the bearing or the spring of the chain is given.
-void add_films(LumpedModel &chain, const FourHigh &stand, const StandBearings &bearings);
+/// @param inputs  of the chain
+void add_films(LumpedModel &chain, const FourHigh &stand, const StandBearings &bearings,
+               const reduce::ChainInputs &inputs);
 
 /// The same for kind = "bearing": Kzc.*, curves, and the motion of a mass on the bearing when one is given.
 void solve_bearing_case(RunContext &run, const BearingCase &spec);
