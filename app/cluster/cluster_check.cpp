@@ -1,3 +1,4 @@
+#include "app/cluster/cluster_bite.h"
 #include "app/cluster/cluster_schedule.h"
 #include "app/cluster/cluster_stage.h"
 #include "app/stages/bite/bite_stage.h"
@@ -70,6 +71,7 @@ void check_cluster(const Case &the_case)
   check_forces(stand, problems);
   if (!problems.empty())
     throw InputError(std::move(problems));
+  check_strip_contact(the_case, stand);
 }
 
 ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass)

@@ -1,4 +1,4 @@
-#include "app/cluster/cluster_stage.h"
+#include "app/cluster/cluster_chatter.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
@@ -14,25 +14,16 @@ const ClusterStand &stand_of(const Case &the_case)
   return *std::get<ClusterCase>(the_case.spec).stand;
 }
 
-std::string cluster_refusal(const Case &the_case, const std::string &verb)
-{
-  if (verb != "chatter")
-    return "";
-  return "the stack of " + the_case.path +
-         " has an imposed rolling force and no bite that answers its motion; 'chatter' needs a four-high or a "
-         "case of kind "
-         "= \"chatter\"";
-}
 }  // namespace
 
 const RunKind &cluster_kind()
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs   = {"run", "stiffness", "modes", "simulate"};
-    k.refusal = cluster_refusal;
-    k.check   = check_cluster;
-    k.stages  = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
+    k.verbs  = {"run", "stiffness", "modes", "chatter", "simulate"};
+    k.check  = check_cluster;
+    k.driven = driven_cluster;
+    k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
       std::vector<std::pair<std::string, double>> stages;
       for (const ClusterContact &c : stand_of(the_case).contacts)
         if (c.law == "computed" && c.like.empty()) {

@@ -53,6 +53,14 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
   Parameter force      = parameter(pass, f, "N", static_method);
   force.error_estimate = f != 0 ? pass.state.rest.residual / std::abs(f) : 0;
   run.results.add(name("force"), force);
+  if (c.strip) {
+    Parameter K4   = parameter(pass, cluster::contact_tangent(c, d), "N/m",
+                             std::isnan(stand.stack.strip_stiffness)
+                                   ? "bite of the pass: plastic slope in series with both rolls (8.13)"
+                                   : "stack.strip_stiffness");
+    K4.error_lacks = {std::isnan(stand.stack.strip_stiffness) ? "strip.flow_stress" : "stack.strip_stiffness"};
+    run.results.add(name("tangent"), K4);
+  }
   if (!c.one_sided || f <= 0)
     return;
   Parameter approach = parameter(pass, d, "m", "law of the contact (38.3)-(38.5)"),

@@ -1,4 +1,7 @@
 #include "app/cluster/cluster_stage.h"
+#include "app/cluster/cluster_bite.h"
+#include "app/cluster/cluster_chatter.h"
+#include "app/cluster/cluster_modes.h"
 #include "app/cluster/cluster_results.h"
 #include "app/cluster/cluster_schedule.h"
 #include "app/run/curve_files.h"
@@ -102,14 +105,15 @@ void write_load_curve(RunContext &run, const ClusterStand &stand, const std::vec
     least = std::min(least, pass.force.value);
     most  = std::max(most, pass.force.value);
   }
-  constexpr int samples = 25;
-  const Eigen::Index n  = Eigen::Index(passes[0].state.modes.size());
+  const ClusterStand rolled = rolled_stand(stand, *passes[0].pass, passes[0].force);
+  constexpr int samples     = 25;
+  const Eigen::Index n      = Eigen::Index(passes[0].state.modes.size());
   std::vector<double> forces;
   std::vector<Eigen::VectorXd> rows;
   for (int i = 0; i < samples; ++i) {
     const double force = 0.25 * least * std::pow(8 * most / least, i / double(samples - 1));
     try {
-      const auto state = cluster::pass_state(stand, *passes[0].pass, force, computed);
+      const auto state = cluster::pass_state(rolled, *passes[0].pass, force, computed);
       Eigen::VectorXd f(n);
       for (Eigen::Index k = 0; k < n; ++k)
         f[k] = state.modes[std::size_t(k)].frequency;
@@ -161,8 +165,10 @@ void say_what_is_assumed(RunContext &run, const ClusterStand &stand)
     run.assume(
         "contacts of the stack are frictionless; rolls turn freely in every vibration (stack.spin = \"coupled\" "
         "has the other limit)");
-  if (stand.stack.strip.find('-') == std::string::npos || std::isnan(stand.stack.strip_stiffness))
-    run.assume("the strip is a force on the stack, not a spring");
+  if (stand.stack.strip.find('-') == std::string::npos)
+    run.assume(
+        "cluster.*: the strip is a force on the half of the stack that is drawn, not a spring; mode.* have the "
+        "spring of the strip between both halves");
 }
 }  // namespace
 
@@ -171,7 +177,10 @@ KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool drive
   KeyList keys;
   const std::string pass = fmt::format("pass.{}.", p);
   const bool given       = the_case.places.count(pass + "load") > 0;
-  const auto ends        = [](const std::string &key, const std::string &end) {
+  // The spring of the strip between two rolls is that of the bite where it is not given.
+  const bool of_bite = std::get<ClusterCase>(the_case.spec).stand->stack.strip.find('-') != std::string::npos &&
+                       the_case.places.count("stack.strip_stiffness") == 0;
+  const auto ends = [](const std::string &key, const std::string &end) {
     return key.size() >= end.size() && key.compare(key.size() - end.size(), end.size(), end) == 0;
   };
   for (const auto &place : the_case.places) {
@@ -183,7 +192,7 @@ KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool drive
     if (ends(key, ".fitted") ||
         (!driven && (ends(key, ".loss_factor") || ends(key, ".damping") || ends(key, ".damping_depth"))))
       continue;
-    if (given && begins_with("stack.flattening_"))  // of the bite, which then gives no force
+    if (given && !of_bite && begins_with("stack.flattening_"))  // of the bite, which then gives no force
       continue;
     if (begins_with("steel.") || begins_with("stack.") || begins_with("roll.") || begins_with("contact.") ||
         begins_with("support.") || key == pass + "load" || key == pass + "horizontal_force" ||
@@ -195,7 +204,7 @@ KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool drive
     // What the strip was before the first pass, where nothing says it.
     const bool first_entry =
         p > 0 && key == "pass.0.entry_thickness" && !the_case.places.count("strip.initial_thickness");
-    if ((strip || first_entry) && !given)
+    if ((strip || first_entry) && (!given || of_bite))
       keys.push_back(key);
   }
   return keys;
@@ -217,10 +226,11 @@ void solve_cluster(RunContext &run, const ClusterStand &stand, const Goal goal)
   std::vector<ClusterPassRun> passes;
   for (std::size_t p = 0; p < stand.schedule.size(); ++p) {
     ClusterPassRun pass;
-    pass.p           = p;
-    pass.pass        = &stand.schedule[p];
-    pass.force       = cluster_force(stand, *pass.pass);
-    pass.state       = state_of_pass(stand, *pass.pass, pass.force.value, computed);
+    pass.p     = p;
+    pass.pass  = &stand.schedule[p];
+    pass.force = cluster_force(stand, *pass.pass);
+    pass.state =
+        state_of_pass(rolled_stand(stand, *pass.pass, pass.force), *pass.pass, pass.force.value, computed);
     pass.keys        = cluster_keys(run.the_case, p, false);
     pass.driven_keys = cluster_keys(run.the_case, p, true);
     passes.push_back(std::move(pass));
@@ -234,18 +244,24 @@ void solve_cluster(RunContext &run, const ClusterStand &stand, const Goal goal)
       add_mode_results(run, stand, pass);
       add_stability(run, stand, pass, record.passes.back());
       refuse_buckled(pass, record.passes.back());
+      if (pass.p == 0)
+        add_gap_modes(run, stand, pass);
     }
     if (goal == Goal::simulate)
       add_vibration(run, stand, pass, record.passes.back());
   }
   say_what_is_assumed(run, stand);
-  if (goal != Goal::stiffness) {
+  if (goal == Goal::simulate)
+    add_critical_speeds(run, stand, passes);
+  if (goal == Goal::chatter)
+    solve_cluster_chatter(run, stand, passes);
+  else if (goal != Goal::stiffness) {
     write_load_curve(run, stand, passes, computed);
     solve_fits(run, stand, passes, computed, record);
   }
   run.out.write(cluster_file, json_of_record(record));
   if (const ScheduleQuestion schedule = schedule_question(run.the_case, goal == Goal::simulate);
-      goal != Goal::modes && !schedule.passes.empty())
+      goal != Goal::modes && goal != Goal::chatter && !schedule.passes.empty())
     add_schedule_forces(run, schedule);
 }
 }  // namespace mill

@@ -1,3 +1,5 @@
+#include "app/cluster/cluster_bite.h"
+#include "app/cluster/cluster_modes.h"
 #include "app/cluster/cluster_results.h"
 #include "app/cluster/cluster_schedule.h"
 #include "app/cluster/cluster_stage.h"
@@ -57,6 +59,28 @@ void add_velocities_of(const ClusterStand &stand, const ClusterPass &pass, const
       add("velocity", omega * size, "m/s");
       add("acceleration", omega * omega * size, "m/s2");
     }
+}
+
+// Modes of the first pass by what they do to the gap, rolling and open.
+void add_gap_modes_of(const Case &the_case, const ClusterStand &stand, const cluster::PassState &state,
+                      const double force, std::vector<ClosedFormResult> &all)
+{
+  const ClusterPass &pass = stand.schedule.front();
+  const double K4         = strip_spring(stand, pass, cluster_force(stand, pass));
+  const auto add          = [&](const std::string &family, const double spring, const KeyList &keys) {
+    const NamedStackModes named = named_modes(stand, state, spring);
+    for (std::size_t k = 0; k < named.names.size(); ++k)
+      if (is_listed(named.names[k])) {
+        all.push_back(result_of(keys, family + named.names[k].key + ".frequency",
+                                         named.modes.frequency[Eigen::Index(k)], "Hz", force));
+        all.back().relation = "eigenvalue of the tangent with the strip";
+        all.back().file     = "app/cluster/cluster_modes";
+        all.back().equation = "(38.29)";
+      }
+  };
+  add("open.mode.", 0, cluster_keys(the_case, 0, false));
+  if (K4 > 0)
+    add("mode.", K4, keys_of_bite(the_case, 0));
 }
 
 // Fits and work of the passes whose bite is drawn, as the static half has them.
@@ -125,8 +149,8 @@ std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case)
   for (std::size_t p = 0; p < stand.schedule.size(); ++p) {
     const ClusterPass &pass = stand.schedule[p];
     const double force      = cluster_force(stand, pass).value;
-    const auto state        = cluster::pass_state(stand, pass, force);
-    const KeyList keys      = cluster_keys(the_case, p, false);
+    const auto state   = cluster::pass_state(rolled_stand(stand, pass, cluster_force(stand, pass)), pass, force);
+    const KeyList keys = cluster_keys(the_case, p, false);
     const auto add = [&](const std::string &what, const std::string &more, const double value, const char *unit) {
       all.push_back(result_of(keys, result_name({family::cluster, pass.name, what, more}), value, unit, force));
     };
@@ -161,6 +185,8 @@ std::vector<ClosedFormResult> closed_form_cluster(const Case &the_case)
       all.back().file     = "dynamics/cluster/modes";
       all.back().equation = "(38.13)";
     }
+    if (p == 0)
+      add_gap_modes_of(the_case, stand, state, force, all);
     add_velocities_of(stand, pass, state, force, cluster_keys(the_case, p, true), all);
   }
   add_schedule(the_case, all);

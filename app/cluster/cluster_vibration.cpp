@@ -91,7 +91,7 @@ void find_least_force(const ClusterPassRun &pass, const cluster::MotionHistory &
 {
   for (std::size_t c = 0; c < pass.state.stack.contacts.size(); ++c) {
     const double rest = pass.state.rest.contact_loads[c];
-    if (!pass.state.stack.contacts[c].one_sided || rest <= 0)
+    if (!(pass.state.stack.contacts[c].one_sided || pass.state.stack.contacts[c].strip) || rest <= 0)
       continue;
     const double least = h.contact_force.row(Eigen::Index(c)).minCoeff() / rest;
     if (std::isnan(record.least_force) || least < record.least_force) {
@@ -211,6 +211,10 @@ void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPass
   std::vector<cluster::Drive> drives;
   for (const cluster::Load &load : moving.loads)
     drives.push_back({load.roll, h.force / pass.force.value * load.force, h.frequency});
+  // Between two rolls the dynamic force is a part of what the strip carries: it ends where the strip lets go.
+  for (std::size_t c = 0; c < moving.contacts.size(); ++c)
+    if (moving.contacts[c].strip)
+      drives = {{moving.contacts[c].b, Eigen::Vector2d(0, h.force), h.frequency, int(c)}};
   cluster::MotionOptions options;
   options.duration   = stand.response.duration;
   options.interval   = std::min(0.05 / h.frequency, stand.response.duration / 200);

@@ -70,8 +70,18 @@ void warn_of_slopes(const DynamicsSettings &settings)
                  "model is linear, with the slopes of the springs at the working load\n");
 }
 
+// Formats whose equations have one damping ratio and the damper of the gap.
+void warn_of_films(const DrivenStand &driven)
+{
+  if (has_film_dampers(driven))
+    console::say(
+        "warning: this model has the spring of the oil films at the frequency of the gap mode, and not their "
+        "damper; --format statespace has both\n");
+}
+
 fmu::ExportedModel unit_of(const DrivenStand &driven, const Case &the_case)
 {
+  warn_of_films(driven);
   if (driven.curves)
     return exported_curves(driven, the_case);
   warn_of_slopes(driven.dynamics);
@@ -119,6 +129,8 @@ void export_matrices(const CommandLine &command, const Case &the_case)
     require_own(format, path, the_case.name);
   const DrivenStand driven = driven_with_warnings(command, the_case);
   warn_of_slopes(driven.dynamics);
+  if (format != "statespace")
+    warn_of_films(driven);
   dynamics::ExchangedStand stand = exchanged_stand(driven, exported_model(driven, the_case));
   stand.name                     = name;
   const auto files               = exchange_files(format, stand, path);
@@ -141,7 +153,7 @@ int export_command(const CommandLine &command, const Case &the_case)
   if (!run_kind(the_case).driven && !(unit && std::holds_alternative<ChatterCase>(the_case.spec)))
     throw InputError("millstand export " + command.format + ": kind = \"" + the_case.kind +
                      "\" has no stand that a force can drive (" + the_case.path + "); it exports cases of kind " +
-                     (unit ? "four-high, lumped and chatter" : "four-high and lumped"));
+                     (unit ? "four-high, lumped, cluster and chatter" : "four-high, lumped and cluster"));
   if (unit)
     export_unit(command, the_case);
   else

@@ -141,6 +141,25 @@ double held_step(const double output_rate, const double highest)
   return 1 / (output_rate * std::max(1., std::ceil(per_period * highest / output_rate)));
 }
 
+namespace {
+// As a unit has it: without the dampers of oil films, of which it has no variable.
+dynamics::DrivenModel unit_driven(const DrivenStand &stand)
+{
+  if (!stand.modes)
+    return dynamics::driven_model(
+        dynamics::without_spring_dampers(dynamics::mill_model(stand.chain, stand.dynamics)));
+  dynamics::ModalModel modes = *stand.modes;
+  modes.dampers.resize(0, 0);
+  return dynamics::driven_model(modes);
+}
+}  // namespace
+
+bool has_film_dampers(const DrivenStand &stand)
+{
+  return stand.modes ? stand.modes->dampers.size() > 0
+                     : stand.chain.film[0].damper > 0 || stand.chain.film[1].damper > 0;
+}
+
 fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
 {
   fmu::ExportedModel model;
@@ -151,7 +170,7 @@ fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
   model.source        = sources(stand);
   model.origin        = "case " + of.name + (stand.pass.name.empty() ? "" : ", " + stand.pass.name) +
                  (stand.chain.at.empty() ? "" : " at " + stand.chain.at.text());
-  const auto driven = driven_of(stand);
+  const auto driven = unit_driven(stand);
   model.data        = stand.modes ? modal_data(*stand.modes)
                                   : chain_data(dynamics::mill_model(stand.chain, stand.dynamics), stand);
   model.method      = method_of(stand);

@@ -270,7 +270,9 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
               const std::size_t p, const Goal goal, std::vector<Check> &gaps)
 {
   const bool first = p == 0;
-  auto chain       = reduce::lumped_stand(drawn, chain_inputs(drawn, parts, p, forces.loads[p]));
+  const auto in    = chain_inputs(drawn, parts, p, forces.loads[p]);
+  auto chain       = reduce::lumped_stand(drawn, in);
+  add_films(chain.model, drawn, parts.bearings[p], in);
   FourHigh stand   = drawn;
   stand.frame      = with_tolerance_of_given(drawn, chain.frame);
   const Pass &pass = stand.passes[p];
@@ -469,7 +471,9 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   made.take_bite(p);
   close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
   DrivenStand driven_stand;
-  auto chain = reduce::lumped_stand(stand, chain_inputs(stand, made.parts, p, forces.loads[p]));
+  const auto in = chain_inputs(stand, made.parts, p, forces.loads[p]);
+  auto chain    = reduce::lumped_stand(stand, in);
+  add_films(chain.model, stand, made.parts.bearings[p], in);
   std::optional<StandModels> models;
   const reduce::StandWithModes *detailed = nullptr;
   if (stand.dynamics.model != "six-mass" || stand.dynamics.mass_source != "closed-form") {

@@ -1,4 +1,5 @@
 #include "core/model/cluster_case.h"
+#include "core/case/advice_rows.h"
 #include "core/case/cluster_rows.h"
 #include "core/case/cluster_variants.h"
 #include "core/case/stand_reader.h"
@@ -218,8 +219,16 @@ void check_schedule(ClusterStand &stand, Reading &reading)
                               "none",
                               i));
     // Whole tension forces over the section of the strip.
-    pass.entry_tension = pass.entry_pull / (stand.strip.width * pass.entry_thickness);
-    pass.exit_tension  = pass.exit_pull / (stand.strip.width * pass.exit_thickness);
+    const auto stress = [&](double &tension, const double pull, const double thickness, const char *tension_key,
+                            const char *pull_key) {
+      if (is_given(reading, key(tension_key)) && is_given(reading, key(pull_key)))
+        contradict(reading, key(tension_key), "is the same as the pull over the section; leave one of the two out",
+                   {key(pull_key)});
+      if (!is_given(reading, key(tension_key)))
+        tension = pull / (stand.strip.width * thickness);
+    };
+    stress(pass.entry_tension, pass.entry_pull, pass.entry_thickness, "entry_tension", "entry_pull");
+    stress(pass.exit_tension, pass.exit_pull, pass.exit_thickness, "exit_tension", "exit_pull");
   }
   check_pass_names(names, reading);
   for (std::size_t i = 0; i < names.size(); ++i)
@@ -277,8 +286,9 @@ void check_no_fit(const BiteSetup &setup, Reading &reading)
        {std::pair{"bite.fit", !setup.fit.empty()}, {"bite.fit_for", !setup.fit_for.empty()}})
     if (wanted && reading.usable({key}))
       contradict(reading, key,
-                 "is not solved in kind = \"cluster\", where the flow stress of each pass is fitted to its load; "
-                 "remove it, or fit the same passes in a case of kind = \"bite\"",
+                 "is not solved in kind = \"cluster\": each pass with a load has its flow stress fitted to that "
+                 "load without it; "
+                 "remove it, or fit friction and flow stress of the same passes in a case of kind = \"bite\"",
                  {});
 }
 
@@ -288,6 +298,18 @@ void check_modes(const ClusterStand &stand, Reading &reading)
       "mode", "name", stand.modes, [](const ClusterMode &m) { return m.name; }, reading);
   for (std::size_t i = 0; i < stand.modes.size(); ++i)
     check_names_a_result(numbered("mode", i, "name"), stand.modes[i].name, reading);
+}
+
+// The passes as conditions that advice.condition may name.
+std::vector<RollingCondition> rolled_passes(const ClusterStand &stand)
+{
+  std::vector<RollingCondition> all;
+  for (const ClusterPass &pass : stand.schedule) {
+    all.emplace_back();
+    all.back().name  = pass.name;
+    all.back().speed = not_given;
+  }
+  return all;
 }
 
 std::shared_ptr<const ClusterStand> read_stand_of(const Node &root, Reading &reading)
@@ -303,8 +325,11 @@ std::shared_ptr<const ClusterStand> read_stand_of(const Node &root, Reading &rea
   stand->strip    = read_cluster_strip(root, reading);
   stand->schedule = read_list(root, "pass", cluster_pass_rows(), true, reading);
   read_and_echo(response, response.header(), cluster_response_rows(), stand->response, reading);
-  stand->modes = read_list(root, "mode", cluster_mode_rows(), false, reading);
-  stand->bite  = read_bite_setup(root, reading);
+  stand->modes    = read_list(root, "mode", cluster_mode_rows(), false, reading);
+  stand->bite     = read_bite_setup(root, reading);
+  stand->span     = read_stand_span(root, reading);
+  stand->analysis = read_chatter_analysis(root, reading);
+  stand->advice   = read_chatter_advice(root, rolled_passes(*stand), reading);
   check_rolls(*stand, reading);
   check_contacts(*stand, reading);
   check_supports(*stand, reading);

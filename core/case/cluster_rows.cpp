@@ -37,7 +37,9 @@ const std::vector<Field<ClusterSettings>> &cluster_stack_rows()
        {0, 1e9},
        absent,
        "1e4 kN/mm",
-       "spring of the strip between those two rolls; when absent the rolling force is imposed"},
+       "spring of the strip between those two rolls, K4; when absent that of the bite of the pass, or, without "
+       "one, the "
+       "rolling force is imposed"},
       {"gravity", &T::gravity, "flag", any, 1, "true", "weight of the rolls, along -y"},
       {"spin", &T::spin, "free | coupled", any, "free", "free",
        "coupled: friction in the contacts lets a vibration turn the rolls, by a tangential spring in each "
@@ -126,9 +128,9 @@ const std::vector<Field<ClusterContact>> &cluster_contact_rows()
        "90 deg",
        "from the first axis to the second, from the rolling direction upwards; places a roll that has no "
        "position"},
-      {"law", &T::law, "power | foeppl | johnson | computed | spring", any, "power", "power",
-       "power: Palmgren; foeppl, johnson: closed forms of a line contact; computed: finite elements of this pair; "
-       "spring: stiffness, exponent"},
+      {"law", &T::law, "power | foeppl | johnson | computed | spring", any, "johnson", "johnson",
+       "johnson, foeppl: closed forms of the line contact of two cylinders; power: Palmgren's for rollers of "
+       "bearings; computed: finite elements of this pair; spring: stiffness, exponent"},
       {"coefficient",
        &T::coefficient,
        "1",
@@ -268,6 +270,14 @@ const std::vector<Field<ClusterPass>> &cluster_pass_rows()
        "38 kN",
        "whole tension force of the strip before the bite"},
       {"exit_pull", &T::exit_pull, "kN", {0, 1e5}, absent, "35 kN", "behind the bite"},
+      {"entry_tension",
+       &T::entry_tension,
+       "MPa",
+       {0, 2000},
+       absent,
+       "289 MPa",
+       "stress of the strip before the bite, in place of entry_pull"},
+      {"exit_tension", &T::exit_tension, "MPa", {0, 2000}, absent, "385 MPa", "behind the bite"},
       {"speed", &T::speed, "m/s", {0.001, 100}, absent, "178 m/min", "of the rolls' surface"},
       {"horizontal_force",
        &T::horizontal_force,

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/errors.h"
 #include "core/model/bite_setup.h"
+#include "core/model/chatter.h"
 #include "core/model/given.h"
 #include "core/model/material.h"
 #include "core/model/pass.h"
@@ -30,7 +31,7 @@ struct ClusterContact {
   std::string pair;                  ///< "W-I"
   double direction = not_given;      ///< rad, from the first axis to the second, counted from +x to +y
   std::string like;                  ///< pair of which this one is the mirror image; empty: none
-  std::string law      = "power";    ///< power | foeppl | johnson | computed | spring
+  std::string law      = "johnson";  ///< power | foeppl | johnson | computed | spring
   double coefficient   = 3.84e-5;    ///< of the power law, mm and N
   double length        = not_given;  ///< m; absent: the shorter barrel
   double stiffness     = not_given;  ///< N/m, tangent at `load`: law spring
@@ -66,7 +67,7 @@ struct ClusterSupport {
   }
 };
 
-/// [[pass]]; entry_tension and exit_tension of Pass follow from the pulls where those are given.
+/// [[pass]]; the tensions of Pass are given, or follow from the pulls.
 struct ClusterPass : Pass {
   double entry_pull        = not_given;  ///< N, whole tension force of the strip before the bite
   double exit_pull         = not_given;  ///< N
@@ -131,6 +132,9 @@ struct ClusterStand {
   std::vector<ClusterPass> schedule;
   BiteSetup bite;
   ClusterResponse response;
+  StandSpan span;            ///< strip before and behind the stand, for chatter
+  ChatterAnalysis analysis;  ///< of chatter
+  ChatterAdvice advice;
   std::vector<ClusterMode> modes;
   std::vector<ClusterVariant> variants;
 };

@@ -13,4 +13,13 @@ Eigen::MatrixXd stiffness_of(const StandModel &stand)
     K.noalias() += c.rows.transpose() * c.stiffness.asDiagonal() * c.rows;
   return K;
 }
+
+Eigen::MatrixXd dampers_of(const StandModel &stand)
+{
+  Eigen::MatrixXd C = Eigen::MatrixXd::Zero(stand.M.rows(), stand.M.rows());
+  for (const Connection &c : stand.connections)
+    if (c.damper > 0)
+      C += c.damper * c.rows.transpose() * c.rows;
+  return C;
+}
 }  // namespace mill

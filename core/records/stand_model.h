@@ -12,6 +12,7 @@ struct Connection {
   Eigen::MatrixXd rows;       ///< (r, n) -, strain of each spring per displacement
   Eigen::VectorXd stiffness;  ///< (r) N/m
   double error_estimate = std::numeric_limits<double>::quiet_NaN();  ///< -, of all its stiffness; NaN: not known
+  double damper         = 0;  ///< N s/m, in parallel with each of its springs
 };
 
 /// A place of the stand that is looked at.
@@ -75,4 +76,7 @@ Eigen::MatrixXd symmetric_part(const Eigen::MatrixXd &m);
 
 /// (n, n) N/m: K_parts and all connections.
 Eigen::MatrixXd stiffness_of(const StandModel &stand);
+
+/// (n, n) N s/m: dampers of all connections.
+Eigen::MatrixXd dampers_of(const StandModel &stand);
 }  // namespace mill

@@ -74,8 +74,10 @@ StandStructure structure_of(const ModalModel &modes)
   s.name = "modes";
   s.M    = Eigen::MatrixXd::Identity(w.size(), w.size());
   s.C    = (2 * modes.damping * w).asDiagonal();
-  s.K    = w.cwiseAbs2().asDiagonal();
-  s.b    = modes.force;
+  if (modes.dampers.size() > 0)
+    s.C += modes.dampers;
+  s.K = w.cwiseAbs2().asDiagonal();
+  s.b = modes.force;
   s.labels.assign(modes.labels.begin(), modes.labels.begin() + 6);
   s.point = modes.point.topRows(6);
   s.point.bottomRows(3) *= -1;

@@ -204,7 +204,7 @@ std::vector<StructureNumber> modal_numbers(const ModalModel &modes)
     f.unit   = "Hz";
     f.value  = modes.frequency[i];
     f.K_by   = one_at(stand.n(), i, 2 * stand.K(i, i));
-    f.C_by   = one_at(stand.n(), i, stand.C(i, i));
+    f.C_by   = one_at(stand.n(), i, 4 * M_PI * modes.damping * modes.frequency[i]);
     f.scaled = [=](const double factor) {
       ModalModel other = modes;
       other.frequency[i] *= factor;
@@ -218,7 +218,7 @@ std::vector<StructureNumber> modal_numbers(const ModalModel &modes)
     z.name   = "modal damping";
     z.unit   = "1";
     z.value  = modes.damping;
-    z.C_by   = stand.C;
+    z.C_by   = (4 * M_PI * modes.damping * modes.frequency).asDiagonal();
     z.scaled = [=](const double factor) {
       ModalModel other = modes;
       other.damping *= factor;

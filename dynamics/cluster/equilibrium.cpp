@@ -43,7 +43,7 @@ Eigen::MatrixXd secant_matrix(const Stack &stack, const std::vector<char> &left_
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(stack.size(), stack.size());
   for (std::size_t i = 0; i < stack.contacts.size(); ++i) {
     const Contact &c = stack.contacts[i];
-    if (c.relaxed || left_out[std::size_t(c.a)] || left_out[std::size_t(c.b)])
+    if (c.strip || left_out[std::size_t(c.a)] || left_out[std::size_t(c.b)])
       continue;
     const Eigen::Vector2d n     = contact_state(stack, c, Motion::Zero(stack.size())).normal;
     const Eigen::Matrix2d block = k.contacts[i] * n * n.transpose();
@@ -70,7 +70,7 @@ double follow(const Stack &stack, const std::vector<char> &left_out, const Motio
   };
   for (std::size_t i = 0; i < stack.contacts.size(); ++i) {
     const Contact &c = stack.contacts[i];
-    if (c.relaxed || left_out[std::size_t(c.a)] || left_out[std::size_t(c.b)])
+    if (c.strip || left_out[std::size_t(c.a)] || left_out[std::size_t(c.b)])
       continue;
     const Eigen::Vector2d n = contact_state(stack, c, Motion::Zero(stack.size())).normal;
     const double f          = k.contacts[i] * n.dot(u.segment<2>(2 * c.a) - u.segment<2>(2 * c.b));
@@ -215,12 +215,12 @@ Equilibrium settle(Stack &stack, const EquilibriumOptions &options)
 {
   set_rollers(stack, closed_form_approaches(stack));
   for (Contact &c : stack.contacts)
-    if (c.relaxed)
+    if (c.strip)
       c.free_length = 0;
   Equilibrium e = equilibrium(stack, options);
   bool relaxed  = false;
   for (Contact &c : stack.contacts)
-    if (c.relaxed) {
+    if (c.strip) {
       c.free_length = contact_state(stack, c, e.u).distance;
       relaxed       = true;
     }

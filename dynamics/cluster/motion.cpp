@@ -39,7 +39,7 @@ public:
     h.time[row]             = time;
     h.displacement.col(row) = Eigen::Map<const Eigen::VectorXd>(state, n);
     h.velocity.col(row)     = Eigen::Map<const Eigen::VectorXd>(state + n, n);
-    equations_.contact_forces(state, h.contact_force.col(row).data());
+    equations_.contact_forces(time, state, h.contact_force.col(row).data());
     h.energy[row]         = equations_.energy(state);
     h.energy_balance[row] = h.energy[row] - h.energy[0] - state[2 * n];
     Eigen::Vector2d momentum(0, 0);

@@ -6,11 +6,13 @@
 
 // The stack in time: one-sided contacts with impact damping, separation.  theory.md 38.6
 namespace mill::cluster {
-/// A harmonic force on one roll, P sin(omega t).
+/// A harmonic force on one roll, P sin(omega t), or a harmonic part of what the strip carries.
 struct Drive {
   int roll              = 0;
   Eigen::Vector2d force = Eigen::Vector2d::Zero();  ///< N, amplitude
   double frequency      = 0;                        ///< Hz
+  int strip             = -1;  ///< index of the strip in the contacts: both its rolls are driven, by the length of
+                               ///< `force`, as long as its whole force is above zero; -1: one roll
 };
 
 /// A contact that opens or closes.

@@ -18,10 +18,10 @@ MotionEquations::MotionEquations(const Stack &stack, const Motion &rest, const s
   constant_      = forces(stack_, rest).loads;
   for (const Contact &c : stack_.contacts) {
     const ContactState s = contact_state(stack_, c, rest);
-    if (c.relaxed && c.free_length == 0)
+    if (c.strip && c.free_length == 0)
       continue;
     contacts_.push_back({c.a, c.b, c.law, s.distance * s.normal.x(), s.distance * s.normal.y(), s.distance,
-                         s.approach, c.damping, c.depth, c.one_sided});
+                         s.approach, c.damping, c.depth, c.one_sided, c.carried, 0, 0});
   }
   for (const Support &s : stack_.supports) {
     OneSupport support{s.roll,
@@ -45,7 +45,11 @@ MotionEquations::MotionEquations(const Stack &stack, const Motion &rest, const s
     supports_.push_back(support);
   }
   for (const Drive &d : drives)
-    drives_.push_back({d.roll, d.force.x(), d.force.y(), 2 * M_PI * d.frequency});
+    if (d.strip >= 0) {
+      contacts_[std::size_t(d.strip)].drive = d.force.norm();
+      contacts_[std::size_t(d.strip)].omega = 2 * M_PI * d.frequency;
+    } else
+      drives_.push_back({d.roll, d.force.x(), d.force.y(), 2 * M_PI * d.frequency});
 }
 
 MotionEquations::Now MotionEquations::now(const OneContact &c, const double *state, const int n)
@@ -64,11 +68,16 @@ MotionEquations::Now MotionEquations::now(const OneContact &c, const double *sta
 
 double MotionEquations::elastic_force(const OneContact &c, const double approach)
 {
+  if (c.carried > 0)
+    return std::max(-c.carried, c.law.k * approach);
   return c.one_sided || approach > 0 ? force(c.law, approach) : c.law.k * approach;
 }
 
-double MotionEquations::pushing(const OneContact &c, const Now &s)
+// Of the strip: what it pushes in addition to the loads.  (38.26)
+double MotionEquations::pushing(const OneContact &c, const Now &s, const double time)
 {
+  if (c.carried > 0)
+    return std::max(-c.carried, c.law.k * s.approach + c.damping * s.rate + c.drive * std::sin(c.omega * time));
   if (!c.one_sided)
     return elastic_force(c, s.approach) + c.damping * s.rate;
   return c.damping == 0 ? force(c.law, s.approach) : impact_force(c.law, s.approach, s.rate, c.damping, c.depth);
@@ -130,8 +139,8 @@ void MotionEquations::slope(const double time, const double *state, double *slop
     const Now s = now(c, state, n_);
     if (c.one_sided && s.approach <= 0)
       continue;
-    const double push = pushing(c, s);
-    if (c.damping != 0)
+    const double push = pushing(c, s, time);
+    if (c.damping != 0 || c.drive != 0)
       sums[0] -= (push - elastic_force(c, s.approach)) * s.rate;
     f[2 * c.a] -= push * s.nx;
     f[2 * c.a + 1] -= push * s.ny;
@@ -142,16 +151,28 @@ void MotionEquations::slope(const double time, const double *state, double *slop
     f[i] /= mass_[i];
 }
 
-void MotionEquations::approaches(const double *state, double *approach) const
+void MotionEquations::approaches(const double time, const double *state, double *approach) const
 {
-  for (const OneContact &c : contacts_)
-    *approach++ = now(c, state, n_).approach;
+  for (const OneContact &c : contacts_) {
+    const Now s = now(c, state, n_);
+    *approach++ =
+        c.carried > 0 ? s.approach + (c.carried + c.drive * std::sin(c.omega * time)) / c.law.k : s.approach;
+  }
 }
 
-void MotionEquations::contact_forces(const double *state, double *forces) const
+void MotionEquations::contact_forces(const double time, const double *state, double *forces) const
 {
   for (const OneContact &c : contacts_)
-    *forces++ = pushing(c, now(c, state, n_));
+    *forces++ = c.carried + pushing(c, now(c, state, n_), time);
+}
+
+double MotionEquations::stored(const OneContact &c, const double d)
+{
+  if (c.carried > 0) {
+    const double opens = -c.carried / c.law.k;
+    return d > opens ? 0.5 * c.law.k * d * d : 0.5 * c.law.k * opens * opens - c.carried * (d - opens);
+  }
+  return !c.one_sided && d < 0 ? 0.5 * c.law.k * d * d : mill::cluster::energy(c.law, d);
 }
 
 double MotionEquations::stored(const OneSupport &s, const double x, const double y)
@@ -179,12 +200,9 @@ double MotionEquations::stored(const OneSupport &s, const double x, const double
 double MotionEquations::energy(const double *state) const
 {
   const Eigen::Map<const Eigen::VectorXd> u(state, n_), v(state + n_, n_);
-  double sum           = 0.5 * v.dot(mass_.cwiseProduct(v)) - constant_.dot(u);
-  const auto stored_in = [](const OneContact &c, const double d) {
-    return !c.one_sided && d < 0 ? 0.5 * c.law.k * d * d : mill::cluster::energy(c.law, d);
-  };
+  double sum = 0.5 * v.dot(mass_.cwiseProduct(v)) - constant_.dot(u);
   for (const OneContact &c : contacts_)
-    sum += stored_in(c, now(c, state, n_).approach) - stored_in(c, c.approach);
+    sum += stored(c, now(c, state, n_).approach) - stored(c, c.approach);
   for (const OneSupport &s : supports_)
     sum += stored(s, s.x + u[2 * s.roll], s.y + u[2 * s.roll + 1]) - stored(s, s.x, s.y);
   return sum;

@@ -23,12 +23,14 @@ public:
   }
   bool one_sided(int contact) const
   {
-    return contacts_[std::size_t(contact)].one_sided;
+    return contacts_[std::size_t(contact)].one_sided || contacts_[std::size_t(contact)].carried > 0;
   }
   void slope(double time, const double *state, double *slope) const;
-  void approaches(const double *state, double *approach) const;    ///< m, of every contact
-  void contact_forces(const double *state, double *forces) const;  ///< N, damping included
-  double energy(const double *state) const;                        ///< J, zero at rest
+  /// m, of every contact; of the strip its whole force over its stiffness.  Positive: closed.
+  void approaches(double time, const double *state, double *approach) const;
+  /// N, whole force of every contact, damping included
+  void contact_forces(double time, const double *state, double *forces) const;
+  double energy(const double *state) const;  ///< J, zero at rest
   const Eigen::VectorXd &mass() const
   {
     return mass_;
@@ -41,6 +43,8 @@ private:
     double x, y, distance, approach;  // at rest
     double damping, depth;
     bool one_sided;
+    double carried;       // N, at rest; above zero: the strip
+    double drive, omega;  // N, 1/s, of what the strip carries
   };
   struct Now {
     double nx, ny, approach, rate;
@@ -59,7 +63,8 @@ private:
   };
   static Now now(const OneContact &c, const double *state, int n);
   static double elastic_force(const OneContact &c, double approach);
-  static double pushing(const OneContact &c, const Now &s);
+  static double pushing(const OneContact &c, const Now &s, double time);
+  static double stored(const OneContact &c, double approach);
   static void support_force(const OneSupport &s, double dx, double dy, double *force);
 
   static double stored(const OneSupport &s, double x, double y);

@@ -11,6 +11,9 @@ std::optional<Equilibrium> at_factor(Stack stack, const double factor)
 {
   for (Load &load : stack.loads)
     load.force *= factor;
+  for (Contact &c : stack.contacts)
+    if (c.strip)
+      c.free_length = 0;  // carries the force of the loads, whatever that is
   try {
     return equilibrium(stack);
   } catch (const SolverError &) {

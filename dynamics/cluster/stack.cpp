@@ -1,4 +1,5 @@
 #include "dynamics/cluster/stack.h"
+#include <algorithm>
 #include <cmath>
 
 namespace mill::cluster {
@@ -22,9 +23,9 @@ void add_contact(const Stack &stack, const Contact &c, const Motion &u, Eigen::M
                  Eigen::MatrixXd *geometric)
 {
   const ContactState s = contact_state(stack, c, u);
-  if (c.one_sided && s.approach < 0)
+  if (c.is_open(s.approach))
     return;
-  const double f = contact_force(c, s.approach), k = contact_tangent(c, s.approach);
+  const double f = added_force(c, s.approach), k = contact_tangent(c, s.approach);
   const Eigen::Matrix2d e = s.normal * s.normal.transpose();
   const Eigen::Matrix2d g = -f / s.distance * (Eigen::Matrix2d::Identity() - e);
   add_pair(K, stack, c, k * e + g);  // (38.9)
@@ -146,16 +147,33 @@ ContactState contact_state(const Stack &stack, const Contact &c, const Motion &u
 
 double contact_force(const Contact &c, const double approach)
 {
-  if (c.relaxed && c.free_length == 0)
-    return 0;
+  return c.carried + added_force(c, approach);
+}
+
+double added_force(const Contact &c, const double approach)
+{
+  if (c.strip)  // (38.26)
+    return c.free_length == 0 ? 0 : std::max(-c.carried, c.law.k * approach);
   return c.one_sided || approach > 0 ? force(c.law, approach) : c.law.k * approach;
 }
 
 double contact_tangent(const Contact &c, const double approach)
 {
-  if (c.relaxed && c.free_length == 0)
-    return 0;
+  if (c.strip)
+    return c.free_length == 0 || c.is_open(approach) ? 0 : c.law.k;
   return c.one_sided || approach > 0 ? tangent(c.law, approach) : c.law.k;
+}
+
+double contact_energy(const Contact &c, const double approach)
+{
+  if (c.strip && c.free_length == 0)
+    return 0;
+  if (c.strip) {
+    const double opens = -c.carried / c.law.k;
+    return approach > opens ? 0.5 * c.law.k * approach * approach
+                            : 0.5 * c.law.k * opens * opens - c.carried * (approach - opens);
+  }
+  return !c.one_sided && approach < 0 ? 0.5 * c.law.k * approach * approach : energy(c.law, approach);
 }
 
 Eigen::VectorXd slip_row(const Stack &stack, const Contact &c, const Eigen::Vector2d &normal)
@@ -226,7 +244,7 @@ Forces forces(const Stack &stack, const Motion &u)
       f.loads[stack.per_roll() * int(i) + 1] -= stack.rolls[i].mass * free_fall;
   for (const Contact &c : stack.contacts) {
     const ContactState s        = contact_state(stack, c, u);
-    const Eigen::Vector2d force = contact_force(c, s.approach) * s.normal;
+    const Eigen::Vector2d force = added_force(c, s.approach) * s.normal;
     f.contacts.segment<2>(stack.per_roll() * c.a) -= force;
     f.contacts.segment<2>(stack.per_roll() * c.b) += force;
   }
@@ -272,10 +290,8 @@ Eigen::MatrixXd total_tangent(const Stack &stack, const Motion &u)
 double potential_energy(const Stack &stack, const Motion &u)
 {
   double sum = 0;
-  for (const Contact &c : stack.contacts) {
-    const double d = contact_state(stack, c, u).approach;
-    sum += !c.one_sided && d < 0 ? 0.5 * c.law.k * d * d : energy(c.law, d);
-  }
+  for (const Contact &c : stack.contacts)
+    sum += contact_energy(c, contact_state(stack, c, u).approach);
   for (const Support &s : stack.supports)
     sum += support_energy(s, at(u, stack, s.roll));
   return sum - forces(stack, u).loads.dot(u);

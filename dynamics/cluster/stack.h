@@ -21,13 +21,22 @@ struct Contact {
   std::string name;  ///< "W-I"
   int a = 0, b = 0;  ///< index of the rolls
   ContactLaw law;
-  double free_length = 0;      ///< m, distance of the axes at first touch
-  double loss_factor = 0;      ///< -, of complex stiffness
-  double damping     = 0;      ///< N s/m, of impact_force
-  double depth       = 0;      ///< m, of impact_force
-  double tangential  = 0;      ///< tangential over normal stiffness; 0: the contact is frictionless
-  bool one_sided     = true;   ///< false: a spring that also pulls, of a straight law
-  bool relaxed       = false;  ///< carries nothing at rest: settle() sets its free length; 0: not yet, no force
+  double free_length = 0;     ///< m, distance of the axes at first touch
+  double loss_factor = 0;     ///< -, of complex stiffness
+  double damping     = 0;     ///< N s/m, of impact_force
+  double depth       = 0;     ///< m, of impact_force
+  double tangential  = 0;     ///< tangential over normal stiffness; 0: the contact is frictionless
+  bool one_sided     = true;  ///< false: a spring that also pulls, of a straight law
+  /// The strip between two rolls: a straight spring about the state at rest, whose free length settle() sets; 0:
+  /// not yet, no spring.
+  bool strip     = false;
+  double carried = 0;  ///< N, strip: force at rest, which the loads of the stack put on both rolls
+
+  /// Has the whole force reached zero?  The strip lets go where the fluctuation has taken all of what it carries.
+  bool is_open(const double approach) const
+  {
+    return strip ? carried + law.k * approach <= 0 : one_sided && approach < 0;
+  }
 };
 
 /// By how much two points (x, y) apart, `distance` from each other, are `now` farther after a motion of (dx, dy)
@@ -113,8 +122,11 @@ struct ContactState {
   Eigen::Vector2d normal = Eigen::Vector2d::UnitY();  ///< from a to b
 };
 ContactState contact_state(const Stack &stack, const Contact &contact, const Motion &u);
-double contact_force(const Contact &contact, double approach);    ///< N
+double contact_force(const Contact &contact, double approach);  ///< N; of the strip the whole force, never < 0
+/// N, what the contact puts on its rolls in addition to the loads: of the strip the change of its force.
+double added_force(const Contact &contact, double approach);
 double contact_tangent(const Contact &contact, double approach);  ///< N/m
+double contact_energy(const Contact &contact, double approach);   ///< J, stored by added_force()
 
 /// Slip of a coupled contact over the unknowns, one row.  theory.md (38.18)
 Eigen::VectorXd slip_row(const Stack &stack, const Contact &contact, const Eigen::Vector2d &normal);

@@ -110,7 +110,8 @@ void add_loads(Stack &stack, const ClusterStand &stand, const ClusterPass &pass,
   strip.b         = upper;
   strip.law       = straight_law(stand.stack.strip_stiffness);
   strip.one_sided = false;
-  strip.relaxed   = true;
+  strip.strip     = true;
+  strip.carried   = force;
   stack.contacts.push_back(strip);
 }
 }  // namespace

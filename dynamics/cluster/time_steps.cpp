@@ -44,7 +44,7 @@ TimeSteps::TimeSteps(const MotionEquations &equations, const Stack &stack, const
   longest_             = 1.2 / std::sqrt(roots_[n - 1]);
   step_                = longest_;
   Eigen::VectorXd d(equations_.contacts());
-  equations_.approaches(state_.data(), d.data());
+  equations_.approaches(0, state_.data(), d.data());
   for (Eigen::Index i = 0; i < d.size(); ++i) {
     closed_.push_back(d[i] > 0);
     watched_.push_back(equations_.one_sided(int(i)));
@@ -127,10 +127,10 @@ TimeSteps::Result TimeSteps::solve(const double h)
 }
 
 // Contacts whose state differs from the assumed one.
-std::vector<int> TimeSteps::changed(const Eigen::VectorXd &state) const
+std::vector<int> TimeSteps::changed(const double time, const Eigen::VectorXd &state) const
 {
   Eigen::VectorXd d(equations_.contacts());
-  equations_.approaches(state.data(), d.data());
+  equations_.approaches(time, state.data(), d.data());
   std::vector<int> which;
   for (Eigen::Index i = 0; i < d.size(); ++i)
     if (watched_[std::size_t(i)] && (closed_[std::size_t(i)] ? d[i] < -touch : d[i] > touch))
@@ -141,23 +141,23 @@ std::vector<int> TimeSteps::changed(const Eigen::VectorXd &state) const
 // Share of the step at which the first contact changes; 1: none does.
 double TimeSteps::first_crossing(const Result &r, const double h, int &contact) const
 {
-  const auto value_at = [&](const double x) {
+  const auto changed_at = [&](const double x) {
     const Collocation::Row w = rule_.up_to(x);
-    return physical(q_ + x * h * p_ + h * h * (r.acceleration * (w * rule_.A).transpose()),
-                    p_ + h * (r.acceleration * w.transpose()));
+    return changed(time_ + x * h, physical(q_ + x * h * p_ + h * h * (r.acceleration * (w * rule_.A).transpose()),
+                                           p_ + h * (r.acceleration * w.transpose())));
   };
   double first = 1;
   contact      = -1;
   for (int i = 0; i <= Collocation::stages; ++i) {
     const double x   = i < Collocation::stages ? rule_.c[i] : 1;
-    const auto which = changed(value_at(x));
+    const auto which = changed_at(x);
     if (which.empty())
       continue;
     for (const int c : which) {
       double low = i > 0 ? rule_.c[i - 1] : 0, high = x;
       for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
         const double middle                                              = 0.5 * (low + high);
-        const auto now                                                   = changed(value_at(middle));
+        const auto now                                                   = changed_at(middle);
         (std::find(now.begin(), now.end(), c) != now.end() ? high : low) = middle;
       }
       if (high < first || contact < 0) {

@@ -48,7 +48,7 @@ private:
   const std::vector<Collocation::Square> &inverses(double h);
   void start_from_modes(double h, Stages &acceleration) const;
   Result solve(double h);
-  std::vector<int> changed(const Eigen::VectorXd &state) const;
+  std::vector<int> changed(double time, const Eigen::VectorXd &state) const;
   double first_crossing(const Result &r, double h, int &contact) const;
   void accept(const Result &r, double h);
   Eigen::VectorXd physical(const Eigen::VectorXd &q, const Eigen::VectorXd &p) const;

@@ -54,13 +54,25 @@ ModalResponse modal_response(const StandModel &stand, const Eigen::VectorXd &fre
       in_modes.row(Eigen::Index(p)) = places[p].transpose() * shape;
     return in_modes;
   };
-  return {frequency, rows(seen), rows(pushed), shape.transpose() * stand.b, damping, gap_damper};
+  ModalResponse response{frequency,  rows(seen), rows(pushed), shape.transpose() * stand.b, damping,
+                         gap_damper, {}};
+  std::vector<Eigen::VectorXd> dampers;
+  for (const Connection &c : stand.connections)
+    for (Eigen::Index r = 0; r < c.rows.rows() && c.damper > 0; ++r)
+      dampers.push_back(std::sqrt(c.damper) * c.rows.row(r).transpose());
+  response.dampers = rows(dampers);
+  return response;
 }
 
 ModalResponse first_modes(const ModalResponse &all, const Eigen::Index n)
 {
-  return {all.frequency.head(n), all.seen.leftCols(n), all.pushed.leftCols(n),
-          all.gap.head(n),       all.damping,          all.gap_damper};
+  return {all.frequency.head(n),
+          all.seen.leftCols(n),
+          all.pushed.leftCols(n),
+          all.gap.head(n),
+          all.damping,
+          all.gap_damper,
+          all.dampers.rows() > 0 ? Eigen::MatrixXd(all.dampers.leftCols(n)) : Eigen::MatrixXd()};
 }
 
 Eigen::MatrixXcd accelerance(const ModalResponse &s, const double frequency)
@@ -71,11 +83,17 @@ Eigen::MatrixXcd accelerance(const ModalResponse &s, const double frequency)
     return Complex(1) / Complex((omega - w) * (omega + w), 2 * s.damping * omega * w);  // (32.3)
   });
   Eigen::MatrixXcd y                = s.seen * receptance.asDiagonal() * s.pushed.transpose();
-  if (s.gap_damper > 0) {  // (32.4)
-    const Eigen::VectorXcd by_gap = receptance.cwiseProduct(s.gap.cast<Complex>());
-    const Complex unit            = Complex(0, w * s.gap_damper);
-    const Complex closing         = unit / (Complex(1) + unit * s.gap.cast<Complex>().cwiseProduct(by_gap).sum());
-    y -= closing * (s.seen * by_gap) * (s.pushed * by_gap).transpose();
+  Eigen::MatrixXd joined            = s.dampers;  // rows that dampers act along, times the root of each
+  if (s.gap_damper > 0) {
+    joined.conservativeResize(joined.rows() + 1, s.gap.size());
+    joined.bottomRows(1) = std::sqrt(s.gap_damper) * s.gap.transpose();
+  }
+  if (joined.rows() > 0) {  // (32.4)
+    const Eigen::MatrixXcd by_dampers = receptance.asDiagonal() * joined.transpose().cast<Complex>();
+    Eigen::MatrixXcd closing          = Complex(0, w) * (joined.cast<Complex>() * by_dampers);
+    closing.diagonal().array() += Complex(1);
+    y -= Complex(0, w) * (s.seen * by_dampers) *
+         closing.partialPivLu().solve(Eigen::MatrixXcd((s.pushed * by_dampers).transpose()));
   }
   return -w * w * y;
 }
@@ -95,7 +113,7 @@ Eigen::MatrixXd modal_damping_matrix(const Eigen::MatrixXd &M, const Eigen::Matr
 DampedStand damped_stand(const StandModel &stand, const double damping, const double gap_damper)
 {
   DampedStand s{stand.M, stiffness_of(stand), {}};
-  s.C = modal_damping_matrix(s.M, s.K, damping) + gap_damper * stand.b * stand.b.transpose();
+  s.C = modal_damping_matrix(s.M, s.K, damping) + gap_damper * stand.b * stand.b.transpose() + dampers_of(stand);
   return s;
 }
 

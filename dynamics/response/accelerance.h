@@ -14,6 +14,8 @@ struct ModalResponse {
   Eigen::VectorXd gap;        ///< (n) kg^-1/2, of the bite force, which the damper of the gap acts along
   double damping    = 0;      ///< -, ratio of critical of every mode
   double gap_damper = 0;      ///< N s/m
+  Eigen::MatrixXd
+      dampers;  ///< (r, n) sqrt(N s/(m kg)), roots of the dampers of connections in the modes; may be empty
 };
 
 /// @param frequency  (n) Hz
@@ -27,7 +29,8 @@ ModalResponse modal_response(const StandModel &stand, const Eigen::VectorXd &fre
 /// The first n modes of it.
 ModalResponse first_modes(const ModalResponse &all, Eigen::Index n);
 
-/// (m, k) 1/kg: sum over the modes, the damper of the gap by one rank.  (32.3), (32.4)
+/// (m, k) 1/kg: sum over the modes, the damper of the gap and those of connections by one rank each.
+/// (32.3), (32.4)
 /// @param frequency  Hz, >= 0.  An undamped stand has no value at its own frequencies: infinite there.
 /// Cost: m k n.
 Eigen::MatrixXcd accelerance(const ModalResponse &stand, double frequency);

@@ -2,6 +2,8 @@
 #include "core/base/errors.h"
 #include "core/base/require.h"
 #include "dynamics/response/modes.h"
+#include "reduce/chain/film_in_series.h"
+#include "reduce/stand/gap_modes.h"
 #include <Eigen/Cholesky>
 #include <cmath>
 
@@ -20,6 +22,26 @@ Eigen::MatrixXd assemble(const int n, const std::vector<Spring> &springs)
     }
   }
   return K;
+}
+
+Eigen::MatrixXd spring_dampers(const int n, std::vector<Spring> springs)
+{
+  for (Spring &spring : springs)
+    spring.stiffness = spring.damper;
+  return assemble(n, springs);
+}
+
+// A spring of the chain with the oil film that is a part of it, at the frequency of the chain.
+Spring with_film(Spring spring, const ChainFilm &film, const double frequency)
+{
+  if (!(film.damper > 0) || !(film.stiffness > spring.stiffness))
+    return spring;
+  const double rest = 1 / (1 / spring.stiffness - 1 / film.stiffness);
+  const auto at =
+      reduce::equivalent_in_series(rest, {film.stiffness, film.damper}, std::isnan(frequency) ? 0 : frequency);
+  spring.stiffness = at.stiffness;
+  spring.damper    = at.damper;
+  return spring;
 }
 
 // C = M V diag(2 zeta w) V^T M with mass-normalised V  (6.4)
@@ -57,15 +79,16 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
   model.labels  = {"upper frame",     "upper backup roll", "upper work roll",
                    "lower work roll", "lower backup roll", "lower frame"};
   model.springs = {{"K1", closed ? int(lower_frame) : ground, upper_frame, K(1)},
-                   {"K2", upper_frame, upper_backup_roll, K(2)},
+                   with_film({"K2", upper_frame, upper_backup_roll, K(2)}, lumped.film[0], lumped.film_frequency),
                    {"K3", upper_backup_roll, upper_work_roll, K(3)},
                    {"K4", upper_work_roll, lower_work_roll, K4},
                    {"K5", lower_work_roll, lower_backup_roll, K(5)},
-                   {"K6", lower_backup_roll, lower_frame, K(6)},
+                   with_film({"K6", lower_backup_roll, lower_frame, K(6)}, lumped.film[1], lumped.film_frequency),
                    {"K7", lower_frame, ground, K(7)}};
   model.M.resize(6);
   for (int i = 0; i < 6; ++i)
-    model.M[i] = lumped.M[std::size_t(i)].value;
+    model.M[i] = std::isnan(lumped.moving_mass[std::size_t(i)]) ? lumped.M[std::size_t(i)].value
+                                                                : lumped.moving_mass[std::size_t(i)];
   require((model.M.array() > 0).all(), "a mass of the chain is not above zero");
   model.K = assemble(6, model.springs);  // (6.2)
   require(model.K.allFinite(), "a spring of the chain is not a finite number");
@@ -75,6 +98,7 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
   model.C                  = gap_damper * model.b * model.b.transpose();  // (6.3)
   if (settings.modal_damping > 0)
     model.C += modal_damping(model, settings.modal_damping);  // (6.4)
+  model.C += spring_dampers(6, model.springs);
   model.load_cell = load_cell_row(closed, K(1), K(7));
   // A disturbance moves the rolls about a state whose mean force the stand carries whole; only the published
   // reading lets K4 take its share of the mean.
@@ -133,6 +157,64 @@ MillModel horizontal_model(const LumpedModel &lumped, const ChockSeats &seats)
   model.C         = Eigen::MatrixXd::Zero(n, n);
   model.b         = Eigen::VectorXd::Zero(n);
   model.load_cell = Eigen::VectorXd::Zero(n);
+  return model;
+}
+
+namespace {
+// The gap mode of the first kind, or, where there is none, the mode of the largest share.  (22.23)
+Eigen::Index gap_mode_of(const MillModel &chain, const Modes &all)
+{
+  const Eigen::VectorXd share = reduce::gap_shares(all.frequency, all.shape, chain.b);
+  Eigen::Index best           = -1;
+  for (Eigen::Index k = 0; k < share.size(); ++k) {
+    const auto y       = all.shape.col(k);
+    const auto kinetic = [&](const int from) {
+      return y.segment(from, 3).cwiseAbs2().dot(chain.M.segment(from, 3));
+    };
+    const bool upper = kinetic(upper_frame) > kinetic(lower_work_roll);
+    const bool with_backup =
+        upper ? y[upper_backup_roll] * y[upper_work_roll] > 0 : y[lower_work_roll] * y[lower_backup_roll] > 0;
+    if (with_backup && (best < 0 || share[k] > share[best]))
+      best = k;
+  }
+  if (best < 0)
+    share.maxCoeff(&best);
+  return best;
+}
+}  // namespace
+
+void take_films(LumpedModel &model, DynamicsSettings settings, const MassesOnBearings &masses)
+{
+  if (!(model.film[0].damper > 0 || model.film[1].damper > 0))
+    return;
+  settings.force_meaning = "disturbance";
+  settings.modal_damping = 0;
+  LumpedModel rolling    = model;
+  if (std::isnan(rolling.K[3].value))
+    rolling.K[3].value = 0;
+  rolling.film_frequency = 0;
+  for (int i = 0; i < 100; ++i) {
+    const auto stiffness = [&](const ChainFilm &film) {
+      return std::hypot(film.stiffness, 2 * M_PI * rolling.film_frequency * film.damper);
+    };
+    rolling.moving_mass    = masses(stiffness(rolling.film[0]), stiffness(rolling.film[1]));
+    const MillModel chain  = mill_model(rolling, settings);
+    const Modes all        = modes(chain);
+    const double f         = all.frequency[gap_mode_of(chain, all)];
+    const bool settled     = std::abs(f - rolling.film_frequency) < 1e-9 * f;
+    rolling.film_frequency = f;
+    if (settled)
+      break;
+  }
+  model.film_frequency = rolling.film_frequency;
+  model.moving_mass    = rolling.moving_mass;
+}
+
+MillModel without_spring_dampers(MillModel model)
+{
+  model.C -= spring_dampers(int(model.M.size()), model.springs);
+  for (Spring &spring : model.springs)
+    spring.damper = 0;
   return model;
 }
 

@@ -4,6 +4,7 @@
 #include "core/model/material.h"
 #include <Eigen/Core>
 #include <array>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -17,10 +18,11 @@ constexpr int ground = -1;
 
 /// One linear spring between two masses, or between a mass and the ground.
 struct Spring {
-  std::string name;  ///< "K3"
-  int from;          ///< index of a mass, or ground
-  int to;            ///< index of a mass, or ground
-  double stiffness;  ///< N/m
+  std::string name;   ///< "K3"
+  int from;           ///< index of a mass, or ground
+  int to;             ///< index of a mass, or ground
+  double stiffness;   ///< N/m
+  double damper = 0;  ///< N s/m, in parallel with it
 };
 
 /// A chain of n masses ready to be analysed:  M y'' + C y' + K y = b F(t).  theory.md (6.1)
@@ -45,9 +47,24 @@ struct MillModel {
 ///                  frame          open:   K1 and K7 stand on the ground
 ///                                 closed: K1 joins M1 to M6, K7 stands on the ground
 ///                  modal_damping  ratio of critical of every mode, added to C (6.4)
+/// K2 and K6 have the oil films of the backup rolls at the chain's film_frequency: spring and damper, (29.18);
+/// masses are its moving_mass where it has them.
 /// Cost: one eigenproblem of a 6 x 6 matrix.  theory.md (6.1) to (6.5)
 /// Source: chain and published numbers: preprint doi 10.21203/rs.3.rs-1441429/v1.
 MillModel mill_model(const LumpedModel &model, const DynamicsSettings &settings);
+
+/// M1..M6 (kg) of a chain whose backup rolls stand on bearings of these stiffnesses, N/m: upper and lower, both
+/// bearings of a roll.
+using MassesOnBearings = std::function<std::array<double, 6>(double upper, double lower)>;
+
+/// The frequency at which oil films are taken, that of the gap mode of the rolling chain whose films are taken
+/// there, and the masses of its shapes with films of |k + i w b|.  Nothing where the chain has no oil film.
+/// theory.md (29.18)
+/// @param settings  their force_meaning is not used: K4 and C are between the work rolls
+void take_films(LumpedModel &model, DynamicsSettings settings, const MassesOnBearings &masses);
+
+/// The same chain without the dampers of its springs.
+MillModel without_spring_dampers(MillModel model);
 
 /// What the lumped record does not hold about the horizontal motion.
 struct ChockSeats {

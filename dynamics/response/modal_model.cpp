@@ -22,6 +22,8 @@ ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency
   model.load_cell_share = stand.load_cell_share;
   model.damping         = damping;
   model.gap_damper      = gap_damper;
+  if (const Eigen::MatrixXd C = dampers_of(stand); !C.isZero(0))
+    model.dampers = kept.transpose() * C * kept;
   return model;
 }
 
@@ -31,7 +33,8 @@ Eigen::MatrixXd damping_matrix(const StandModel &stand, const Eigen::VectorXd &f
   require(frequency.size() == shape.cols(), "every shape needs a frequency");
   const Eigen::MatrixXd MV = stand.M * shape;
   const Eigen::VectorXd c  = 4 * M_PI * damping * frequency;  // 2 zeta omega
-  const Eigen::MatrixXd C  = MV * c.asDiagonal() * MV.transpose() + gap_damper * stand.b * stand.b.transpose();
+  const Eigen::MatrixXd C =
+      MV * c.asDiagonal() * MV.transpose() + gap_damper * stand.b * stand.b.transpose() + dampers_of(stand);
   return 0.5 * (C + C.transpose());
 }
 
@@ -46,6 +49,8 @@ StateSpace state_space(const ModalModel &model)
   system.A.bottomRightCorner(n, n) = (-2 * model.damping * rad).asDiagonal();
   // The bite force works on the gap, so its damper couples the modes by the same row, as in (6.3).
   system.A.bottomRightCorner(n, n) -= model.gap_damper * model.force * model.force.transpose();
+  if (model.dampers.size() > 0)
+    system.A.bottomRightCorner(n, n) -= model.dampers;
   system.B                = Eigen::VectorXd::Zero(2 * n);
   system.B.tail(n)        = model.force;
   system.C                = Eigen::MatrixXd::Zero(m + 1, 2 * n);

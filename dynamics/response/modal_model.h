@@ -16,6 +16,7 @@ struct ModalModel {
   double load_cell_share = 1;       ///< -, part of the mean bite force that the load cell shows
   double damping         = 0;       ///< -, ratio of critical of every mode
   double gap_damper      = 0;       ///< N s/m, C between the work rolls, over the strip's width
+  Eigen::MatrixXd dampers;          ///< (n, n) N s/(m kg), of the connections, oil films; empty: none
 };
 
 /// The modes of a stand up to `highest` (Hz).  What is left out is the motion of faster modes, which a force below
@@ -26,7 +27,8 @@ ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency
                        double damping, double highest, double gap_damper = 0);
 
 /// (unknowns, unknowns) N s/m: the damping matrix of a stand whose every mode of `shape` has the same damping
-/// ratio, and of a damper between the work rolls; modes that are left out are not damped.  theory.md (6.3), (6.4)
+/// ratio, of a damper between the work rolls, and of the dampers of its connections; modes that are left out are
+/// not damped.  theory.md (6.3), (6.4)
 Eigen::MatrixXd damping_matrix(const StandModel &stand, const Eigen::VectorXd &frequency,
                                const Eigen::MatrixXd &shape, double damping, double gap_damper = 0);
 

@@ -47,7 +47,8 @@ ModalResponse drawn(const ModalResponse &low, const std::vector<UncertainInput> 
           low.pushed * V,
           V.transpose() * low.gap,
           damping,
-          low.gap_damper};
+          low.gap_damper,
+          low.dampers.rows() > 0 ? Eigen::MatrixXd(low.dampers * V) : Eigen::MatrixXd()};
 }
 
 /// Response of the first force alone, which the band is made for.

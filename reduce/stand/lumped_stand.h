@@ -57,7 +57,7 @@ template <class Io, class Inputs> void each_spring(Io &&io, Inputs &inputs)
 /// known are left out.  A member that is added to the model and not named here does not compile.
 template <class Io> void each_number(Io &&io, const LumpedModel &model)
 {
-  const auto &[M, K, Kzc, Kzc_across, C, at] = model;
+  const auto &[M, K, Kzc, Kzc_across, C, at, film, film_frequency, moving_mass] = model;
   for (std::size_t i = 0; i < M.size(); ++i)
     io("M" + std::to_string(i + 1), M[i]);
   for (std::size_t i = 0; i < K.size(); ++i)

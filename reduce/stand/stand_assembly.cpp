@@ -1,5 +1,6 @@
 #include "reduce/stand/stand_assembly.h"
 #include "core/base/short_number.h"
+#include "reduce/chain/film_in_series.h"
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -61,9 +62,11 @@ public:
         add_body(part, Eigen::MatrixXd::Constant(1, 1, mass), Eigen::MatrixXd::Zero(1, 1), {StandUnknown{}}));
   }
 
-  void add_spring(const std::string &name, const double stiffness, const Eigen::VectorXd &row)
+  void add_spring(const std::string &name, const double stiffness, const Eigen::VectorXd &row,
+                  const double damper = 0)
   {
     s.connections.push_back({name, row.transpose(), Eigen::VectorXd::Constant(1, stiffness)});
+    s.connections.back().damper = damper;
   }
 
   Eigen::VectorXd unit(const Eigen::Index i) const
@@ -107,10 +110,24 @@ Connection foundation(const Assembly &a, const std::string &name, const Placed &
   return c;
 }
 
+/// The oil films of a backup roll, a part of the spring behind it.
+struct Film {
+  double stiffness = 0, damper = 0;  ///< N/m, N s/m
+  double frequency = 0;              ///< Hz
+  SpringAndDamper joined(const double spring) const
+  {
+    if (!(damper > 0) || !(stiffness > spring))
+      return {spring, 0};
+    return equivalent_in_series(1 / (1 / spring - 1 / stiffness), {stiffness, damper}, frequency);
+  }
+};
+
 /// From `start` through springs and stops to `end`; a stop without mass gets no unknown.
 /// springs.size() == stops.size() + 1; names as the springs'.
+/// @param film  a part of the last spring; without damper: none
 void add_path(Assembly &a, Eigen::VectorXd start, const Eigen::VectorXd &end,
-              const std::vector<std::pair<std::string, double>> &springs, const std::vector<Stop> &stops)
+              const std::vector<std::pair<std::string, double>> &springs, const std::vector<Stop> &stops,
+              const Film &film)
 {
   std::string name;
   double compliance = 0;
@@ -124,7 +141,9 @@ void add_path(Assembly &a, Eigen::VectorXd start, const Eigen::VectorXd &end,
       continue;
     }
     const Eigen::VectorXd here = last ? end : a.add_mass(stops[i].part, stops[i].mass);
-    a.add_spring(name, 1 / compliance, here - start);
+    const SpringAndDamper k =
+        last ? film.joined(1 / compliance) : SpringAndDamper{1 / compliance};
+    a.add_spring(name, k.stiffness, here - start, k.damper);
     for (const auto &[point, part] : waiting)
       a.s.points.push_back({point, start + part / compliance * (here - start)});
     if (!last)
@@ -258,6 +277,9 @@ StandSprings stand_springs(const FourHigh &stand, const LumpedStand &chain, cons
   s.K_Zy_lower = chain.K_Zy_lower.value;
   if (stand.given.count("K_ZW"))
     s.K_ZW = chain.K_ZW.value;
+  s.film_upper     = m.film[0].damper;
+  s.film_lower     = m.film[1].damper;
+  s.film_frequency = std::isnan(m.film_frequency) ? 0 : m.film_frequency;
   if (chock_on_bearing) {
     s.Kzc_upper = m.Kzc[1].value;
     s.Kzc_lower = m.Kzc[2].value;
@@ -308,7 +330,8 @@ StandModel assemble_stand(const std::string &name, const FourHigh &stand, const 
   path.emplace_back("oil column", f.oil_column_stiffness);
   path.emplace_back("cylinder body", f.cylinder_body_stiffness);
   path.emplace_back("upper chock and K_Zy", series(f.upper_chock_stiffness, springs.K_Zy_upper));
-  add_path(a, upper, in_place(a, placed[upper_backup], rolls[upper_backup].seat), path, stops);
+  add_path(a, upper, in_place(a, placed[upper_backup], rolls[upper_backup].seat), path, stops,
+           {springs.K_Zy_upper, springs.film_upper, springs.film_frequency});
   const double half_work = rolls[upper_work].half_barrel, half_backup = rolls[upper_backup].half_barrel;
   const double line = std::min(half_work, half_backup), strip = std::min(stand.strip.width / 2, half_work);
   a.s.connections.push_back(foundation(a, "K3", placed[upper_backup], placed[upper_work], springs.K3, line));
@@ -318,8 +341,10 @@ StandModel assemble_stand(const std::string &name, const FourHigh &stand, const 
     a.add_spring("K4", springs.K4, a.s.b);
   a.s.connections.push_back(foundation(a, "K5", placed[lower_work], placed[lower_backup], springs.K5, line));
   a.s.points.push_back({"lower backup chock", lower});
-  a.add_spring("lower chock and K_Zy", series(f.lower_chock_stiffness, springs.K_Zy_lower),
-               in_place(a, placed[lower_backup], rolls[lower_backup].seat) - lower);
+  const auto below = Film{springs.K_Zy_lower, springs.film_lower, springs.film_frequency}.joined(
+      series(f.lower_chock_stiffness, springs.K_Zy_lower));
+  a.add_spring("lower chock and K_Zy", below.stiffness,
+               in_place(a, placed[lower_backup], rolls[lower_backup].seat) - lower, below.damper);
   add_work_chock(a, "upper", placed[upper_work], work.chock_mass_upper, springs.Kzc_upper);
   add_work_chock(a, "lower", placed[lower_work], work.chock_mass_lower, springs.Kzc_lower);
   for (const Placed &roll : placed)

@@ -12,18 +12,21 @@ namespace mill::reduce {
 /// What a stand needs in addition to its drawing: springs at the working load and the reduced frame.  Whole stand
 /// unless it says otherwise.
 struct StandSprings {
-  double K1         = 0;          ///< N/m, ground to upper frame (closed frame: lower to upper frame)
-  double K7         = 0;          ///< N/m, lower frame to ground
-  double M1         = 0;          ///< kg, upper frame
-  double M6         = 0;          ///< kg, lower frame
-  double K3         = 0;          ///< N/m, upper roll contact, tangent
-  double K5         = 0;          ///< N/m, lower roll contact, tangent
-  double K4         = 0;          ///< N/m, bite; 0 when the force is the whole bite force
-  double K_Zy_upper = 0;          ///< N/m, both bearings of the upper backup roll
-  double K_Zy_lower = 0;          ///< N/m, both bearings of the lower backup roll
-  double K_ZW       = not_given;  ///< N/m, replaces the drawn backup roll's stiffness in a stand of beams
-  double Kzc_upper  = not_given;  ///< N/m, one bearing of the upper work roll, chock on it; absent: rigid
-  double Kzc_lower  = not_given;  ///< N/m, one bearing of the lower work roll, chock on it; absent: rigid
+  double K1             = 0;          ///< N/m, ground to upper frame (closed frame: lower to upper frame)
+  double K7             = 0;          ///< N/m, lower frame to ground
+  double M1             = 0;          ///< kg, upper frame
+  double M6             = 0;          ///< kg, lower frame
+  double K3             = 0;          ///< N/m, upper roll contact, tangent
+  double K5             = 0;          ///< N/m, lower roll contact, tangent
+  double K4             = 0;          ///< N/m, bite; 0 when the force is the whole bite force
+  double K_Zy_upper     = 0;          ///< N/m, both bearings of the upper backup roll
+  double K_Zy_lower     = 0;          ///< N/m, both bearings of the lower backup roll
+  double K_ZW           = not_given;  ///< N/m, replaces the drawn backup roll's stiffness in a stand of beams
+  double film_upper     = 0;          ///< N s/m, of the oil films in K_Zy_upper; 0: none
+  double film_lower     = 0;          ///< N s/m, in K_Zy_lower
+  double film_frequency = 0;          ///< Hz, at which they are taken, (29.18)
+  double Kzc_upper      = not_given;  ///< N/m, one bearing of the upper work roll, chock on it; absent: rigid
+  double Kzc_lower      = not_given;  ///< N/m, one bearing of the lower work roll, chock on it; absent: rigid
 };
 
 /// Springs and frame of the chain made for the same stand: K1, K3, K5, K7, M1, M6, both K_Zy as they enter the

@@ -23,6 +23,8 @@ std::string contact_table(const ClusterRecord &record);
 std::string frequency_table(const ClusterRecord &record);
 /// What every mode of the first pass consists of.
 std::string share_table(const ClusterPassRecord &pass);
+/// Modes by what they do to the gap, with the strip rolling between the work rolls and without; empty: no names.
+std::string gap_table(const Run &run);
 std::string stability_table(const ClusterRecord &record);
 std::string cluster_history_table(const ClusterRecord &record);
 std::string cluster_fit_table(const ClusterRecord &record);

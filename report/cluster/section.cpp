@@ -104,6 +104,11 @@ void modes_part(Page &page, const Run &run, const ClusterRecord &record)
         table,
         "Published and computed frequencies. A motion is recognised by its shape, not by its number; the "
         "publication has one list for all passes. What follows from a fitted support agrees by construction.");
+  if (const std::string table = gap_table(run); !table.empty())
+    page.table(table,
+               "Modes by what they do to the gap, " + escaped(record.passes[0].name) +
+                   ": rolling with the spring of the strip between the work rolls, open without. The share is "
+                   "that of the mode in the static compliance of the gap.");
   if (const std::string modes = moving_modes(record, record.passes[0]); !modes.empty())
     page.figure({modes},
                 "Modes under " + escaped(record.passes[0].name) +

@@ -106,6 +106,49 @@ std::string share_table(const ClusterPassRecord &pass)
   return table_of("<th>mode</th><th>Hz</th><th>named</th><th>kinetic energy</th><th>elastic energy</th>", rows);
 }
 
+namespace {
+// "gap mode, first kind: why; how" -> the name.
+std::string name_in(const Result &result)
+{
+  const std::string source = result.source.substr(result.source.find(": ") + 2);
+  return source.substr(0, source.find(": "));
+}
+
+// KEY of "mode.KEY.frequency"; empty: another result.
+std::string key_of_mode(const std::string &name, const std::string &family)
+{
+  static const std::string last = ".frequency";
+  if (name.rfind(family, 0) != 0 || name.size() <= family.size() + last.size() ||
+      name.compare(name.size() - last.size(), last.size(), last) != 0)
+    return "";
+  return name.substr(family.size(), name.size() - family.size() - last.size());
+}
+}  // namespace
+
+std::string gap_table(const Run &run)
+{
+  std::string rows;
+  const auto share_of = [&](const std::string &mode) {
+    const Result *share = run.find(mode + ".gap_share");
+    return cell(share ? fixed(100 * share->value, 1) : "-");
+  };
+  for (const std::string family : {"mode.", "open.mode."})
+    for (const Result &result : run.results) {
+      const std::string key = key_of_mode(result.name, family);
+      const bool open       = family == "open.mode.";
+      if (key.empty() || (open && run.find("mode." + key + ".frequency")))
+        continue;
+      const Result *other = run.find("open.mode." + key + ".frequency");
+      rows += row_head(name_in(result)) + cell(open ? "-" : fixed(result.value, 1)) +
+              (open ? cell("-") : share_of("mode." + key)) + cell(other ? fixed(other->value, 1) : "-") +
+              share_of("open.mode." + key) + "</tr>\n";
+    }
+  return rows.empty() ? ""
+                      : table_of("<th>mode</th><th>rolling, Hz</th><th>of the gap, %</th><th>open, Hz</th>"
+                                 "<th>of the gap, %</th>",
+                                 rows);
+}
+
 std::string stability_table(const ClusterRecord &record)
 {
   std::string rows;

@@ -11,6 +11,8 @@
 #include "core/model/contact_settings.h"
 #include "core/model/four_high.h"
 #include "core/model/roll.h"
+#include "dynamics/response/mill_model.h"
+#include "reduce/stand/lumped_stand.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -118,6 +120,8 @@ public:
     const KeyList inputs      = seat_keys(stand, i, pass);
     out.Kzc[i]                = film_stiffness(study, inputs);
     out.Kzc_across[i]         = film_stiffness(study, inputs, true);
+    if (seat.backup)
+      out.film_damper[i == 0 ? 0 : 1] = 2 * study.solution.at.damping(0, 0);
     if (pass > 0)
       return;
     run.results.add(std::string(seat.name) + ".tangent", out.Kzc[i]);
@@ -185,6 +189,26 @@ reduce::LoadDeflection over_the_force(const BearingStudy &study)
   return both;
 }
 }  // namespace
+
+void add_films(LumpedModel &chain, const FourHigh &stand, const StandBearings &bearings,
+               const reduce::ChainInputs &inputs)
+{
+  const auto given  = [&](const char *name) { return stand.given.count(name) > 0; };
+  const double K[2] = {bearings.K_Zy_upper.value, bearings.K_Zy_lower.value};
+  for (const std::size_t half : {0u, 1u})
+    if (!given("K_Zy") && !given(half == 0 ? "K2" : "K6"))
+      chain.film[half] = {K[half], bearings.film_damper[half]};
+  dynamics::take_films(chain, stand.dynamics, [&](const double upper, const double lower) {
+    reduce::ChainInputs moving     = inputs;
+    moving.K_Zy_upper.value        = upper > 0 ? upper : inputs.K_Zy_upper.value;
+    moving.K_Zy_lower.value        = lower > 0 ? lower : inputs.K_Zy_lower.value;
+    const reduce::LumpedStand made = reduce::lumped_stand(stand, moving, reduce::StatedErrors::none);
+    std::array<double, 6> masses{};
+    for (std::size_t i = 0; i < masses.size(); ++i)
+      masses[i] = made.model.M[i].value;
+    return masses;
+  });
+}
 
 std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand,
                                           const std::vector<double> &forces)

@@ -257,13 +257,11 @@ void note_oil_film(RunContext &run, const OilFilmStudy &s, const bool in_chain)
       fmt::format("bearing.{}: the film resists motion along the load by {:.4g} kN/mm and {:.4g} kN s/mm; above "
                   "{:.3g} Hz its damping is more than its stiffness",
                   name, state.stiffness(0, 0) / 1e6, state.damping(0, 0) / 1e6, locks);
-  if (in_chain)
-    run.warn(film +
-             fmt::format(". The springs of the chain use only the stiffness (the only damper is in parallel with "
-                         "K4): at higher frequencies the film is almost rigid, and the natural frequencies are "
-                         "higher. given.Kzc1 and given.Kzc4 take a stiffness for them, at f about 2 pi f b"));
-  else
-    run.assume(film);
+  run.assume(film + (in_chain
+                         ? ". Stiffnesses at rest (K2, K6, mill modulus) have the spring alone; modes, frequency "
+                           "response and critical speed have spring and damper at the frequency of the gap "
+                           "mode (29.18)"
+                         : ""));
   run.assume(
       fmt::format("bearing.{}: motion across the load moves the force along it by k_xy = {:.4g} kN/mm, the other "
                   "way round by k_yx = {:.4g} kN/mm{}",

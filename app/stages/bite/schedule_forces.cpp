@@ -117,11 +117,12 @@ void note_force_of_case(RunContext &run, const PassForce &pass, const bite::Roll
 {
   if (std::isnan(pass.law_force) || !(pass.fitted_to > 0))
     return;
-  const double difference = pass.law_force / pass.fitted_to - 1;
-  const std::string sentence =
-      fmt::format("pass \"{}\": strip.flow_stress and strip.friction give {:.4g} kN by {}; the {} is {:.4g} kN",
-                  pass.name, 1e-3 * pass.law_force, bite::model_name({closed_theory(bite), bite::Arc::hitchcock}),
-                  pass.fitted_to_what, 1e-3 * pass.fitted_to);
+  const double difference    = pass.law_force / pass.fitted_to - 1;
+  const std::string sentence = fmt::format(
+      "pass \"{}\": strip.flow_stress, {:.4g} MPa at the exit, and strip.friction give {:.4g} kN by {}; "
+      "the {} is {:.4g} kN",
+      pass.name, 1e-6 * pass.law_stress, 1e-3 * pass.law_force,
+      bite::model_name({closed_theory(bite), bite::Arc::hitchcock}), pass.fitted_to_what, 1e-3 * pass.fitted_to);
   if (std::abs(difference) <= same_schedule_force)
     run.assume(sentence);
   else

@@ -1,3 +1,4 @@
+#include "core/case/advice_rows.h"
 #include "core/case/cluster_rows.h"
 #include "core/case/kinds.h"
 #include "core/case/stand_reader.h"
@@ -100,6 +101,11 @@ const CaseKind &case_kind(const ClusterCase *)
          })
       k.sections.push_back(std::move(section));
     k.sections.push_back(bite_section());
+    k.sections.push_back({"stand", Repeat::once, false, "the strip around the stand, for millstand chatter",
+                          rows_of(stand_span_rows())});
+    k.sections.push_back(
+        {"analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows())});
+    k.sections.push_back(chatter_advice_section());
     k.notes    = cluster_notes();
     k.drawing  = cluster_drawing();
     k.repeated = [](const CaseSpec &spec, const std::string &section) {

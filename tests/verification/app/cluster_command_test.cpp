@@ -91,10 +91,10 @@ TEST(ClusterCommand, NamesTheMotionThatNothingHolds)
 TEST(ClusterCommand, RefusesFitsWithMoreUnknownsThanData)
 {
   EXPECT_EQ(refused(" --set 'variant.0.modes=[\"E vertical\"]'"),
-            "201:12: error: variant.0.unknowns = [\"support.E.stiffness\", \"support.R.stiffness\"] are 2 numbers "
+            "204:12: error: variant.0.unknowns = [\"support.E.stiffness\", \"support.R.stiffness\"] are 2 numbers "
             "for 1 frequencies; a fit needs at least as many frequencies as unknowns");
   EXPECT_EQ(refused("", {{"name = \"N\"", "name = \"N.1\""}}),
-            "200:8: error: variant.0.name = \"N.1\" contains a dot, which separates the parts of result names; "
+            "203:8: error: variant.0.name = \"N.1\" contains a dot, which separates the parts of result names; "
             "take a dash "
             "or a blank");
 }
@@ -104,19 +104,20 @@ TEST(ClusterCommand, RefusesAFitOfTheBite)
   const auto with = [](const std::string &line) {
     return refused("", {{"[strip.friction]", "[bite]\n" + line + "\n[strip.friction]"}});
   };
-  EXPECT_TRUE(
-      holds(with("fit = [\"force\"]"),
-            "error: bite.fit = [\"force\"] is not solved in kind = \"cluster\", where the flow stress of each "
-            "pass is fitted to its load; remove it, or fit the same passes in a case of kind = \"bite\""));
+  EXPECT_TRUE(holds(
+      with("fit = [\"force\"]"),
+      "error: bite.fit = [\"force\"] is not solved in kind = \"cluster\": each pass with a load has its flow "
+      "stress fitted to that load without it; remove it, or fit friction and flow stress of the same passes in "
+      "a case of kind = \"bite\""));
   EXPECT_TRUE(holds(with("fit_for = [\"friction\"]"), "error: bite.fit_for = [\"friction\"] is not solved"));
 }
 
 TEST(ClusterCommand, RefusesForcesThatTheLawsDoNotGive)
 {
   EXPECT_EQ(refused("", {{"load = \"1148 kN\"\nentry_thickness", "entry_thickness"}, {"k = \"1604 MPa\"\n", ""}}),
-            "87:7: error: strip.flow_stress.law = \"power\" needs 'k'");
+            "90:7: error: strip.flow_stress.law = \"power\" needs 'k'");
   EXPECT_TRUE(holds(refused(" --set 'strip.flow_stress.k=4 GPa'", {{"load = \"1459 kN\"\n", ""}}),
-                    "128:1: error: pass \"pass 4\": roll bite: no flattened radius: R'/R = "));
+                    "131:1: error: pass \"pass 4\": roll bite: no flattened radius: R'/R = "));
 }
 
 TEST(ClusterCommand, ABuckledStackEndsWithTheForceAndTheGuideItNeeds)
@@ -150,7 +151,7 @@ TEST(ClusterCommand, NamesTheSupportWhosePreloadIsLost)
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const std::string warnings = results_in(folder).at("warnings").dump();
   EXPECT_TRUE(
-      holds(warnings, ".toml:66:1: pass \\\"pass 1\\\": the preload of support L is lost, its rollers carry "))
+      holds(warnings, ".toml:69:1: pass \\\"pass 1\\\": the preload of support L is lost, its rollers carry "))
       << warnings;
   EXPECT_TRUE(holds(warnings, " and 0 N; the roll is not held by all of its rollers")) << warnings;
 }
@@ -219,11 +220,15 @@ TEST(ClusterCommand, TheForceOfTheGivenFlowStressDoesNotFollowTheLoad)
   ASSERT_EQ(run.exit_code, 0) << run.err;
   const auto results       = results_in(folder);
   const std::string notes  = results.at("warnings").dump() + results.at("assumptions").dump();
-  const std::string before = "pass \\\"pass 1\\\": strip.flow_stress and strip.friction give ";
-  const auto begin         = notes.find(before);
+  const std::string stress = "pass \\\"pass 1\\\": strip.flow_stress, ",
+                    before = " MPa at the exit, and strip.friction give ";
+  const auto named = notes.find(stress), begin = notes.find(before, named);
+  ASSERT_NE(named, std::string::npos) << notes;
   ASSERT_NE(begin, std::string::npos) << notes;
   // Y = 802 MPa, n = 0.290 of section 3.8: 1185 kN.
   EXPECT_TRUE(near(std::stod(notes.substr(begin + before.size())), 1185, within(2e-3, "three digits of Y and n")));
+  EXPECT_TRUE(near(std::stod(notes.substr(named + stress.size())), 1604 * std::pow(std::log(0.26 / 0.18), 0.29),
+                   within(1e-3, "k e^n of the case at the exit, four digits")));
   EXPECT_TRUE(holds(notes, "the load of the pass is 900 kN; the computed force differs by +32 %")) << notes;
 }
 
@@ -269,4 +274,62 @@ TEST(ClusterCommand, CoupledSpinWarnsOfTheMissingHistory)
                    within(1e-13, "a harmonic motion at the frequency of the dynamic force: one product")));
   EXPECT_FALSE(std::filesystem::exists(folder + "/curves/cluster-pass-1.history.csv"));
   EXPECT_TRUE(std::filesystem::exists(folder + "/curves/cluster-pass-1.response.csv"));
+}
+
+// The compact mill is one half; six-high and twenty-high are both.
+TEST(ClusterCommand, ChatterFindsTheModeThatBecomesUnstableAndNamesItsFlowStress)
+{
+  const std::string folder = scratch("cluster-chatter");
+  const Outcome run = millstand("chatter cases/six-high.toml -q -o " + folder + " --set analysis.map_points=0");
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto results = results_in(folder);
+  const auto &all    = results.at("values");
+  ASSERT_TRUE(all.contains("chatter.pass 1.critical_speed")) << run.out;
+  EXPECT_GT(all.at("chatter.pass 1.critical_speed").at("value").get<double>(), 0);
+  EXPECT_TRUE(holds(results.at("assumptions").dump(), "MPa, fitted to the load of the pass"))
+      << results.at("assumptions");
+  // The strip carries the load, and the bite of the search returns it.
+  EXPECT_TRUE(near(all.at("cluster.pass 1.strip.force").at("value").get<double>(), 8e6, within(1e-9, "given")));
+  EXPECT_TRUE(
+      near(all.at("bite.pass 1.force").at("value").get<double>(), 8e6, within(1e-6, "fit of the flow stress")));
+  // What becomes unstable is a gap mode of the rolling stack.
+  const double f = all.at("chatter.pass 1.frequency").at("value").get<double>();
+  double nearest = 1;
+  for (const auto &[name, result] : all.items())
+    if (name.rfind("mode.gap_", 0) == 0 && holds(name, ".frequency"))
+      nearest = std::min(nearest, std::abs(result.at("value").get<double>() / f - 1));
+  EXPECT_LT(nearest, 0.15);
+}
+
+TEST(ClusterCommand, APassWithoutSpeedSaysSo)
+{
+  std::string text       = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/cases/six-high.toml");
+  const auto line        = text.find("speed = \"10 m/s\"\n");
+  const std::string path = scratch("no-speed") + ".toml";
+  mill::write_atomically(path, text.erase(line, std::string("speed = \"10 m/s\"\n").size()));
+  const Outcome run = millstand("chatter " + path + " -q -o " + scratch("no-speed"));
+  std::filesystem::remove(path);
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(holds(run.err, "pass \"pass 1\": its critical speed needs pass.0.speed")) << run.err;
+}
+
+TEST(ClusterCommand, AStripContactThatCarriesNothingIsRefused)
+{
+  const Outcome run = millstand("check cases/six-high.toml --set 'stack.strip_stiffness=0 kN/mm'");
+  EXPECT_EQ(run.exit_code, 2);
+  EXPECT_TRUE(holds(run.err,
+                    "stack.strip_stiffness = 0 kN/mm: the strip between the work rolls carries nothing; give "
+                    "K4 of the bite, above zero, or leave the key out"))
+      << run.err;
+}
+
+TEST(ClusterCommand, ExportsStateSpaceAndUnit)
+{
+  const std::string folder = scratch("cluster-statespace");
+  const Outcome matrices   = millstand("export statespace cases/twenty-high.toml -q -o " + folder);
+  EXPECT_EQ(matrices.exit_code, 0) << matrices.err;
+  const std::string unit = scratch("cluster-unit") + ".fmu";
+  const Outcome exported = millstand("export fmu " + z_mill + " -q -o " + unit);
+  EXPECT_EQ(exported.exit_code, 0) << exported.err;
+  EXPECT_TRUE(std::filesystem::exists(unit));
 }

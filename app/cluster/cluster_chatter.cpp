@@ -1,0 +1,367 @@
+#include "app/cluster/cluster_chatter.h"
+#include "app/chatter/chatter_files.h"
+#include "app/chatter/chatter_question.h"
+#include "app/chatter/chatter_results.h"
+#include "app/cluster/cluster_bite.h"
+#include "core/model/case.h"
+#include "core/records/result_names.h"
+#include "reduce/stand/gap_modes.h"
+#include <algorithm>
+#include <cmath>
+#include <exception>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+constexpr double usual_damping  = 0.01;   // -, of critical, where no loss factor is given
+constexpr double usual_distance = 5;      // m, of free strip
+constexpr double unseen         = 1e-12;  // -, of the gap's compliance
+
+// The modes of the open stand that the gap sees.
+cluster::GapStandModes seen_modes(const cluster::GapStand &gap)
+{
+  const cluster::GapStandModes all = cluster::modes_of(gap, 0);
+  const Eigen::VectorXd share      = reduce::gap_shares(all.frequency, all.shape, gap.b);
+  std::vector<Eigen::Index> kept;
+  for (Eigen::Index k = 0; k < share.size(); ++k)
+    if (share[k] > unseen)
+      kept.push_back(k);
+  cluster::GapStandModes seen;
+  const auto n   = Eigen::Index(kept.size());
+  seen.frequency = Eigen::VectorXd(n);
+  seen.damping   = Eigen::VectorXd(n);
+  seen.shape     = Eigen::MatrixXd(all.shape.rows(), n);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    seen.frequency[i] = all.frequency[kept[std::size_t(i)]];
+    seen.damping[i]   = all.damping[kept[std::size_t(i)]];
+    seen.shape.col(i) = all.shape.col(kept[std::size_t(i)]);
+  }
+  return seen;
+}
+
+struct Points {
+  std::vector<std::string> labels;
+  Eigen::MatrixXd rows;  // (points, n)
+};
+
+// Every roll upwards, then along the rolling direction.  @param away  positive away from the strip, else upwards
+Points points_of(const ClusterStand &stand, const cluster::Stack &stack, const bool away)
+{
+  const StripRolls at = strip_rolls(stand);
+  Points points;
+  points.rows      = Eigen::MatrixXd::Zero(2 * Eigen::Index(stack.rolls.size()), stack.size());
+  Eigen::Index row = 0;
+  for (const int direction : {1, 0})
+    for (std::size_t i = 0; i < stack.rolls.size(); ++i) {
+      const bool down = away && direction == 1 && !at.is_upper(stack, i);
+      points.rows(row++, stack.per_roll() * Eigen::Index(i) + direction) = down ? -1 : 1;
+      const std::string name = int(i) == at.upper && direction == 1 ? "upper work roll"
+                               : int(i) == at.lower && direction == 1
+                                   ? "lower work roll"
+                                   : stack.rolls[i].name + (direction ? " y" : " x");
+      points.labels.push_back(name);
+    }
+  return points;
+}
+
+Eigen::MatrixXd in_modes(const Eigen::MatrixXd &K, const Eigen::MatrixXd &shape)
+{
+  return shape.transpose() * K * shape;
+}
+
+// What a pass of a four-high is asked; thicknesses and tensions are those of the bite.
+RollingCondition condition_of(const ClusterPass &pass, const Strip &strip)
+{
+  RollingCondition c;
+  c.name            = pass.name;
+  c.place           = pass.place;
+  c.entry_thickness = strip.entry_thickness;
+  c.exit_thickness  = strip.exit_thickness;
+  c.entry_tension   = strip.entry_tension;
+  c.exit_tension    = strip.exit_tension;
+  c.width           = strip.width;
+  c.speed           = pass.speed;
+  return c;
+}
+
+}  // namespace
+
+StripRolls strip_rolls(const ClusterStand &stand)
+{
+  StripRolls at;
+  at.upper        = cluster::strip_roll(stand);
+  const auto dash = stand.stack.strip.find('-');
+  if (dash == std::string::npos)
+    return at;
+  const std::string name = stand.stack.strip.substr(dash + 1);
+  for (std::size_t i = 0; i < stand.rolls.size(); ++i)
+    if (stand.rolls[i].name == name)
+      at.lower = int(i);
+  return at;
+}
+
+bool StripRolls::is_upper(const cluster::Stack &stack, const std::size_t roll) const
+{
+  const auto y = [&](const int i) { return stack.rolls[std::size_t(i)].centre.y(); };
+  return lower < 0 || y(int(roll)) > 0.5 * (y(upper) + y(lower));
+}
+
+KeyList keys_of_bite(const Case &the_case, const std::size_t p)
+{
+  KeyList keys           = cluster_keys(the_case, p, false);
+  const std::string pass = fmt::format("pass.{}.", p);
+  const auto begins_with = [](const std::string &key, const std::string &start) {
+    return key.rfind(start, 0) == 0;
+  };
+  for (const auto &[key, place] : the_case.places)
+    if (begins_with(key, "strip.") || begins_with(key, "stand.") || begins_with(key, "analysis.") ||
+        key == "response.loss_factor" || key == "response.support_loss_factor" || key == pass + "speed" ||
+        key == pass + "entry_thickness" || key == pass + "exit_thickness" || key == pass + "entry_pull" ||
+        key == pass + "exit_pull" || key == pass + "entry_tension" || key == pass + "exit_tension")
+      keys.push_back(key);
+  std::sort(keys.begin(), keys.end());
+  keys.erase(std::unique(keys.begin(), keys.end()), keys.end());
+  return keys;
+}
+
+cluster::GapStand gap_stand_of(const ClusterStand &stand, const cluster::PassState &state)
+{
+  const StripRolls at = strip_rolls(stand);
+  return cluster::gap_stand(state.stack, state.rest.u, at.upper, at.lower);
+}
+
+Eigen::VectorXd damping_of(const cluster::GapStandModes &modes)
+{
+  if (modes.damping.isZero(0))
+    return Eigen::VectorXd::Constant(modes.damping.size(), usual_damping);
+  return modes.damping;
+}
+
+std::vector<StiffnessGroup> stiffness_groups(const ClusterStand &stand)
+{
+  std::vector<StiffnessGroup> groups;
+  const auto group = [&](const std::string &kind, const std::string &name) -> StiffnessGroup & {
+    const std::string key = kind + "." + name;
+    const auto known =
+        std::find_if(groups.begin(), groups.end(), [&](const StiffnessGroup &one) { return one.key == key; });
+    if (known != groups.end())
+      return *known;
+    groups.push_back({key, kind + " " + name, {}, {}});
+    return groups.back();
+  };
+  for (std::size_t i = 0; i < stand.contacts.size(); ++i) {
+    const ClusterContact &c = stand.contacts[i];
+    group("contact", c.like.empty() ? c.pair : c.like).contacts.push_back(i);
+  }
+  for (std::size_t i = 0; i < stand.supports.size(); ++i) {
+    const ClusterSupport &s = stand.supports[i];
+    group("support", s.like.empty() ? s.own_name() : s.like).supports.push_back(i);
+  }
+  return groups;
+}
+
+dynamics::StandStructure structure_of(const ClusterStand &stand, const cluster::Stack &stack,
+                                      const cluster::GapStand &gap)
+{
+  const cluster::GapStandModes modes = seen_modes(gap);
+  const Points points                = points_of(stand, stack, true);
+  const Eigen::VectorXd w            = 2 * M_PI * modes.frequency;
+  dynamics::StandStructure s;
+  s.name   = "roll stack";
+  s.M      = Eigen::MatrixXd::Identity(w.size(), w.size());
+  s.C      = (2 * damping_of(modes).cwiseProduct(w)).asDiagonal();
+  s.K      = w.cwiseAbs2().asDiagonal();
+  s.b      = modes.shape.transpose() * gap.b;
+  s.labels = points.labels;
+  s.point  = points.rows * modes.shape;
+  return s;
+}
+
+std::vector<dynamics::StructureNumber> cluster_numbers(const ClusterStand &stand, const cluster::Stack &stack,
+                                                       const cluster::GapStand &gap)
+{
+  const cluster::GapStandModes modes = seen_modes(gap);
+  const Eigen::MatrixXd C            = structure_of(stand, stack, gap).C;
+  std::vector<dynamics::StructureNumber> numbers;
+  for (const StiffnessGroup &group : stiffness_groups(stand)) {
+    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(gap.K.rows(), gap.K.cols());
+    for (const std::size_t i : group.contacts)
+      K += gap.contacts[i];
+    for (const std::size_t i : group.supports)
+      K += gap.supports[i];
+    dynamics::StructureNumber n;
+    n.key    = group.key;
+    n.name   = "stiffness of " + group.name;
+    n.unit   = "N/m";
+    n.value  = K.cwiseAbs().maxCoeff();
+    n.K_by   = in_modes(K, modes.shape);
+    n.scaled = [=](const double factor) {
+      return structure_of(stand, stack, cluster::scaled(gap, group.contacts, group.supports, factor));
+    };
+    if (n.value > 0 && n.K_by.cwiseAbs().maxCoeff() > 0)
+      numbers.push_back(n);
+  }
+  dynamics::StructureNumber damping;
+  damping.key    = "response.loss_factor";
+  damping.name   = "damping of the stack";
+  damping.unit   = "1";
+  damping.value  = 2 * damping_of(modes).maxCoeff();
+  damping.C_by   = C;
+  damping.scaled = [=](const double factor) {
+    dynamics::StandStructure s = structure_of(stand, stack, gap);
+    s.C *= factor;
+    return s;
+  };
+  numbers.push_back(damping);
+  return numbers;
+}
+
+ClusterChatter chatter_question(const Case &the_case, const ClusterStand &stand, const std::size_t p,
+                                const ClusterForce &force, const cluster::PassState &state)
+{
+  const ClusterPass &pass = stand.schedule[p];
+  if (const std::string missing = missing_of_chatter(stand, p); !missing.empty())
+    throw InputError(pass.place, fmt::format("pass \"{}\": its critical speed needs {}", pass.name, missing));
+  const auto rolled = rolled_bite(stand, pass, force);
+  ClusterChatter asked;
+  asked.gap           = gap_stand_of(stand, state);
+  asked.stack         = state.stack;
+  ChatterQuestion &q  = asked.question;
+  q.bite              = rolled->bite;
+  q.condition         = condition_of(pass, q.bite.strip);
+  q.label             = pass.name;
+  q.analysis          = stand.analysis;
+  q.scheme            = linearisation_of(stand.analysis);
+  const auto distance = [&](const double given, const char *key) {
+    if (!std::isnan(given))
+      return given;
+    asked.assumed.push_back(
+        fmt::format("stand.{} is not given: {:g} m of free strip are assumed", key, usual_distance));
+    return usual_distance;
+  };
+  q.stand = {structure_of(stand, state.stack, asked.gap), distance(stand.span.entry_distance, "entry_distance"),
+             distance(stand.span.exit_distance, "exit_distance"), q.bite.strip.youngs_modulus};
+  if (seen_modes(asked.gap).damping.isZero(0))
+    asked.assumed.push_back(fmt::format("response.loss_factor is not given: every mode of the stack has {:g} % of "
+                                        "critical damping in the search of the critical speed",
+                                        100 * usual_damping));
+  asked.assumed.push_back(fmt::format("pass \"{}\": the critical speed is that of a bite with the flow stress {}",
+                                      pass.name, rolled->stress));
+  q.structure  = fmt::format("roll stack under {:.5g} kN, {} modes that open the gap", 1e-3 * force.value,
+                             q.stand.structure.n());
+  q.structures = {{"roll stack", q.stand, {}}};
+  q.numbers    = cluster_numbers(stand, state.stack, asked.gap);
+  q.structures.front().numbers = q.numbers;
+  q.inputs                     = keys_of_bite(the_case, p);
+  return asked;
+}
+
+void solve_cluster_chatter(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes)
+{
+  std::exception_ptr failure;
+  bool answered = false;
+  for (const ClusterPassRun &pass : passes) {
+    try {
+      const ClusterChatter asked = chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
+      for (const std::string &sentence : asked.assumed)
+        run.assume(sentence);
+      const ChatterStudy study = study_chatter(run, asked.question);
+      add_chatter_results(run, study);
+      write_chatter(run, study);
+      run.summary += verdict_sentence(study) + "\n";
+      answered = true;
+    } catch (const InputError &e) {
+      if (!failure)
+        failure = std::current_exception();
+      run.warn(e.problems.front().message);
+    } catch (const SolverError &e) {
+      if (!failure)
+        failure = std::current_exception();
+      run.warn(e.report.what + ": " + e.report.cause);
+    }
+    run.progress.at("chatter", double(pass.p + 1) / double(passes.size()));
+  }
+  if (failure && !answered)
+    std::rethrow_exception(failure);
+}
+
+void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes)
+{
+  for (const ClusterPassRun &pass : passes) {
+    if (const std::string missing = missing_of_chatter(stand, pass.p); !missing.empty()) {
+      run.summary += fmt::format("pass \"{}\": critical speed not searched; give {}\n", pass.pass->name, missing);
+      continue;
+    }
+    try {
+      const ClusterChatter asked   = chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
+      const ChatterQuestion &q     = asked.question;
+      const ChatterSearch searched = search_chatter(q);
+      const auto add               = [&](const char *name, const char *unit, const double value) {
+        if (std::isnan(value))
+          return;
+        Parameter p;
+        p.value       = value;
+        p.unit        = unit;
+        p.method      = "eigenvalues of stand, bite and strip; " + q.structure;
+        p.at          = {"{}", {{searched.found.speed, "m/s", ".4g"}}};
+        p.inputs      = q.inputs;
+        p.error_lacks = {"errors of stand, friction law and flow stress"};
+        run.results.add(result_name({family::chatter, pass.pass->name, name}), p);
+      };
+      add("critical_speed", "m/s", searched.found.speed);
+      add("frequency", "Hz", searched.found.frequency);
+      run.summary += fmt::format("pass \"{}\", {:.4g} m/s: {}\n", pass.pass->name, q.condition.speed,
+                                 dynamics::sentence(searched.found, chatter_range(q)));
+    } catch (const InputError &e) {
+      run.warn(e.problems.front().message);
+    } catch (const SolverError &e) {
+      run.warn("pass \"" + pass.pass->name + "\": critical speed not searched: " + e.report.what);
+    }
+  }
+}
+
+DrivenStand driven_cluster(RunContext &run, const std::string &wanted)
+{
+  const ClusterStand &stand = *std::get<ClusterCase>(run.the_case.spec).stand;
+  const auto pass           = std::find_if(stand.schedule.begin(), stand.schedule.end(),
+                                           [&](const ClusterPass &one) { return wanted.empty() || one.name == wanted; });
+  if (pass == stand.schedule.end())
+    throw InputError("--pass \"" + wanted + "\": the case has no pass of this name");
+  const ClusterForce force           = cluster_force(stand, *pass);
+  const cluster::PassState state     = cluster::pass_state(stand, *pass, force.value, computed_laws(run, stand));
+  const StripRolls at                = strip_rolls(stand);
+  const cluster::GapStand gap        = gap_stand_of(stand, state);
+  const cluster::GapStandModes modes = seen_modes(gap);  // the force moves no other
+  const Points points                = points_of(stand, state.stack, false);
+  const Eigen::VectorXd share        = reduce::gap_shares(modes.frequency, modes.shape, gap.b);
+  Eigen::Index leading               = 0;
+  share.maxCoeff(&leading);
+  dynamics::ModalModel modal;
+  modal.labels    = points.labels;
+  modal.frequency = modes.frequency;
+  modal.point     = points.rows * modes.shape;
+  modal.force     = modes.shape.transpose() * gap.b;
+  modal.damping   = damping_of(modes)[leading];
+  // What the supports above the strip take up; of a stack of one half that of the half.
+  Eigen::VectorXd row = Eigen::VectorXd::Zero(gap.M.size());
+  for (std::size_t i = 0; i < gap.supports.size(); ++i)
+    if (at.is_upper(state.stack, std::size_t(state.stack.supports[i].roll)))
+      row += gap.supports[i].row(state.stack.per_roll() * state.stack.supports[i].roll + 1).transpose() /
+             (at.lower < 0 ? 2 : 1);
+  modal.load_cell = modes.shape.transpose() * row;
+  DrivenStand driven;
+  driven.modes                  = modal;
+  driven.dynamics.force_meaning = "measured";
+  driven.dynamics.modal_damping = modal.damping;
+  driven.pass                   = *pass;
+  driven.load                   = force.value;
+  const double other            = (damping_of(modes).array() / modal.damping - 1).abs().maxCoeff();
+  if (other > 1e-9)
+    driven.warnings.push_back(
+        fmt::format("the exported stand has one damping ratio for all modes, {:.3g} % of "
+                    "critical, that of the mode at {:.5g} Hz, which has the largest share in the "
+                    "compliance of the gap",
+                    100 * modal.damping, modes.frequency[leading]));
+  return driven;
+}
+}  // namespace mill

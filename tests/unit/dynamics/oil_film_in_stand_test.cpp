@@ -1,0 +1,174 @@
+// Oil films of the backup rolls in chain and detailed stands: k + i w b in series with the rest, locked at high
+// frequency.
+#include "dynamics/chatter/stand_structure.h"
+#include "dynamics/response/accelerance.h"
+#include "dynamics/response/mill_model.h"
+#include "dynamics/response/modal_model.h"
+#include "dynamics/response/modes.h"
+#include "reduce/chain/film_in_series.h"
+#include "reduce/stand/beam_stand.h"
+#include "reduce/stand/stand_modes.h"
+#include "tests/manual/stand/demo_drawing.h"
+#include "tests/support/near.h"
+#include <Eigen/Eigenvalues>
+
+using namespace mill;
+
+namespace {
+const auto one_formula = within(1e-12, "the same number by another formula");
+constexpr double film  = 6e9;  // N/m, both films of a backup roll
+
+// The demo stand on backup bearings of this stiffness, N/m both of a roll.
+reduce::LumpedStand chain_on(const FourHigh &stand, const double K_Zy)
+{
+  const auto spring = [](const double value) {
+    Parameter p;
+    p.value = value;
+    p.unit  = "N/m";
+    return p;
+  };
+  reduce::ChainInputs in;
+  in.K3 = in.K5 = spring(4.02e10);
+  in.K4         = spring(1.2e10);
+  in.K_Zy_upper = in.K_Zy_lower = spring(K_Zy);
+  in.Kzc                        = {spring(K_Zy / 2), spring(1.9e10), spring(1.9e10), spring(K_Zy / 2)};
+  return reduce::lumped_stand(stand, in);
+}
+
+DynamicsSettings undamped(const char *meaning)
+{
+  DynamicsSettings settings;
+  settings.force_meaning = meaning;
+  settings.modal_damping = 0;
+  return settings;
+}
+
+// The same with a damper in each film, N s/m both of a roll.
+reduce::LumpedStand chain_with_films(const FourHigh &stand, const double damper)
+{
+  reduce::LumpedStand chain = chain_on(stand, film);
+  chain.model.film          = {ChainFilm{film, damper}, ChainFilm{film, damper}};
+  dynamics::take_films(chain.model, undamped("disturbance"), [&](const double upper, double) {
+    std::array<double, 6> masses{};
+    for (std::size_t i = 0; i < masses.size(); ++i)
+      masses[i] = chain_on(stand, upper).model.M[i].value;
+    return masses;
+  });
+  return chain;
+}
+}  // namespace
+
+TEST(OilFilmInStand, SeriesIsTheStaticOneAtRestAndTheRestWhereTheFilmLocks)
+{
+  const reduce::SpringAndDamper f{6e9, 2e8};
+  EXPECT_TRUE(near(reduce::film_in_series(3e9, f, 0).real(), 2e9, one_formula));
+  EXPECT_TRUE(near(reduce::film_in_series(3e9, f, 1e12).real(), 3e9, one_formula));
+  const std::complex<double> k(6e9, 2 * M_PI * 100 * 2e8);
+  const std::complex<double> series = 1. / (1 / 3e9 + 1. / k);
+  const auto at                     = reduce::equivalent_in_series(3e9, f, 100);
+  EXPECT_TRUE(near(at.stiffness, series.real(), one_formula));
+  EXPECT_TRUE(near(at.damper * 2 * M_PI * 100, series.imag(), one_formula));
+  EXPECT_TRUE(near(reduce::equivalent_in_series(3e9, f, 1e-6).damper,
+                   reduce::equivalent_in_series(3e9, f, 0).damper, within(1e-9, "limit of low frequency")));
+}
+
+TEST(OilFilmInStand, WithoutADamperTheChainIsThatOfTheSpring)
+{
+  const FourHigh stand = verify::demo_stand();
+  const auto plain     = dynamics::mill_model(chain_on(stand, film).model, undamped("disturbance"));
+  const auto none      = dynamics::mill_model(chain_with_films(stand, 0).model, undamped("disturbance"));
+  EXPECT_EQ((plain.K - none.K).cwiseAbs().maxCoeff(), 0);
+  EXPECT_TRUE(none.C.isZero(0));
+}
+
+// given.Kzc1 = given.Kzc4 = 1e9 kN/mm: a rigid bearing.
+TEST(OilFilmInStand, AFilmThatLocksGivesTheModesOfARigidBearing)
+{
+  const FourHigh stand = verify::demo_stand();
+  for (const char *meaning : {"measured", "disturbance"}) {
+    const auto rigid = chain_on(stand, 2e15), films = chain_with_films(stand, 1e15);
+    const auto of = [&](const reduce::LumpedStand &chain) {
+      return dynamics::modes(dynamics::mill_model(chain.model, undamped(meaning))).frequency;
+    };
+    EXPECT_TRUE(near(of(films), of(rigid), within(5e-3, "1e9 kN/mm is not without bound")));
+    FourHigh drawn               = stand;
+    drawn.dynamics.force_meaning = meaning;
+    const auto beams             = [&](const reduce::LumpedStand &chain) {
+      return reduce::stand_modes(reduce::beam_stand(drawn, reduce::stand_springs(drawn, chain), 8), 1000)
+          .frequency;
+    };
+    EXPECT_TRUE(near(beams(films), beams(rigid), within(5e-3, "1e9 kN/mm is not without bound")));
+  }
+}
+
+TEST(OilFilmInStand, FrequenciesRiseFromTheSpringToTheLockedFilm)
+{
+  const FourHigh stand = verify::demo_stand();
+  double before        = 0;
+  for (const double damper : {0., 1e6, 1e7, 1e8, 1e9, 1e12}) {
+    const auto chain = chain_with_films(stand, damper);
+    const double f   = dynamics::modes(dynamics::mill_model(chain.model, undamped("disturbance"))).frequency[0];
+    EXPECT_GE(f, before) << damper;
+    before = f;
+  }
+}
+
+// The quadratic eigenvalue problem with the film as a spring and a damper on a point of its own without mass:
+// at the frequency of the gap mode the chain with equivalent springs is that one.
+TEST(OilFilmInStand, AtItsFrequencyTheChainIsTheOneWithTheWholeFilm)
+{
+  const FourHigh stand = verify::demo_stand();
+  const auto films     = chain_with_films(stand, 3e6);
+  const auto settings  = undamped("disturbance");
+  const auto chain     = dynamics::mill_model(films.model, settings);
+  const double w       = 2 * M_PI * films.model.film_frequency;
+  const double rest[2] = {1 / (1 / films.model.K[1].value - 1 / film),
+                          1 / (1 / films.model.K[5].value - 1 / film)};
+  LumpedModel bare     = films.model;
+  bare.film            = {};
+  bare.K[1].value = bare.K[5].value = 0;
+  const auto open                   = dynamics::mill_model(bare, settings);
+  // Points 6 and 7: between the rest of K2 and the upper film, between the lower film and the rest of K6.
+  Eigen::MatrixXcd Z    = Eigen::MatrixXcd::Zero(8, 8);
+  Z.topLeftCorner(6, 6) = (open.K - w * w * Eigen::MatrixXd(open.M.asDiagonal())).cast<std::complex<double>>();
+  const auto join       = [&](const int a, const int b, const std::complex<double> k) {
+    Z(a, a) += k;
+    Z(b, b) += k;
+    Z(a, b) -= k;
+    Z(b, a) -= k;
+  };
+  const std::complex<double> dynamic(film, w * 3e6);
+  join(dynamics::upper_frame, 6, rest[0]);
+  join(6, dynamics::upper_backup_roll, dynamic);
+  join(dynamics::lower_backup_roll, 7, dynamic);
+  join(7, dynamics::lower_frame, rest[1]);
+  Eigen::VectorXcd b           = Eigen::VectorXcd::Zero(8);
+  b.head(6)                    = chain.b.cast<std::complex<double>>();
+  const Eigen::VectorXcd whole = Z.partialPivLu().solve(b).head(6);
+  Eigen::MatrixXcd reduced(6, 6);
+  reduced.real()               = chain.K - w * w * Eigen::MatrixXd(chain.M.asDiagonal());
+  reduced.imag()               = w * chain.C;
+  const Eigen::VectorXcd equal = reduced.partialPivLu().solve(Eigen::VectorXcd(b.head(6)));
+  EXPECT_LT((whole - equal).norm(), 1e-9 * whole.norm());
+}
+
+TEST(OilFilmInStand, DetailedStandsHaveItsDamperInResponseAndStructure)
+{
+  FourHigh stand               = verify::demo_stand();
+  stand.dynamics.force_meaning = "measured";
+  const auto films             = chain_with_films(stand, 3e6);
+  const StandModel beams       = reduce::beam_stand(stand, reduce::stand_springs(stand, films), 4);
+  EXPECT_FALSE(dampers_of(beams).isZero(0));
+  const auto modes = reduce::stand_modes(beams);
+  const auto all   = dynamics::modal_response(beams, modes.frequency, modes.shape, {beams.b}, {beams.b}, 0, 0);
+  const double f   = 0.9 * modes.frequency[0];
+  const std::complex<double> by_modes = dynamics::accelerance(all, f)(0, 0);
+  const dynamics::DampedStand direct{beams.M, stiffness_of(beams), dampers_of(beams)};
+  const std::complex<double> by_matrices = dynamics::direct_accelerance(direct, beams.b, beams.b, f);
+  EXPECT_LT(std::abs(by_modes - by_matrices), 1e-8 * std::abs(by_matrices));
+  EXPECT_GT(std::abs(by_matrices.imag()), 1e-6 * std::abs(by_matrices));
+  const auto modal     = dynamics::modal_model(beams, modes.frequency, modes.shape, 0, 1000);
+  const auto structure = dynamics::structure_of(modal);
+  EXPECT_EQ((structure.C - modal.dampers).cwiseAbs().maxCoeff(), 0);
+  EXPECT_GT(modal.dampers.diagonal().maxCoeff(), 0);
+}
