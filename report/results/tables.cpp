@@ -1,4 +1,5 @@
 #include "report/results/tables.h"
+#include "core/model/material.h"
 #include "core/records/result_names.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
