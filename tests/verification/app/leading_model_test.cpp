@@ -28,7 +28,7 @@ Outcome exported(const std::string &folder, const std::string &more)
 Eigen::Index rows_of(const std::string &csv)
 {
   const std::string text = mill::read_text(csv);
-  return std::count(text.begin(), text.end(), '\n') - 1;  // names of the columns
+  return std::count(text.begin(), text.end(), '\n');  // a matrix has no head
 }
 }  // namespace
 
