@@ -271,7 +271,7 @@ StandStates stand_states(RunContext &run, const FourHigh &stand, const reduce::L
     state.stand = stand;
     if (driven_state(stand.dynamics) != gap)
       state.stand.dynamics = in_state(stand.dynamics, gap);
-    return [&, gap](RunContext &) { state.models = stand_models(state.stand, chain, components); };
+    return [&](RunContext &) { state.models = stand_models(state.stand, chain, components); };
   };
   std::vector<IndependentStage> both{build(states.open, GapState::open)};
   if (knows_strip(chain.model) && (!driven_only || driven_state(stand.dynamics) == GapState::rolling))
