@@ -2,6 +2,7 @@
 // warnings.
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
+#include "report/front/chain_table.h"
 #include "report/marks/figures.h"
 #include "report/modes/named_modes.h"
 #include "report/page/curves.h"
@@ -15,7 +16,7 @@
 
 namespace mill::report {
 namespace {
-constexpr std::size_t most_facts = 5, most_modes = 6;
+constexpr std::size_t most_facts = 5, most_modes = 4;
 
 bool has_failed(const Run &run)
 {
@@ -197,8 +198,7 @@ std::string chain_cards(const Run &run)
     all += card(run.find("f1"), "lowest mode, f1") + card(run.find("f6"), "highest mode, f6");
   if (const Result *level = largest_level(run, label))
     all += card(level, label);
-  return all + card(chain_value(run, "K3"), "K3, upper contact") +
-         card(chain_value(run, "K5"), "K5, lower contact");
+  return all;
 }
 
 std::string bearing_cards(const Run &run)
@@ -460,6 +460,6 @@ std::string first_screen(const Run &run)
     both += "<figure>" + drawing + "<figcaption>The stand to scale.</figcaption></figure>\n";
   if (!both.empty())
     both = std::string("<div class=\"first") + (drawing.empty() ? " alone" : "") + "\">\n" + both + "</div>\n";
-  return screen_head(run) + verdict(run) + both + known(run) + estimates(run);
+  return screen_head(run) + verdict(run) + both + chain_table(run) + known(run) + estimates(run);
 }
 }  // namespace mill::report

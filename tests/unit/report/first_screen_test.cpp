@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 using namespace mill::report;
+using mill::not_given;
 
 namespace {
 Result result(const char *name, const double value, const char *unit,
@@ -77,6 +78,29 @@ TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
   EXPECT_TRUE(says(html, "verdict failed\"><p><b>Chatter.</b> The stand chatters at its working speed of "
                          "20.0\u00a0m/s (condition 3); the limit is 18.00\u00a0m/s"))
       << html;
+}
+
+// Half of the users run the program for these numbers.
+TEST(FirstScreen, ShowsTheChainInNumbersWithErrorAndOrigin)
+{
+  mill::report::Run run = four_high();
+  run.results.push_back(result("K1", 6.3e9, "N/m", {}, not_given));
+  run.results.back().source = "given";
+  run.results.push_back(result("K3.tangent", 3.995e10, "N/m", mill::operating_point_of("10 MN"), 0.0077));
+  run.results.push_back(result("K4.combined", 2.26e8, "N/m", mill::operating_point_of("10 MN"), 0.1));
+  run.results.back().estimated = {"strip.friction"};
+  run.results.back().inputs    = {"strip.friction", "strip.width"};
+  run.results.push_back(result("Kzc1.tangent", 5.11e10, "N/m", mill::operating_point_of("10 MN"), 0.033));
+  const std::string html = first_screen(run), table = html.substr(html.find("<div class=\"chain\">"));
+  EXPECT_TRUE(says(table, "K1</th><td class=\"num\"><b>6300</b></td><td>kN/mm</td><td class=\"num\">\u2013</td>"
+                          "<td>given</td>"))
+      << table;
+  EXPECT_TRUE(says(
+      table, "K3</th><td class=\"num\"><b>39\u202f950</b></td><td>kN/mm</td><td class=\"num\">\u00b10.77\u00a0%"
+             "</td><td>computed</td>"));
+  EXPECT_TRUE(says(table, "\u00b110\u00a0%</td><td>partly estimated</td>"));
+  EXPECT_LT(table.find("K4</th>"), table.find("M1</th>"));
+  EXPECT_LT(table.find("M1</th>"), table.find("Kzc1</th>"));
 }
 
 // A level that comes from a made record says nothing about the mill.
