@@ -6,7 +6,7 @@
 #include <vector>
 
 // A roll stack as its engines see it: resolved, SI.  x in the rolling direction, y up, z along the barrels with
-// the drive side positive.  theory.md 45
+// the drive side positive.  theory.md 51
 namespace mill {
 /// Spring from the axis of a roll to the ground.
 struct StackSupport {

@@ -3,7 +3,7 @@
 
 namespace mill::reduce {
 /// Two-node Timoshenko element of one plane, exact under end loads.  Unknowns: deflection and rotation of either
-/// end. theory.md (45.8).  Source: J. S. Przemieniecki, Theory of Matrix Structural Analysis (1968), section 5.6.
+/// end. theory.md (51.8).  Source: J. S. Przemieniecki, Theory of Matrix Structural Analysis (1968), section 5.6.
 struct BeamElement {
   double length      = 0;  ///< m
   double bending     = 0;  ///< N m2, E I

@@ -158,7 +158,7 @@ struct BeamStack::Implementation {
     return o;
   }
 
-  // What the law of the strip wants at the present opening, (45.5).
+  // What the law of the strip wants at the present opening, (51.5).
   VectorXd wanted_load() const
   {
     return (level - opening_factor() * opening().array() + entry_factor() * entry.array()).matrix();

@@ -21,7 +21,7 @@ struct GapShape {
 };
 
 /// The stack as Timoshenko beams on their bearings, joined by line contacts, with the strip between the work
-/// rolls. theory.md 45.2.  Cost of a Newton step: O(stations x (4 rolls of a half)^3).
+/// rolls. theory.md 51.2.  Cost of a Newton step: O(stations x (4 rolls of a half)^3).
 class BeamStack {
 public:
   explicit BeamStack(Stack stack, const BeamStackSettings &settings = {});

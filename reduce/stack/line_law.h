@@ -4,7 +4,7 @@
 
 namespace mill::reduce {
 /// Line load of two cylinders over their approach, Johnson's law for both bodies with a ring in series.
-/// theory.md (45.3), (45.4)
+/// theory.md (51.3), (51.4)
 struct LineLaw {
   std::array<double, 2> radius     = {0, 0};  ///< m
   std::array<double, 2> compliance = {0, 0};  ///< 1/Pa, 2 (1 - nu^2) / (pi E) of each body
@@ -19,8 +19,8 @@ struct LineLoad {
   double tangent = 0;  ///< Pa, d(load)/d(approach)
 };
 
-double approach_of(const LineLaw &law, double load);    ///< m, (45.3)
-double compliance_of(const LineLaw &law, double load);  ///< 1/Pa, its derivative (45.4)
+double approach_of(const LineLaw &law, double load);    ///< m, (51.3)
+double compliance_of(const LineLaw &law, double load);  ///< 1/Pa, its derivative (51.4)
 double half_width_of(const LineLaw &law, double load);  ///< m
 /// Inverse of approach_of; converges to 1e-15 of the load within some five Newton steps.
 LineLoad line_load(const LineLaw &law, double approach);

@@ -22,6 +22,6 @@ std::vector<std::array<double, 2>> contact_zones(const Stack &stack, const Stack
 /// From the axis of a to that of b.
 std::array<double, 2> direction_of(const Stack &stack, const StackContact &contact);
 
-/// r of theory.md (45.1): how much larger the radius is at z (m, mill frame) than at mid-barrel.
+/// r of theory.md (51.1): how much larger the radius is at z (m, mill frame) than at mid-barrel.
 double radius_departure(const StackRoll &roll, double z);
 }  // namespace mill::reduce

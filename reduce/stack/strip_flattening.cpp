@@ -46,10 +46,10 @@ Eigen::VectorXd flattening_between(const FlattenedRoll &roll, const double z1, c
   const double A = 2 * (1 - nu * nu) / (M_PI * E), z = 0.5 * (z1 + z2);
   Eigen::VectorXd row = Eigen::VectorXd::Zero(n);
   if (roll.law == Flattening::local) {
-    add_local(row, roll.edges, z, A * (std::log(8 * R / roll.arc) - 0.5));  // (45.6)
+    add_local(row, roll.edges, z, A * (std::log(8 * R / roll.arc) - 0.5));  // (51.6)
     return row;
   }
-  // (45.7): each end of an element once, for the two elements that share it.
+  // (51.7): each end of an element once, for the two elements that share it.
   const double surface = 0.5 * A / (roll.arc * roll.arc * (z2 - z1)), depth = (1 + nu) / (2 * M_PI * E);
   const auto from_end = [&](const double end) {
     const double s = end - z;

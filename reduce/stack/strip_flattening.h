@@ -15,8 +15,8 @@ struct FlattenedRoll {
 };
 
 /// How much it flattens towards its axis, mean from z1 to z2, per line load on each element: (n) 1/Pa.
-/// theory.md (45.6), (45.7).  Source of the half space: A. E. H. Love, Phil. Trans. A 228 (1929) 377; the last
-/// term of (45.7) makes a long uniform load return the plane law.
+/// theory.md (51.6), (51.7).  Source of the half space: A. E. H. Love, Phil. Trans. A 228 (1929) 377; the last
+/// term of (51.7) makes a long uniform load return the plane law.
 Eigen::VectorXd flattening_between(const FlattenedRoll &roll, double z1, double z2);
 /// The same of every element, w = C q: (n, n) 1/Pa.  Cost O(n^2).
 Eigen::MatrixXd flattening_matrix(const FlattenedRoll &roll);

@@ -4,7 +4,7 @@
 
 namespace mill::reduce {
 /// One work roll at the strip: how the gap on its side follows from the deflection of its group and the line
-/// loads. The opening of the gap is the sum of both sides.  theory.md (45.2)
+/// loads. The opening of the gap is the sum of both sides.  theory.md (51.2)
 class StripSide {
 public:
   /// @param sign  +1: the strip pushes this roll up
