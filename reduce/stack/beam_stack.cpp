@@ -2,10 +2,13 @@
 #include "core/base/errors.h"
 #include "core/process/parallel.h"
 #include "reduce/stack/strip_side.h"
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
+#include <Eigen/SparseCore>
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -15,7 +18,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double balanced = 1e-10;  // forces out of balance over the rolling force
+constexpr double balanced = 1e-12;  // forces out of balance over the rolling force
+constexpr double rounding = 1e-10;  // the same, where another step no longer halves it
 constexpr int most_steps  = 60;
 
 // Rolls that touch, directly or by others.
@@ -72,6 +76,38 @@ double value_at(const std::vector<std::array<double, 2>> &table, const double z)
   throw SolverError({"roll stack: the stiffness matrix is singular", "",
                      "a roll is not held by its contacts and supports, or all its contacts are open",
                      "check supports and contacts of every roll, and the signs of crowns and bending forces", ""});
+}
+
+double mean_of(const std::function<double(double)> &f, const double z1, const double z2)
+{
+  double mean = 0;
+  for (int g = 0; g < UnitGauss::n; ++g)
+    mean += UnitGauss::weight[g] * f(z1 + (z2 - z1) * UnitGauss::place[g]);
+  return mean;
+}
+
+// Lowest squared circular frequencies of a group by subspace iteration with its factorised stiffness.
+VectorXd lowest_squares(const RollGroup &group, const int wanted)
+{
+  const Eigen::SparseMatrix<double> M = group.mass_matrix();
+  const Index n                       = std::min<Index>(group.size(), wanted + 8);
+  MatrixXd X                          = MatrixXd::NullaryExpr(
+                               group.size(), n, [](const Index i, const Index j) { return std::cos(double(1 + i * (j + 1) % 9973)); });
+  VectorXd squares = VectorXd::Zero(n);
+  for (int round = 0; round < 100; ++round) {
+    MatrixXd Y            = M * X;
+    const MatrixXd forced = Y;
+    group.stiffness.forward(Y);
+    group.stiffness.backward(Y);
+    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> small(Y.transpose() * forced,
+                                                                   Y.transpose() * (M * Y));
+    const VectorXd before = squares;
+    squares               = small.eigenvalues();
+    X                     = Y * small.eigenvectors();
+    if ((squares - before).head(wanted).cwiseAbs().maxCoeff() < 1e-10 * squares[wanted - 1])
+      break;
+  }
+  return squares.head(wanted);
 }
 
 PairState pair_state(const RollGroup &group, const std::size_t contact, const LineLaw &law)
@@ -272,10 +308,12 @@ struct BeamStack::Implementation {
     }
     // Contacts that are open keep a trace of stiffness, so that a roll between two of them is held.
     const double least = 1e-9 * stack.rolls[stack.upper].material.youngs_modulus;
+    double out         = std::numeric_limits<double>::infinity();
     for (int steps = 1; steps <= most_steps; ++steps) {
       update();
       const auto residual = out_of_balance();
-      if (imbalance(residual) < balanced) {
+      const double before = std::exchange(out, imbalance(residual));
+      if (out < balanced || (out < rounding && out > before / 2)) {
         factorise(least, 0);  // for the derivatives
         update();
         solved = true;
@@ -330,6 +368,39 @@ struct BeamStack::Implementation {
     const Change c = change(forces, of_law, of_force);
     return shape({&c.u[0], &c.u[1]}, c.q, false);
   }
+
+  // A roll at the strip also closes the gap itself: the opening is smaller by its departure.
+  GapShape influence_of_radius(const std::size_t roll, const std::function<double(double)> &departure) const
+  {
+    auto forces     = no_forces();
+    VectorXd of_law = VectorXd::Zero(q.size()), ground = VectorXd::Zero(q.size());
+    const double offset = stack.strip.offset;
+    bool at_strip       = false;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (sides[i].group.holds(roll))
+        forces[i] = sides[i].group.force_of_radius(roll, departure);
+      at_strip = at_strip || sides[i].work_roll() == roll;
+    }
+    if (!at_strip)
+      return influence(forces, of_law, 0);
+    for (Index i = 0; i < q.size(); ++i) {
+      ground[i] = mean_of(departure, edges[i] + offset, edges[i + 1] + offset);
+      of_law[i] = pressed[std::size_t(i)] ? opening_factor() * ground[i] : 0;
+    }
+    GapShape s = influence(forces, of_law, 0);
+    s.opening -= ground;
+    const double half = stack.strip.width / 2, e = stack.strip.crown_at;
+    const auto r = [&](const double z) {
+      const double d = 0.5 * length_at(z);
+      return mean_of(departure, z - d + offset, z + d + offset);
+    };
+    s.middle -= r(0);
+    s.crown -= r(0) - (r(half - e) + r(-half + e)) / 2;
+    s.wedge -= r(half - e) - r(-half + e);
+    const auto [inner, outer] = stack.strip.edge_drop;
+    s.edge_drop -= 0.5 * (r(half - inner) + r(-half + inner) - r(half - outer) - r(-half + outer));
+    return s;
+  }
   std::array<VectorXd, 2> no_forces() const
   {
     return {VectorXd::Zero(sides[0].group.size()), VectorXd::Zero(sides[1].group.size())};
@@ -369,7 +440,18 @@ StackState BeamStack::solve()
         pair_state(my.group_of(contact.a), c,
                    line_law(a.diameter / 2, a.material, b.diameter / 2, b.material, contact.ring_stiffness)));
   }
-  const GapShape gap    = my.shape({&my.sides[0].group.u, &my.sides[1].group.u}, my.q, true);
+  const GapShape gap = my.shape({&my.sides[0].group.u, &my.sides[1].group.u}, my.q, true);
+  for (std::size_t r = 0; r < my.stack.rolls.size(); ++r) {
+    const RollGroup &group = my.group_of(r);
+    RollState roll{group.places(r), group.deflection(r, 0), group.deflection(r, 1), {}};
+    for (const StackSupport &support : my.stack.rolls[r].supports) {
+      Index i = 0;
+      while (i + 1 < roll.z.size() && roll.z[i] < support.z + my.stack.rolls[r].shift - 1e-6)
+        ++i;
+      roll.reactions.push_back(support.stiffness[1] * (support.motion[1] - roll.y[i]));
+    }
+    state.rolls.push_back(std::move(roll));
+  }
   state.strip.edges     = my.edges;
   state.strip.load      = my.q;
   state.strip.opening   = gap.opening;
@@ -395,5 +477,21 @@ GapShape BeamStack::influence_of_loads(const std::size_t roll, const std::vector
       for (const StackLoad &load : unit)
         forces[i] += self->sides[i].group.force_at(load, roll);
   return self->influence(forces, Eigen::VectorXd::Zero(self->q.size()), 0);
+}
+
+GapShape BeamStack::influence_of_radius(const std::size_t roll,
+                                        const std::function<double(double)> &departure) const
+{
+  return self->influence_of_radius(roll, departure);
+}
+
+Eigen::VectorXd BeamStack::frequencies(const int n) const
+{
+  std::vector<double> all;
+  for (const RollGroup &group : self->groups)
+    for (const double square : lowest_squares(group, n))
+      all.push_back(std::sqrt(std::max(0., square)) / (2 * M_PI));
+  std::sort(all.begin(), all.end());
+  return Eigen::Map<Eigen::VectorXd>(all.data(), n);
 }
 }  // namespace mill::reduce

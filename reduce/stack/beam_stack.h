@@ -2,6 +2,7 @@
 #include "core/model/stack.h"
 #include "reduce/stack/stack_state.h"
 #include "reduce/stack/strip_flattening.h"
+#include <functional>
 #include <memory>
 #include <vector>
 
@@ -36,6 +37,11 @@ public:
   GapShape influence_of_force() const;  ///< per N of rolling force
   /// Per unit of forces on the axis of a roll.
   GapShape influence_of_loads(std::size_t roll, const std::vector<StackLoad> &unit) const;
+  /// Per unit of a radius departure of a roll, a function of z (m, mill frame).
+  GapShape influence_of_radius(std::size_t roll, const std::function<double(double)> &departure) const;
+
+  /// Lowest natural frequencies about the solved state without a strip spring, Hz, ascending, to 1e-8.
+  Eigen::VectorXd frequencies(int n) const;
 
 private:
   struct Implementation;

@@ -208,6 +208,27 @@ VectorXd RollGroup::deflection(const std::size_t roll, const std::size_t axis) c
   return d;
 }
 
+VectorXd RollGroup::force_of_radius(const std::size_t roll, const std::function<double(double)> &departure) const
+{
+  VectorXd f = VectorXd::Zero(size());
+  for (const ContactElement &e : contacts)
+    if (stack.contacts[e.contact].a == roll || stack.contacts[e.contact].b == roll) {
+      Eigen::Array<double, UnitGauss::n, 1> r;
+      for (int g = 0; g < UnitGauss::n; ++g)
+        r[g] = departure(e.z[g]);
+      const VectorXd pushed = e.row * (e.weight * e.tangent * r).matrix();
+      for (std::size_t i = 0; i < e.unknown.size(); ++i)
+        f[e.unknown[i]] -= pushed[Index(i)];
+    }
+  return f;
+}
+
+VectorXd RollGroup::places(const std::size_t roll) const
+{
+  const Beam &beam = beams[local(roll)];
+  return Eigen::Map<const VectorXd>(stations.z.data() + beam.first, beam.last - beam.first + 1);
+}
+
 void RollGroup::update()
 {
   for (ContactElement &e : contacts) {

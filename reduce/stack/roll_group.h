@@ -5,6 +5,7 @@
 #include "reduce/stack/line_law.h"
 #include "reduce/stack/stations.h"
 #include <Eigen/SparseCore>
+#include <functional>
 #include <vector>
 
 namespace mill::reduce {
@@ -41,10 +42,10 @@ public:
   UnknownRow integral(std::size_t roll, double z1, double z2, double factor) const;
   /// Unit force at a place of a roll's own frame.
   Eigen::VectorXd force_at(const StackLoad &load, std::size_t roll) const;
-  int first_station(std::size_t roll) const
-  {
-    return beams[local(roll)].first;
-  }
+  /// Forces per unit of a radius departure of a roll, at the last update().
+  Eigen::VectorXd force_of_radius(std::size_t roll, const std::function<double(double)> &departure) const;
+  /// Stations of a roll, m.
+  Eigen::VectorXd places(std::size_t roll) const;
 
   void update();                              ///< loads and tangents of the contacts at u
   Eigen::VectorXd out_of_balance() const;     ///< N, N m, without the strip

@@ -24,6 +24,11 @@ public:
   /// What this side adds to the mean opening from z1 to z2 (m, from the middle of the strip).
   double opening(const Eigen::VectorXd &u, const Eigen::VectorXd &q, double z1, double z2, bool with_ground) const;
 
+  std::size_t work_roll() const
+  {
+    return roll;
+  }
+
 private:
   const Stack &stack;
   std::size_t roll;
