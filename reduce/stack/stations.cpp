@@ -1,0 +1,114 @@
+#include "reduce/stack/stations.h"
+#include "reduce/chain/roll_profile.h"
+#include <algorithm>
+#include <cmath>
+
+namespace mill::reduce {
+namespace {
+constexpr double same_place = 1e-6;  // m
+constexpr double finest     = 0.15;  // smallest element at the edge of the strip over the largest
+constexpr double grading    = 0.2;   // element length over the distance from the edge
+
+void add_breaks(std::vector<double> &z, const StackRoll &roll)
+{
+  for (const StackSection &section : roll.sections) {
+    z.push_back(section.from + roll.shift);
+    z.push_back(section.to + roll.shift);
+  }
+  for (const StackSupport &support : roll.supports)
+    z.push_back(support.z + roll.shift);
+  for (const StackLoad &load : roll.loads)
+    z.push_back(load.z + roll.shift);
+  for (const StackLump &lump : roll.lumps)
+    z.push_back(lump.z + roll.shift);
+  z.push_back(roll.shift - roll.length / 2);
+  z.push_back(roll.shift + roll.length / 2);
+}
+// The line load and the flattening change fast near the edges of the strip.
+double longest_at(const StackStrip &strip, const double z, const double longest)
+{
+  const double from_edge = std::abs(std::abs(z - strip.offset) - strip.width / 2);
+  return std::min(longest, std::max(longest * finest, grading * from_edge));
+}
+
+// Places between two breaks, in steps that follow longest_at().
+std::vector<double> pieces_between(const StackStrip &strip, const double from, const double to,
+                                   const double longest)
+{
+  // Number of elements up to a place; its whole values are the places, after a stretch that makes the last one
+  // whole.
+  constexpr int samples = 64;
+  std::vector<double> count{0};
+  const double step = (to - from) / samples;
+  for (int i = 0; i < samples; ++i)
+    count.push_back(count.back() + step / longest_at(strip, from + (i + 0.5) * step, longest));
+  const int pieces = std::max(1, int(std::ceil(count.back() - 1e-9)));
+  std::vector<double> places;
+  std::size_t i = 0;
+  for (int k = 1; k < pieces; ++k) {
+    const double wanted = count.back() * k / pieces;
+    while (count[i + 1] < wanted)
+      ++i;
+    places.push_back(from + step * (double(i) + (wanted - count[i]) / (count[i + 1] - count[i])));
+  }
+  return places;
+}
+}  // namespace
+
+int Stations::place(const double at) const
+{
+  return int(std::lower_bound(z.begin(), z.end(), at - same_place) - z.begin());
+}
+
+Stations stations_of(const Stack &stack, const double longest)
+{
+  std::vector<double> breaks;
+  for (const StackRoll &roll : stack.rolls)
+    add_breaks(breaks, roll);
+  for (const StackContact &contact : stack.contacts)
+    for (const auto &zone : contact_zones(stack, contact))
+      breaks.insert(breaks.end(), zone.begin(), zone.end());
+  for (const double side : {-1., 0., 1.})
+    breaks.push_back(stack.strip.offset + side * stack.strip.width / 2);
+  std::sort(breaks.begin(), breaks.end());
+  Stations stations;
+  for (const double b : breaks) {
+    if (!stations.z.empty()) {
+      const double from = stations.z.back();
+      if (b - from < same_place)
+        continue;
+      for (const double z : pieces_between(stack.strip, from, b, longest))
+        stations.z.push_back(z);
+    }
+    stations.z.push_back(b);
+  }
+  return stations;
+}
+
+std::vector<std::array<double, 2>> contact_zones(const Stack &stack, const StackContact &contact)
+{
+  const StackRoll &a = stack.rolls[contact.a], &b = stack.rolls[contact.b];
+  const double from = std::max(a.shift - a.length / 2, b.shift - b.length / 2);
+  const double to   = std::min(a.shift + a.length / 2, b.shift + b.length / 2);
+  if (contact.zones.empty())
+    return {{from, to}};
+  std::vector<std::array<double, 2>> zones;
+  for (const auto &[ring_from, ring_to] : contact.zones)
+    if (const double z1 = std::max(ring_from + b.shift, from), z2 = std::min(ring_to + b.shift, to); z2 > z1)
+      zones.push_back({z1, z2});
+  return zones;
+}
+
+std::array<double, 2> direction_of(const Stack &stack, const StackContact &contact)
+{
+  const auto &a = stack.rolls[contact.a].axis, &b = stack.rolls[contact.b].axis;
+  const double x = b[0] - a[0], y = b[1] - a[1], distance = std::hypot(x, y);
+  return {x / distance, y / distance};
+}
+
+double radius_departure(const StackRoll &roll, const double z)
+{
+  const double in_roll = z - roll.shift;
+  return -radius_drop(roll.profile, roll.turned ? -in_roll : in_roll);
+}
+}  // namespace mill::reduce
