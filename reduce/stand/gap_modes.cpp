@@ -45,17 +45,6 @@ std::string why(const GapMotion &mode, const GapKind kind)
               : share;
 }
 
-/// "third octave" where the frequency lies in the range of that name.
-std::string octave(const GapMotion &mode, const GapKind kind)
-{
-  if (kind == GapKind::none)
-    return "";
-  const double(&range)[2] = kind == GapKind::first ? third_octave : fifth_octave;
-  if (mode.frequency < range[0] || mode.frequency > range[1])
-    return "";
-  return kind == GapKind::first ? " (third octave)" : " (fifth octave)";
-}
-
 /// A name before it is numbered.
 struct Stem {
   std::string name, key;
@@ -118,6 +107,16 @@ GapKind gap_kind(const GapMotion &mode)
   return stack.work_roll * stack.backup_roll > 0 ? GapKind::first : GapKind::second;
 }
 
+std::string octave(const double frequency, const GapKind kind)
+{
+  if (kind == GapKind::none)
+    return "";
+  const double(&range)[2] = kind == GapKind::first ? third_octave : fifth_octave;
+  if (frequency < range[0] || frequency > range[1])
+    return "";
+  return kind == GapKind::first ? " (third octave)" : " (fifth octave)";
+}
+
 bool named_alike(const GapMotion &a, const GapMotion &b)
 {
   return gap_kind(a) == gap_kind(b) && (gap_kind(a) != GapKind::none ||
@@ -155,7 +154,7 @@ std::vector<ModeName> gap_mode_names(const std::vector<GapMotion> &modes, const 
     Stem one           = numbered(stem, highest_order);
     if (one.key.empty() && kind != GapKind::none)
       one = numbered(stem_of_two_parts(modes[k], kind), std::numeric_limits<int>::max());
-    names[k].name = one.key.empty() ? stem.name + ", higher" : one.name + octave(modes[k], kind);
+    names[k].name = one.key.empty() ? stem.name + ", higher" : one.name + octave(modes[k].frequency, kind);
     names[k].key  = one.key;
   };
   for (std::size_t k = 0; k < modes.size(); ++k) {

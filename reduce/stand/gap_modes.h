@@ -55,6 +55,10 @@ struct GapMotion {
 /// they do not.  None below least_share_of_gap_mode or without stacks.
 GapKind gap_kind(const GapMotion &mode);
 
+/// " (third octave)" or " (fifth octave)" where the frequency (Hz) of a mode of that kind lies in the range; else
+/// empty.
+std::string octave(double frequency, GapKind kind);
+
 /// Whether the rules give both modes the same name before they are numbered.
 bool named_alike(const GapMotion &a, const GapMotion &b);
 

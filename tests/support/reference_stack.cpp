@@ -1,4 +1,4 @@
-#include "support/reference_stack.h"
+#include "tests/support/reference_stack.h"
 #include <map>
 
 namespace {

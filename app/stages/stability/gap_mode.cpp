@@ -1,38 +1,40 @@
 #include "app/stages/stability/gap_mode.h"
+#include "reduce/stand/gap_modes.h"
 #include <Eigen/Eigenvalues>
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
+#include <utility>
+#include <vector>
 
 namespace mill {
 namespace {
-constexpr double least_share = 0.01;  // of the compliance of the gap
-constexpr double first_kind  = 450;   // Hz, above it the work rolls move against their backup rolls
-constexpr double third_octave[2]{110, 280}, fifth_octave[2]{450, 900};  // Hz
-
-struct RollingModes {
-  Eigen::VectorXd frequency;  // Hz
-  Eigen::VectorXd share;      // of the compliance of the gap
-};
-
-// The strip is the spring -F_1 between the work rolls.
-RollingModes rolling_modes(const dynamics::ChatterStandModel &stand, const bite::LinearCoefficients &bite)
+// The strip is the spring -F_1 between the work rolls.  A stack that has no masses of its own here, since the
+// stand is in its modes, moves as its rolls do at mid-length.
+std::vector<reduce::GapMotion> rolling_modes(const dynamics::ChatterStandModel &stand,
+                                             const bite::LinearCoefficients &bite)
 {
   const dynamics::StandStructure &s = stand.structure;
   const Eigen::MatrixXd K           = s.K - bite.force[0] * s.b * s.b.transpose();
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(K, s.M);
-  RollingModes modes;
-  const Eigen::VectorXd w2 = solver.eigenvalues();
-  modes.frequency          = w2.cwiseMax(0).cwiseSqrt() / (2 * M_PI);
-  modes.share = (solver.eigenvectors().transpose() * s.b).cwiseAbs2().cwiseQuotient(w2.cwiseMax(1e-30));
-  modes.share /= modes.share.sum();
+  const Eigen::VectorXd frequency = solver.eigenvalues().cwiseMax(0).cwiseSqrt() / (2 * M_PI);
+  const Eigen::VectorXd share     = reduce::gap_shares(frequency, solver.eigenvectors(), s.b);
+  const Eigen::MatrixXd moves     = s.point * solver.eigenvectors();
+  const auto displacement         = [&](const std::string &side, const char *roll, const Eigen::Index mode) {
+    const auto place = std::find(s.labels.begin(), s.labels.end(), side + roll);
+    return place == s.labels.end() ? 0. : moves(place - s.labels.begin(), mode);
+  };
+  std::vector<reduce::GapMotion> modes;
+  for (Eigen::Index k = 0; k < frequency.size(); ++k) {
+    reduce::GapMotion mode{frequency[k], share[k], {}, {}};
+    for (const char *side : {"upper", "lower"}) {
+      const double work = displacement(side, " work roll", k), backup = displacement(side, " backup roll", k);
+      mode.stacks.push_back({side, work * work + backup * backup, work, backup});
+    }
+    modes.push_back(std::move(mode));
+  }
   return modes;
-}
-
-std::string octave_of(const double frequency)
-{
-  if (frequency >= third_octave[0] && frequency <= third_octave[1])
-    return " (third octave)";
-  return frequency >= fifth_octave[0] && frequency <= fifth_octave[1] ? " (fifth octave)" : "";
 }
 }  // namespace
 
@@ -43,15 +45,15 @@ double GapMode::damping() const
 
 GapMode gap_mode(const dynamics::ChatterStandModel &stand, const bite::LinearCoefficients &bite)
 {
-  const RollingModes modes = rolling_modes(stand, bite);
+  const auto modes = rolling_modes(stand, bite);
   GapMode mode;
-  for (Eigen::Index i = 0; i < modes.frequency.size() && modes.frequency[i] < first_kind; ++i)
-    if (modes.share[i] > mode.share) {
-      mode.share     = modes.share[i];
-      mode.frequency = modes.frequency[i];
-    }
+  const int k = reduce::gap_mode(modes);
+  if (k < 0)
+    return mode;
+  mode.share                   = modes[std::size_t(k)].gap_share;
+  mode.frequency               = modes[std::size_t(k)].frequency;
   const Eigen::VectorXcd roots = dynamics::eigenvalues(dynamics::chatter_matrix(stand, bite));
-  double least                 = 1e300;
+  double least                 = std::numeric_limits<double>::infinity();
   for (const std::complex<double> &root : roots)
     if (const double apart = std::abs(root.imag() / (2 * M_PI) - mode.frequency); apart < least) {
       least     = apart;
@@ -65,10 +67,14 @@ std::string text_of_root(const dynamics::ChatterStandModel &stand, const bite::L
 {
   if (!(frequency > 0))
     return "motion without vibration";
-  const RollingModes modes = rolling_modes(stand, bite);
-  Eigen::Index nearest     = 0;
-  (modes.frequency.array() - frequency).abs().minCoeff(&nearest);
-  const char *name = modes.share[nearest] >= least_share ? "gap mode" : "mode";
-  return fmt::format("{} at {:.0f} Hz{}", name, frequency, octave_of(frequency));
+  const auto modes           = rolling_modes(stand, bite);
+  const auto nearest         = std::min_element(modes.begin(), modes.end(), [&](const auto &a, const auto &b) {
+    return std::abs(a.frequency - frequency) < std::abs(b.frequency - frequency);
+  });
+  const reduce::GapKind kind = reduce::gap_kind(*nearest);
+  const char *name           = kind == reduce::GapKind::none    ? "mode"
+                               : kind == reduce::GapKind::first ? "gap mode"
+                                                                : "gap mode of the second kind";
+  return fmt::format("{} at {:.0f} Hz{}", name, frequency, reduce::octave(frequency, kind));
 }
 }  // namespace mill

@@ -7,6 +7,8 @@
 
 namespace mill {
 namespace {
+constexpr double share_felt = 0.04;  // of the static compliance of the gap: a mode that the strip feels
+
 std::string frequency_text(const Eigen::VectorXd &all, const int mode)
 {
   return mode < 0 ? "-" : fmt::format("{:.1f}", all[mode]);
@@ -78,11 +80,6 @@ std::string headline(const StandStates &states, const double limit)
   return text;
 }
 
-namespace {
-constexpr double least_share = 0.04;  // of the static compliance of the gap: a mode that the strip feels
-
-}  // namespace
-
 std::string six_mass_gap_error(const reduce::StandWithModes &detailed, const reduce::StandWithModes &chain,
                                const double limit)
 {
@@ -100,7 +97,7 @@ std::string six_mass_gap_error(const reduce::StandWithModes &detailed, const red
     }
   };
   for (const reduce::ModePair &pair : pairs)
-    if (pair.other >= 0 && of_chain[pair.mode] >= least_share && share[pair.other] >= least_share)
+    if (pair.other >= 0 && of_chain[pair.mode] >= share_felt && share[pair.other] >= share_felt)
       compare(pair.mode, pair.other);
   Eigen::Index leading = 0, of_detailed = 0;
   of_chain.maxCoeff(&leading);

@@ -1,7 +1,7 @@
 #include "core/base/errors.h"
 #include "reduce/stack/beam_stack.h"
-#include "support/near.h"
-#include "support/reference_stack.h"
+#include "tests/support/near.h"
+#include "tests/support/reference_stack.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
