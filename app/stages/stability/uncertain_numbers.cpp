@@ -50,14 +50,15 @@ void add_structure(UncertainNumbers &all, const FourHigh &stand,
     const Eigen::MatrixXd K = error * input.dK.topLeftCorner(n, n), M = error * input.dM.topLeftCorner(n, n);
     if (!stated)
       without += (without.empty() ? "" : ", ") + input.name;
-    const auto same         = std::find_if(all.numbers.begin(), all.numbers.end(),
-                                           [&](const UncertainNumber &one) { return one.name == name; });
-    UncertainNumber &number = same == all.numbers.end() ? all.numbers.emplace_back() : *same;
+    const auto same = std::find_if(all.numbers.begin(), all.numbers.end(),
+                                   [&](const UncertainNumber &one) { return one.name == name; });
     if (same == all.numbers.end()) {
-      number           = UncertainNumber{name, error};
+      UncertainNumber number{name, error};
       number.structure = {K / error, M / error};
+      all.numbers.push_back(std::move(number));
       continue;
     }
+    UncertainNumber &number = *same;
     // Of two errors the larger one is that of the number; the other input moves by its part of it.
     const double larger = std::max(number.error, error);
     number.structure.dK = (number.error * number.structure.dK + K) / larger;
