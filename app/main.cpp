@@ -2,19 +2,35 @@
 #include "app/process/console.h"
 #include "app/process/out_of_memory.h"
 #include "app/verbs/commands.h"
+#include "core/base/visible_text.h"
 #include <filesystem>
 #include <new>
+#include <optional>
 #include <stdexcept>
 #include <string>
 
 namespace {
 using namespace mill;
 
+// Who gives --force-overwrite wants to know what an error has left of the earlier results.  A verb writes them
+// after all of its input was understood; live, which writes while it reads, says it itself.
+void say_what_stays(const std::optional<CommandLine> &command)
+{
+  if (!command || !command->force_overwrite || command->verb == "live")
+    return;
+  std::error_code ignored;
+  if (command->output.empty())
+    console::say("nothing was written; earlier results are unchanged\n");
+  else if (std::filesystem::exists(command->output, ignored))
+    console::say("nothing was written; " + visible(command->output, true) + " is unchanged\n");
+}
+
 int carry_out_command(int argc, char **argv)
 {
+  std::optional<CommandLine> command;
   try {
-    int exit_code      = 0;
-    const auto command = parse_command_line(argc, argv, exit_code);
+    int exit_code = 0;
+    command       = parse_command_line(argc, argv, exit_code);
     if (command)
       exit_code = carry_out(*command);
     console::flush();
@@ -24,6 +40,7 @@ int carry_out_command(int argc, char **argv)
     return 3;
   } catch (const InputError &e) {
     console::show(e);
+    say_what_stays(command);
     return 2;
   } catch (const SolverError &e) {
     console::show(e);

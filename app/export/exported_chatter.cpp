@@ -4,6 +4,7 @@
 #include "app/process/version.h"
 #include "app/run/run_context.h"
 #include "core/base/files.h"
+#include "core/base/name_part.h"
 #include "core/model/case.h"
 #include "dynamics/chatter/equations.h"
 #include "dynamics/chatter/run.h"
@@ -23,7 +24,7 @@ std::size_t condition_of(const ChatterCase &spec, const std::string &wanted)
 {
   std::string names;
   for (std::size_t c = 0; c < spec.conditions.size(); ++c) {
-    if (wanted.empty() || spec.conditions[c].name == wanted)
+    if (wanted.empty() || spec.conditions[c].name == name_part(wanted))
       return c;
     names += (c == 0 ? "\"" : ", \"") + spec.conditions[c].name + "\"";
   }

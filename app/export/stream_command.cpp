@@ -6,13 +6,14 @@
 #include "app/verbs/driven_case.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/name_part.h"
 #include "core/base/uninterrupted.h"
 #include "core/model/case.h"
-#include "core/records/force_blocks.h"
 #include "dynamics/response/hold_stepper.h"
 #include "dynamics/response/record_walk.h"
 #include "dynamics/response/response.h"
 #include "dynamics/response/running_spectrum.h"
+#include "twin/records/force_blocks.h"
 #include <cerrno>
 #include <cmath>
 #include <cstdio>
@@ -81,7 +82,7 @@ private:
 template <class Spec> void drive_by(Spec &spec, const std::string &wanted, const double mean)
 {
   for (Pass &pass : spec.passes)
-    if (wanted.empty() || pass.name == wanted) {
+    if (wanted.empty() || pass.name == name_part(wanted)) {
       if (std::isnan(pass.load))
         pass.load = mean;
       pass.force_file.clear();
@@ -104,21 +105,35 @@ std::vector<std::pair<std::string, double>> stage(const char *name)
   return {std::pair<std::string, double>(name, 1)};
 }
 
-dynamics::RecordSurvey surveyed(const std::string &path, std::vector<std::string> &notes, const bool quiet)
+dynamics::RecordSurvey surveyed(twin::ForceBlocks &blocks, std::vector<std::string> &notes,
+                                console::ProgressBar &bar)
 {
-  console::ProgressBar bar(stage("first pass over the record"), quiet);
-  ForceBlocks blocks(path);
   ForceRecord block;
   dynamics::RecordSurvey survey;
   while (blocks.next(block)) {
     for (Eigen::Index i = 0; i < block.time.size(); ++i)
       survey.add(block.time[i], block.force[i]);
-    for (const std::string &note : block.notes)
-      if (std::find(notes.begin(), notes.end(), note) == notes.end())
-        notes.push_back(note);
     bar.show("first pass over the record", blocks.fraction());
   }
+  notes = block.notes;
+  return survey;
+}
+
+// The same, once more where the first rows of the record were misleading.
+dynamics::RecordSurvey survey_of(twin::ForceBlocks &blocks, std::vector<std::string> &notes, const bool quiet)
+{
+  console::next_bar_ends_at(0.3);  // reading is cheaper than stepping
+  console::ProgressBar bar(stage("first pass over the record"), quiet);
+  dynamics::RecordSurvey survey;
+  try {
+    survey = surveyed(blocks, notes, bar);
+  } catch (const InputError &) {
+    if (!blocks.look_at_all_rows())
+      throw;
+    survey = surveyed(blocks, notes, bar);
+  }
   bar.finish();
+  blocks.rewind();
   return survey;
 }
 
@@ -251,11 +266,10 @@ void require_stream_folder(const std::string &folder, const std::string &case_na
 }
 
 // Second pass: rows up to the end or the cut.  False: not one block was read.
-bool write_rows(const std::string &path, StreamedResponse &response, GrowingFile &rows, const CutSignal &cut,
+bool write_rows(twin::ForceBlocks &blocks, StreamedResponse &response, GrowingFile &rows, const CutSignal &cut,
                 const bool quiet)
 {
   console::ProgressBar bar(stage("response"), quiet);
-  ForceBlocks blocks(path);
   ForceRecord block;
   bool first = true;
   while (cut.asked() == 0 && blocks.next(block)) {
@@ -302,7 +316,9 @@ int stream_command(const CommandLine &command, const Case &the_case)
     remove_stale_parts(folder);
   require_stream_folder(folder, the_case.name, command.force_overwrite);
   std::vector<std::string> notes;
-  const auto survey       = surveyed(command.force, notes, command.quiet);
+  twin::ForceBlocks blocks(command.force);
+  const auto survey = survey_of(blocks, notes, command.quiet);
+  console::next_bar_ends_at(0.6);
   const DrivenStand stand = driven_case(command, driven_by_mean(the_case, command.pass, survey.mean()));
   say_warnings(stand.warnings);
   const auto model = driven_of(stand);
@@ -310,7 +326,7 @@ int stream_command(const CommandLine &command, const Case &the_case)
   const CutSignal cut;  // before this there is nothing to keep
   GrowingFile rows(folder + "/response.csv");
   StreamedResponse response(model, survey, stand.dynamics.output_rate);
-  if (!write_rows(command.force, response, rows, cut, command.quiet))
+  if (!write_rows(blocks, response, rows, cut, command.quiet))
     return 128 + cut.asked();
   nlohmann::ordered_json summary;
   summary["made_by"]       = kind_of_summary;

@@ -21,6 +21,7 @@
 #include "app/stages/stand/mode_results.h"
 #include "app/stages/stand/model_stage.h"
 #include "app/stages/stand/modulus_stage.h"
+#include "core/base/name_part.h"
 #include "core/case/chain_curves.h"
 #include "core/case/given_instead.h"
 #include "core/case/lumped_model_toml.h"
@@ -322,9 +323,6 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
     linked_subjects.stand_chatter(run, stand, pass, chain, models);
   run.progress.at("passes", double(p + 1) / double(stand.passes.size()));
 }
-}  // namespace
-
-namespace {
 // K4 makes the strip optional, chatter does not.
 void require_bite(const Case &the_case)
 {
@@ -450,7 +448,7 @@ std::size_t place_of(const std::vector<Pass> &passes, const std::string &wanted)
 {
   std::string names;
   for (std::size_t p = 0; p < passes.size(); ++p) {
-    if (wanted.empty() || passes[p].name == wanted)
+    if (wanted.empty() || passes[p].name == name_part(wanted))
       return p;
     names += (p == 0 ? "\"" : ", \"") + passes[p].name + "\"";
   }

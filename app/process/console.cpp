@@ -1,6 +1,7 @@
 #include "app/process/console.h"
 #include "core/base/error_list.h"
 #include "core/base/visible_text.h"
+#include <algorithm>
 #include <cerrno>
 #include <chrono>
 #include <cstdio>
@@ -51,19 +52,45 @@ void say(const std::string &text)
   put(visible(text));
 }
 
+namespace {
+// What one command has shown; bars may be shown from several threads.
+struct CommandProgress {
+  double done                                 = 0;  // share of the command, never falls
+  double next_end                             = 1;
+  int last_percent                            = -1;
+  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+};
+CommandProgress of_command;
+std::mutex progress_access;
+}  // namespace
+
+void begin_progress()
+{
+  const std::lock_guard lock(progress_access);
+  of_command = {};
+}
+
+void next_bar_ends_at(const double share)
+{
+  const std::lock_guard lock(progress_access);
+  of_command.next_end = share;
+}
+
 struct ProgressBar::State {
   std::vector<std::pair<std::string, double>> stages;
   bool quiet, terminal;
-  double done                  = 0;  // share of the whole, never falls
-  int last_percent             = -1;
+  double begin = 0, end = 1;                                              // share of the command
+  double done                  = 0;                                       // share of this bar, never falls
   std::vector<double> fraction = std::vector<double>(stages.size(), 0.);  // of each stage
-  std::mutex access;                                                      // stages run side by side
-  std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 
 ProgressBar::ProgressBar(std::vector<std::pair<std::string, double>> stages, const bool quiet)
     : state(new State{std::move(stages), quiet, isatty(STDERR_FILENO) == 1})
 {
+  const std::lock_guard lock(progress_access);
+  state->begin        = of_command.done;
+  state->end          = std::max(of_command.done, of_command.next_end);
+  of_command.next_end = 1;
 }
 
 ProgressBar::~ProgressBar() = default;
@@ -73,7 +100,7 @@ void ProgressBar::show(const std::string &stage, const double fraction)
   State &s = *state;
   if (s.quiet)
     return;
-  const std::lock_guard lock(s.access);
+  const std::lock_guard lock(progress_access);
   // Stages run side by side; the next report of a name that is done belongs to the next stage of that name.
   double all = 0, reached = 0;
   bool known = false;
@@ -85,18 +112,20 @@ void ProgressBar::show(const std::string &stage, const double fraction)
     all += s.stages[i].second;
     reached += s.stages[i].second * s.fraction[i];
   }
-  s.done                                      = std::max(s.done, all > 0 ? reached / all : fraction);
-  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - s.start;
-  const int percent                           = int(100 * s.done);
+  s.done             = std::max(s.done, all > 0 ? reached / all : fraction);
+  CommandProgress &c = of_command;
+  c.done             = std::max(c.done, s.begin + (s.end - s.begin) * std::min(1., s.done));
+  const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - c.start;
+  const int percent                           = int(100 * c.done);
   if (s.terminal) {
-    const int filled = int(30 * s.done);
+    const int filled = int(30 * c.done);
     const std::string left =
-        s.done > 0.02 ? fmt::format("{:.0f} s left", elapsed.count() * (1 - s.done) / s.done) : "";
+        c.done > 0.02 ? fmt::format("{:.0f} s left", elapsed.count() * (1 - c.done) / c.done) : "";
     put(fmt::format("\r\033[K[{}{}] {:3} %  {}  {}", std::string(filled, '#'), std::string(30 - filled, '.'),
                     percent, visible(stage, true), left));
-  } else if (percent / 10 > s.last_percent / 10 || s.last_percent < 0) {
+  } else if (percent / 10 > c.last_percent / 10 || c.last_percent < 0) {
     say(fmt::format("{:3} %  {}\n", percent, stage));
-    s.last_percent = percent;
+    c.last_percent = percent;
   }
 }
 

@@ -1,6 +1,6 @@
 #include "app/review/record_review.h"
 #include "app/stages/contact/contact_stage.h"
-#include "core/records/csv.h"
+#include "app/stages/response/dynamics_stage.h"
 #include "dynamics/response/record_times.h"
 #include "dynamics/response/rolling_force.h"
 #include <cmath>
@@ -46,7 +46,7 @@ void judge_length(const Pass &pass, const double duration, const ExpectedModes &
 
 void review_measured(const Pass &pass, const ForceRecord &force, const ExpectedModes &modes, CaseReview &review)
 {
-  const MeasuredRecord measured = read_measured(pass.measured_file);
+  const MeasuredRecord measured = measured_of(pass, force);
   const auto times              = dynamics::record_times(measured.time);
   add_times(pass, pass.measured_place, "measured record", times, "", review);
   const auto last = [](const Eigen::VectorXd &t) { return t[t.size() - 1]; };

@@ -3,6 +3,7 @@
 #include "app/process/version.h"
 #include "app/run/run_kind.h"
 #include "core/base/files.h"
+#include "core/base/name_part.h"
 #include "core/base/valid_text.h"
 #include "core/case/kinds.h"
 #include "core/numerics/sparse.h"
@@ -15,6 +16,7 @@
 #include <atomic>
 #include <cmath>
 #include <exception>
+#include <filesystem>
 #include <iterator>
 #include <mutex>
 #include <nlohmann/json.hpp>
@@ -24,8 +26,9 @@
 namespace mill {
 using json = nlohmann::ordered_json;
 
-void RunContext::warn(const std::string &sentence)
+void RunContext::warn(const std::string &text)
 {
+  const std::string sentence = with_plain_names(text);
   const auto &warnings = results.warnings;
   if (sentence.empty() || std::find(warnings.begin(), warnings.end(), sentence) != warnings.end())
     return;
@@ -33,8 +36,9 @@ void RunContext::warn(const std::string &sentence)
   progress.note("warning: " + sentence);
 }
 
-void RunContext::assume(const std::string &sentence)
+void RunContext::assume(const std::string &text)
 {
+  const std::string sentence = with_plain_names(text);
   results.assumptions.push_back(sentence);
   progress.note("assumed: " + sentence);
 }
@@ -202,9 +206,21 @@ void add_timings(json &manifest, const std::vector<StageTime> &times)
 // Files that a run reads in addition to the case.
 std::vector<std::string> input_files(const Case &the_case, const std::string &force_file)
 {
-  std::vector<std::string> files{force_file};
-  for (const Pass &pass : all_passes(the_case))
-    files.insert(files.end(), {pass.force_file, pass.measured_file});
+  std::vector<std::string> files;
+  const auto add_record = [&](const std::string &file) {
+    files.push_back(file);
+    std::filesystem::path units = file;  // rate and units of a numpy array are in a file next to it
+    units.replace_extension(".json");
+    std::error_code ignored;
+    if (std::filesystem::path(file).extension().string().rfind(".np", 0) == 0 &&
+        std::filesystem::is_regular_file(units, ignored))
+      files.push_back(units.string());
+  };
+  add_record(force_file);
+  for (const Pass &pass : all_passes(the_case)) {
+    add_record(pass.force_file);
+    add_record(pass.measured_file);
+  }
   if (const auto more = run_kind(the_case).files)
     for (const std::string &file : more(the_case))
       files.push_back(file);

@@ -122,6 +122,8 @@ std::string engineering(const Parameter &p)
   for (const Unit &unit : units)
     if (p.unit == unit.si)
       return number_within(p.value / unit.size, p.error_estimate, digits(unit.digits)) + " " + unit.shown;
+  if (constexpr double hour = 3600; p.unit == "s" && p.value >= hour)
+    return number_within(p.value / hour, p.error_estimate, digits(6)) + " h";
   const std::string number = number_within(p.value, p.error_estimate, digits(6));
   return p.unit == "1" ? number : number + " " + p.unit;
 }

@@ -1,6 +1,7 @@
 #include "app/trace/trace_key.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
+#include "core/base/name_part.h"
 #include "core/base/units.h"
 #include "core/case/kinds.h"
 #include "core/case/old_keys.h"
@@ -126,7 +127,7 @@ std::vector<TraceKey> keys_of(const Case &the_case)
   for (const SectionRows &section : sections_of(the_case.kind)) {
     if (section.repeat == SectionRows::Repeat::named) {
       for (const std::string &name : repeated_sections(the_case, section.id()))
-        add(section.name + "." + name, section.name + "." + key_text(name), section.rows);
+        add(section.name + "." + name, section.name + "." + key_text(with_plain_names(name)), section.rows);
     } else if (section.repeat == SectionRows::Repeat::list) {
       for (const std::string &number : repeated_sections(the_case, section.name))
         add(section.name + "." + number, section.name + "." + number, section.rows);
@@ -141,8 +142,9 @@ TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, co
                   const std::vector<ClosedFormResult> &closed)
 {
   const auto keys  = keys_of(the_case);
-  const auto match = std::find_if(keys.begin(), keys.end(),
-                                  [&](const TraceKey &key) { return key.name == name || key.path == name; });
+  const auto match = std::find_if(keys.begin(), keys.end(), [&](const TraceKey &key) {
+    return key.name == name || with_plain_names(key.name) == name || with_plain_names(key.path) == name;
+  });
   if (match == keys.end()) {
     // Within a section its keys are compared; a list of some two hundred would not help.
     const auto dot            = name.rfind('.');

@@ -230,6 +230,7 @@ std::string current_manifest()
 
 int carry_out(const CommandLine &command)
 {
+  console::begin_progress();
   if (command.verb == "new")
     return write_template(command);
   if (command.verb == "check")

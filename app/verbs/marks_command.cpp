@@ -6,12 +6,14 @@
 #include "app/verbs/known_modes.h"
 #include "core/base/units.h"
 #include "core/base/visible_text.h"
+#include "core/case/quantity_slips.h"
 #include "core/model/case.h"
 #include "dynamics/marks/marks.h"
 #include "report/front/html.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace mill {
 namespace {
@@ -22,6 +24,9 @@ double quantity_of(const std::string &flag, const std::string &text, const char 
 {
   const ParsedQuantity q    = parse_quantity(text);
   const std::string written = "--" + flag + " \"" + text + "\"";
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  if (const std::string remedy = quantity_remedy(text, like, {-infinity, infinity}); !remedy.empty())
+    throw InputError(written + " " + remedy);
   const std::string needs   = fmt::format("; it takes a number with one of {}", units_like(unit(like)));
   if (q.fault == ParsedQuantity::Fault::no_number)
     throw InputError(written + " does not begin with a number" + needs);

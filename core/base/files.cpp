@@ -1,4 +1,5 @@
 #include "core/base/files.h"
+#include "core/base/name_part.h"
 #include "core/base/errors.h"
 #include "core/base/input_file.h"
 #include "core/base/uninterrupted.h"
@@ -259,7 +260,7 @@ std::string hash_of(const std::string &bytes)
 std::string slug(const std::string &name)
 {
   std::string out;
-  for (const char c : name)
+  for (const char c : with_plain_names(name))
     if (std::isalnum(static_cast<unsigned char>(c)))
       out += char(std::tolower(static_cast<unsigned char>(c)));
     else if (!out.empty() && out.back() != '-')

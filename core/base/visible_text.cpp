@@ -1,4 +1,5 @@
 #include "core/base/visible_text.h"
+#include "core/base/name_part.h"
 #include <algorithm>
 #include <fmt/format.h>
 
@@ -42,8 +43,9 @@ bool is_hidden(const char32_t code)
 }
 }  // namespace
 
-std::string visible(const std::string &text, const bool one_line)
+std::string visible(const std::string &stored, const bool one_line)
 {
+  const std::string text = with_plain_names(stored);
   std::string out;
   out.reserve(text.size());
   for (std::size_t position = 0; position < text.size();) {

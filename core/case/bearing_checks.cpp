@@ -351,10 +351,13 @@ void check_bearing_name(const std::string &key, const std::string &bearing, cons
     return;
   if (std::find(names.begin(), names.end(), bearing) != names.end())
     return;
+  std::string remedy = "add it";
+  if (const std::string near = nearest_word(bearing, names); !near.empty())
+    remedy = "did you mean '" + near + "'? If not, add the section";
+  else if (!names.empty())
+    remedy = fmt::format("add it, or name one that is given: {}", fmt::join(names, ", "));
   reading.add(reading.place(key),
-              names.empty() ? fmt::format("{}: no section [bearing.{}] is given", reading.as_written(key), bearing)
-                            : fmt::format("{}: no section [bearing.{}] is given{}", reading.as_written(key),
-                                          bearing, suggestion(bearing, names)));
+              fmt::format("{}: no section [bearing.{}] is given; {}", reading.as_written(key), bearing, remedy));
 }
 
 namespace {

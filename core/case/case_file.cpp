@@ -87,6 +87,37 @@ bool is_quantity(const std::string &text)
                       [&](const ForeignUnit &u) { return parsed.unit_text == u.spelling; }));
 }
 
+// Typographic quotes, "yes", ".2" and "2.": what editors and other languages write.  A message, or nothing.
+std::string other_notation(const std::string &key, const std::string &value)
+{
+  for (const char *open : {"\u201c", "\u201d", "\u201e", "\u2018", "\u2019", "\u00ab", "\u00bb"})
+    if (const std::string quote = open; value.rfind(quote, 0) == 0) {
+      std::string inside = value.substr(quote.size());
+      while (!inside.empty() && (static_cast<unsigned char>(inside.back()) >= 0x80 || inside.back() == '"'))
+        inside.pop_back();
+      return fmt::format("a text is written in straight quotes: {} = {}", key, mill::quoted(inside));
+    }
+  std::string word = value;
+  for (char &c : word)
+    c = char(std::tolower(static_cast<unsigned char>(c)));
+  for (const auto &[spelling, flag] : {std::pair("yes", "true"),
+                                       {"no", "false"},
+                                       {"on", "true"},
+                                       {"off", "false"},
+                                       {"true", "true"},
+                                       {"false", "false"},
+                                       {"ja", "true"},
+                                       {"nein", "false"}})
+    if (word == spelling)
+      return fmt::format("yes and no are written true and false: {} = {}", key, flag);
+  const bool begins = value.size() > 1 && value.front() == '.', ends = value.size() > 1 && value.back() == '.';
+  double number           = 0;
+  const std::string whole = (begins ? "0" : "") + value + (ends ? "0" : "");
+  if ((begins || ends) && parse_number(whole, number))
+    return fmt::format("a number has digits on both sides of its decimal point: {} = {}", key, whole);
+  return "";
+}
+
 // "key = 1450 mm", "key = 0,2": the commonest slips.  Column of the value, what is wrong and the repaired line, or
 // nothing.
 struct Unquoted {
@@ -106,6 +137,8 @@ Unquoted unquoted_quantity(const std::string &line)
   key.erase(key.find_last_not_of(" \t") + 1);
   key.erase(0, std::min(key.find_first_not_of(" \t"), key.size()));
   const int column = int(begin) + 1;  // a key and a number are ASCII: bytes are characters up to here
+  if (const std::string other = other_notation(key, value); !other.empty())
+    return {column, other};
   if (is_quantity(value))
     return {column, fmt::format("a value with a unit is written in quotes: {} = \"{}\"", key, value)};
   const auto meant = with_decimal_point(value);
@@ -158,6 +191,12 @@ Problem problem_of(const toml::parse_error &error, const std::string &file, cons
       problem.related.push_back({file, first, 1});
     return problem;
   }
+  if (description.find("escape sequence") != std::string::npos)
+    return {place,
+            "a backslash in double quotes begins a special character; write / between the names of folders, or "
+            "put the "
+            "text in single quotes",
+            {}};
   return {place, fmt::format("this is not TOML: {}", description), {}};
 }
 
@@ -205,8 +244,11 @@ void set_place(Node &node, const Place &place)
 std::vector<std::string> split_at_dots(const std::string &path)
 {
   std::vector<std::string> parts{""};
+  bool in_quotes = false;  // bearing."crb 1.5".bore
   for (const char c : path)
-    if (c == '.')
+    if (c == '"')
+      in_quotes = !in_quotes;
+    else if (c == '.' && !in_quotes)
       parts.emplace_back();
     else
       parts.back() += c;

@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/case/case_template.h"
 #include "core/case/quantity_slips.h"
+#include "core/case/removed_keys.h"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
@@ -17,12 +18,11 @@ struct SheetRow {
   int line = 0;
 };
 
+// What follows the key, which has no such sign: behind it ';' may separate the values of a pair.
 char separator_of(const std::string &line)
 {
-  for (const char c : {'\t', ';'})
-    if (line.find(c) != std::string::npos)
-      return c;
-  return ',';
+  const auto first = line.find_first_of("\t;,");
+  return first == std::string::npos ? ',' : line[first];
 }
 
 std::string stripped(std::string text)
@@ -82,11 +82,14 @@ struct Target {
   const Row *row        = nullptr;
 };
 
-// "[bearing.trb]" -> "trb"
+// "[bearing.trb]" -> "trb", "[bearing.\"trb 1.a\"]" -> "trb 1.a"
 std::string name_in(const std::string &header)
 {
   const auto dot = header.find('.');
-  return dot == std::string::npos ? "" : header.substr(dot + 1, header.find(']') - dot - 1);
+  if (dot == std::string::npos)
+    return "";
+  const bool in_quotes = header[dot + 1] == '"';
+  return header.substr(dot + 1 + in_quotes, header.rfind(']') - dot - 1 - 2 * in_quotes);
 }
 
 class SheetReader {
@@ -96,6 +99,7 @@ public:
     reading.file = std::move(file);
   }
   void take(const SheetRow &row);
+  bool decimal_commas = false;  ///< some number of the sheet has one
   std::string text()
   {
     if (!reading.problems.empty())
@@ -116,6 +120,8 @@ private:
   std::vector<std::string> known_keys() const;
   std::string near_key(const std::string &key) const
   {
+    if (const std::string removal = removal_note(key.substr(key.rfind('.') + 1)); !removal.empty())
+      return removal;
     const std::string near = nearest_word(key, known_keys());
     return near.empty() ? "; the template and docs/input.md have the keys of each section"
                         : "; did you mean '" + near + "'?";
@@ -207,29 +213,84 @@ bool is_list(const Row &row)
   return row.kind == Kind::pair || row.kind == Kind::table || row.kind == Kind::six;
 }
 
-// A cell as the case file would say it; decimal commas of the sheet's locale become points.
-Node node_of_cell(const Row &row, std::string value, const std::string &unit_text, const Place &place)
+// Values and unit of a row: "420 mm", "420" and "mm"; of a list also "3.55; 3.65 MN", or "3.55", "3.65" and "MN".
+struct CellValues {
+  std::vector<std::string> values;  ///< with their units
+  bool too_many = false;            ///< more cells than the row can use
+};
+
+bool begins_with_number(const std::string &text)
+{
+  return !text.empty() && (std::isdigit(static_cast<unsigned char>(text[0])) ||
+                           std::string("+-.").find(text[0]) != std::string::npos);
+}
+
+// Is there a unit behind the number?
+bool has_unit(const std::string &value)
+{
+  return !value.empty() && !std::isdigit(static_cast<unsigned char>(value.back())) && value.back() != '.';
+}
+
+CellValues values_of_row(const Row &row, std::vector<std::string> cells)
+{
+  CellValues result;
+  if (!is_list(row)) {
+    result.too_many = cells.size() > 2;
+    result.values   = {cells.size() > 1 && !cells[1].empty() ? cells[0] + " " + cells[1] : cells[0]};
+    return result;
+  }
+  std::string unit;
+  if (cells.size() > 1 && !begins_with_number(cells.back())) {
+    unit = cells.back();
+    cells.pop_back();
+  }
+  for (const std::string &cell : cells)
+    for (const std::string &bar : split(cell, "|"))
+      for (const std::string &part : split(bar, ";"))
+        result.values.push_back(stripped(part));
+  while (!result.values.empty() && result.values.back().empty())
+    result.values.pop_back();
+  if (unit.empty() && !result.values.empty() && has_unit(result.values.back())) {
+    const std::string &last = result.values.back();
+    unit                    = stripped(last.substr(last.find_last_of("0123456789") + 1));
+    if (const auto blank = last.find(' '); blank != std::string::npos)
+      unit = stripped(last.substr(blank));  // "9 kg/mm2": the digit belongs to the unit
+  }
+  for (std::string &value : result.values)
+    if (!unit.empty() && begins_with_number(value) && !has_unit(value))
+      value += " " + unit;
+  return result;
+}
+
+// A value as the case file would say it; decimal commas of the sheet's locale become points.
+std::string pointed(const std::string &value, const bool decimal_commas)
+{
+  const auto readings = with_decimal_point(value);
+  const bool clear    = readings.size() == 1 || (readings.size() == 2 && decimal_commas);
+  return clear ? readings.front() : value;
+}
+
+Node node_of_row(const Row &row, const std::vector<std::string> &values, const bool decimal_commas,
+                 const Place &place)
 {
   Node node;
   node.place = place;
   node.kind  = Node::Kind::text;
-  if (const auto pointed = with_decimal_point(value); pointed.size() == 1 && row.kind != Kind::text)
-    value = pointed.front();
-  node.text = unit_text.empty() ? value : value + " " + unit_text;
+  node.text  = row.kind == Kind::text ? values.front() : pointed(values.front(), decimal_commas);
   if (row.kind == Kind::number || row.kind == Kind::count) {
     if (parse_number(node.text, node.number))
       node.kind = row.kind == Kind::count && node.number == double(long(node.number)) ? Node::Kind::integer
                                                                                       : Node::Kind::real;
-  } else if (row.kind == Kind::flag && (value == "true" || value == "false")) {
+  } else if (row.kind == Kind::flag && (node.text == "true" || node.text == "false")) {
     node.kind = Node::Kind::flag;
-    node.flag = value == "true";
-  } else if (is_list(row)) {  // parted by blanks or bars: "900 kN | 1000 kN"
+    node.flag = node.text == "true";
+  } else if (is_list(row)) {
     node.kind = Node::Kind::array;
-    for (const std::string &part : split(node.text, "|")) {
+    for (const std::string &value : values) {
       Node item;
       item.place = place;
       item.kind  = Node::Kind::text;
-      item.text  = stripped(part);
+      item.text  = pointed(value, decimal_commas);
       node.items.push_back(item);
     }
   }
@@ -271,25 +332,52 @@ void SheetReader::set(FilledSection &filled, const std::string &key, const std::
       drop(angle);
 }
 
+// "1.230 mm" among decimal commas.
+std::string ambiguous_point(const std::string &key, const std::string &value, const std::vector<std::string> &two)
+{
+  std::string with_comma           = two[0];
+  with_comma[with_comma.find('.')] = ',';
+  return fmt::format(
+      "{} = {} has two readings: other numbers of this sheet have decimal commas, so that the point may "
+      "stand for a decimal point, {}, or for thousands, {}; write {} or {}",
+      key, mill::quoted(value), mill::quoted(two[0]), mill::quoted(two[1]), mill::quoted(with_comma),
+      mill::quoted(two[1]));
+}
+
+// Does some value of the sheet show that its decimals are written with a comma?
+bool shows_decimal_commas(const std::vector<SheetRow> &rows)
+{
+  for (const SheetRow &row : rows)
+    for (std::size_t i = 1; i < row.cells.size(); ++i)
+      for (const std::string &part : split(row.cells[i], ";"))
+        if (has_decimal_comma(stripped(part)))
+          return true;
+  return false;
+}
+
 void SheetReader::take(const SheetRow &row)
 {
   const Place place{reading.file, row.line, 1};
   const std::string key = row.cells[0];
   if (row.cells.size() < 2 || row.cells[1].empty())
     return;  // a row of the form that was not filled in
-  if (row.cells.size() > 3)
-    return reading.add(
-        place, fmt::format("{}: {} cells in a row; key, value and unit are wanted", key, row.cells.size()));
   const Target target = target_of(key);
   if (!target.filled || !target.row)
     return reading.add(place, fmt::format("unknown key '{}'{}", shortened(key), near_key(key)));
   if (!seen.insert(key).second)
     return reading.add(place, fmt::format("'{}' appears twice; remove one of the two", key));
+  const CellValues cells = values_of_row(*target.row, {row.cells.begin() + 1, row.cells.end()});
+  if (cells.too_many)
+    return reading.add(
+        place, fmt::format("{}: {} cells in a row; key, value and unit are wanted", key, row.cells.size()));
+  if (decimal_commas && target.row->kind != Kind::text)
+    for (const std::string &value : cells.values)
+      if (const auto two = readings_of_point(value); !two.empty())
+        return reading.add(place, ambiguous_point(key, value, two));
   Node section;
   section.place = place;
   section.entries.push_back(
-      {target.row->key, place,
-       node_of_cell(*target.row, row.cells[1], row.cells.size() > 2 ? row.cells[2] : "", place)});
+      {target.row->key, place, node_of_row(*target.row, cells.values, decimal_commas, place)});
   const auto last = key.rfind('.');
   if (read_row(*target.row, {&section, last == std::string::npos ? "" : key.substr(0, last)}, reading))
     set(*target.filled, target.row->key, toml_of_node(section.entries[0].value));
@@ -302,7 +390,9 @@ std::string template_from_sheet(const std::string &kind, const std::string &file
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(fmt::format("no template is available for the kind '{}'{}", kind, suggestion(kind, kinds)));
   SheetReader reader(kind_named(kind), file);
-  for (const SheetRow &row : rows_of_sheet(sheet))
+  const auto rows       = rows_of_sheet(sheet);
+  reader.decimal_commas = shows_decimal_commas(rows);
+  for (const SheetRow &row : rows)
     reader.take(row);
   return reader.text();
 }

@@ -218,14 +218,11 @@ void check_condition(const std::vector<RollingCondition> &all, const std::size_t
                {"strip.initial_thickness"});
   if (!reading.usable({key("name")}))
     return;
-  check_names_a_file(key("name"), c.name, reading);
+  check_not_empty(key("name"), c.name, reading);
   if (c.name.size() > 100)
     contradict(reading, key("name"), "is longer than 100 characters; it names files", {});
   if (c.name == "tandem")
     contradict(reading, key("name"), "is kept for the results of several stands together; take another name", {});
-  if (c.name.find('.') != std::string::npos)
-    contradict(reading, key("name"),
-               "contains a dot, which separates the parts of result names; take a dash or a blank", {});
   const auto after            = earlier.by_name.find(c.after);
   const auto [same, is_new]   = earlier.by_name.emplace(c.name, i);
   const auto [file, own_file] = earlier.by_slug.emplace(slug(c.name), i);

@@ -58,10 +58,10 @@ std::string numbered(const char *list, const std::size_t i, const char *key)
 void check_word(const std::string &key, const std::string &name, Reading &reading)
 {
   const bool good = !name.empty() && std::all_of(name.begin(), name.end(), [](const unsigned char c) {
-    return std::isalnum(c) || c == '_';
+    return std::isalnum(c) || std::string_view("_.%/").find(char(c)) != std::string_view::npos;
   });
   if (!good && reading.usable({key}))
-    contradict(reading, key, "is not a name; use letters, digits and _", {});
+    contradict(reading, key, "is not a name; use letters, digits, _, . and /", {});
 }
 
 template <class List, class NameOf>
@@ -232,7 +232,7 @@ void check_schedule(ClusterStand &stand, Reading &reading)
   }
   check_pass_names(names, reading);
   for (std::size_t i = 0; i < names.size(); ++i)
-    check_names_a_result(numbered("pass", i, "name"), names[i].name, reading);
+    check_not_empty(numbered("pass", i, "name"), names[i].name, reading);
 }
 
 Strip read_cluster_strip(const Node &root, Reading &reading)
@@ -297,7 +297,7 @@ void check_modes(const ClusterStand &stand, Reading &reading)
   check_unique(
       "mode", "name", stand.modes, [](const ClusterMode &m) { return m.name; }, reading);
   for (std::size_t i = 0; i < stand.modes.size(); ++i)
-    check_names_a_result(numbered("mode", i, "name"), stand.modes[i].name, reading);
+    check_not_empty(numbered("mode", i, "name"), stand.modes[i].name, reading);
 }
 
 // The passes as conditions that advice.condition may name.

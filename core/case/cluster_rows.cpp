@@ -74,7 +74,8 @@ const std::vector<Field<ClusterRoll>> &cluster_roll_rows()
 {
   using T = ClusterRoll;
   static const std::vector<Field<T>> rows{
-      {"name", &T::name, "text", any, required, "W", "letters, digits and _; names its contacts and supports"},
+      {"name", &T::name, "text", any, required, "W",
+       "letters, digits, _, . and /; names its contacts and supports"},
       {"barrel_diameter",
        &T::barrel_diameter,
        "mm",

@@ -1,4 +1,5 @@
 #include "core/case/cluster_variants.h"
+#include "core/base/name_part.h"
 #include "core/case/cluster_rows.h"
 #include "core/case/stand_reader.h"
 #include <algorithm>
@@ -23,7 +24,7 @@ KeyParts parts_of_key(const std::string &text)
   const auto first = text.find('.'), last = text.rfind('.');
   if (first == std::string::npos)
     return {"", "", text};
-  return {text.substr(0, first), first == last ? "" : text.substr(first + 1, last - first - 1),
+  return {text.substr(0, first), first == last ? "" : name_part(text.substr(first + 1, last - first - 1)),
           text.substr(last + 1)};
 }
 
@@ -132,14 +133,6 @@ void check_fit_of(const ClusterStand &stand, ClusterStand &changed, const Cluste
 }
 }  // namespace
 
-void check_names_a_result(const std::string &key, const std::string &name, Reading &reading)
-{
-  check_names_a_file(key, name, reading);
-  if (reading.usable({key}) && !name.empty() && name[0] != '.' && name.find('.') != std::string::npos)
-    contradict(reading, key, "contains a dot, which separates the parts of result names; take a dash or a blank",
-               {});
-}
-
 double *number_of(ClusterStand &stand, const std::string &key)
 {
   double *number       = nullptr;
@@ -187,7 +180,7 @@ void check_variants(const ClusterStand &stand, Reading &reading)
   for (std::size_t i = 0; i < stand.variants.size(); ++i) {
     const ClusterVariant &variant = stand.variants[i];
     const auto key                = [&](const char *k) { return fmt::format("variant.{}.{}", i, k); };
-    check_names_a_result(key("name"), variant.name, reading);
+    check_not_empty(key("name"), variant.name, reading);
     for (std::size_t k = 0; k < i; ++k)
       if (stand.variants[k].name == variant.name)
         contradict(reading, key("name"), "appears twice", {fmt::format("variant.{}.name", k)});

@@ -17,9 +17,6 @@ void set_value(ClusterStand &stand, const std::string &set);
 /// The stack of a variant: that of the case with what the variant sets.  @throws InputError  as set_value
 ClusterStand with_variant(const ClusterStand &stand, const ClusterVariant &variant);
 
-/// A name that becomes a part of the names of results, and of files.
-void check_names_a_result(const std::string &key, const std::string &name, Reading &reading);
-
 /// Names, sets, unknowns and modes of all variants; fits with more unknowns than frequencies.
 void check_variants(const ClusterStand &stand, Reading &reading);
 }  // namespace mill

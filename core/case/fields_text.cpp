@@ -195,12 +195,24 @@ std::string default_toml(const Row &row)
   return value ? toml_of(row, *value) : "";
 }
 
+namespace {
+std::string in_small_letters(std::string word)
+{
+  for (char &c : word)
+    c = char(std::tolower(static_cast<unsigned char>(c)));
+  return word;
+}
+}  // namespace
+
 std::string nearest_word(const std::string &word, const std::vector<std::string> &known)
 {
   std::string best;
   // More than a third of the letters wrong is another word; of two letters one may be.
   std::size_t fewest    = word.size() == 2 ? 2 : word.size() / 3 + 1;
   const Letters letters = letters_of(word);
+  for (const std::string &candidate : known)
+    if (in_small_letters(candidate) == in_small_letters(word))
+      return candidate;
   for (const std::string &candidate : known) {
     if (std::max(word.size(), candidate.size()) - std::min(word.size(), candidate.size()) >= fewest)
       continue;  // each letter too many is a slip; a very long word would make the table of distances large

@@ -4,6 +4,7 @@
 #include "core/case/removed_keys.h"
 #include "core/case/stand_reader.h"
 #include <algorithm>
+#include <iterator>
 #include <map>
 
 namespace mill {
@@ -15,20 +16,52 @@ bool holds_name(const Names &names, const std::string &name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+bool has_sections_only(const Node &node)
+{
+  return node.kind == Node::Kind::table && std::all_of(node.entries.begin(), node.entries.end(),
+                                                       [](const Node::Entry &e) { return e.value.section; });
+}
+
+// Is the section there only because [strip.flow_stress] is, so that the values of [stripe] belong into it?
+bool takes(const Node::Entry &there, const Node::Entry &stranger)
+{
+  return has_sections_only(there.value) && stranger.value.section && stranger.value.kind == Node::Kind::table &&
+         std::none_of(stranger.value.entries.begin(), stranger.value.entries.end(),
+                      [&](const Node::Entry &e) { return there.value.find(e.key); });
+}
+
+void join_sections_of_one_name(Node &table)
+{
+  for (std::size_t i = 0; i < table.entries.size(); ++i)
+    for (std::size_t k = i + 1; k < table.entries.size(); ++k)
+      if (table.entries[i].key == table.entries[k].key && table.entries[i].value.section) {
+        auto &into = table.entries[i].value.entries, &from = table.entries[k].value.entries;
+        std::move(from.begin(), from.end(), std::back_inserter(into));
+        table.entries.erase(table.entries.begin() + std::ptrdiff_t(k--));
+      }
+}
+
 void mend(Node &table, const Section &section, const Names &known, const bool values_only, Reading &reading)
 {
   std::size_t strangers = 0;
+  bool joins            = false;
   for (Node::Entry &entry : table.entries) {
     if (holds_name(known, entry.key) || (values_only && entry.value.section) || !removal_note(entry.key).empty())
       continue;
     if (++strangers > 2 * most_problems_shown)
       return;  // so many are not slips: a damaged file may have a hundred thousand names
     const std::string meant = nearest_word(entry.key, known);
-    if (meant.empty() || table.find(meant))
+    if (meant.empty())
       continue;
+    const Node::Entry *there = table.find(meant);
+    if (there && !takes(*there, entry))
+      continue;
+    joins = joins || there;
     report_unknown(entry, section, known, reading);
     entry.key = meant;
   }
+  if (joins)
+    join_sections_of_one_name(table);
 }
 
 // Below the root by "contact.upper"; nullptr when it is not there or no table.

@@ -101,6 +101,81 @@ std::string as_written(const std::string &text, const std::string &form, const R
   return inside(converted, range) ? quoted(rounded(converted, form)) : "";
 }
 
+std::string stripped(std::string text)
+{
+  text.erase(0, std::min(text.find_first_not_of(" \t"), text.size()));
+  text.erase(text.find_last_not_of(" \t") + 1);
+  return text;
+}
+
+// "57 1/16 in" with a decimal fraction, "57.0625 in"; empty when there is no fraction of an inch in it.
+std::string without_fraction(const std::string &text)
+{
+  const auto slash = text.find('/');
+  if (slash == std::string::npos || slash == 0 || !is_digit(text[slash - 1]))
+    return "";
+  std::size_t begin = slash, end = slash + 1;
+  while (begin > 0 && is_digit(text[begin - 1]))
+    --begin;
+  while (end < text.size() && is_digit(text[end]))
+    ++end;
+  const std::string unit_text = stripped(text.substr(end)), whole_text = stripped(text.substr(0, begin));
+  const ForeignUnit *u = foreign(unit_text, "mm");
+  double whole = 0, above = 0, below = 0;
+  const bool has_whole = !whole_text.empty();
+  if (!u || u->factor != inch || (has_whole && !parse_number(whole_text, whole)) ||
+      !parse_number(text.substr(begin, slash - begin), above) ||
+      !parse_number(text.substr(slash + 1, end - slash - 1), below) || below == 0)
+    return "";
+  return fmt::format("{:.10g} in", whole + above / below);
+}
+
+// Without what a drawing writes around a number: a sign of a diameter in front, a tolerance behind.  Empty when
+// there is nothing of the kind.
+std::string without_drawing_signs(const std::string &text)
+{
+  std::string rest = stripped(text);
+  for (const char *sign : {"\u00f8", "\u00d8", "\u2300", "\u2205", "dia.", "dia", "~", "\u2248", "ca.", "approx."})
+    if (const std::string before = sign; rest.rfind(before, 0) == 0) {
+      rest = stripped(rest.substr(before.size()));
+      break;
+    }
+  for (const char *sign : {"\u00b1", "+/-", "+-"})
+    if (const auto at = rest.find(sign); at != std::string::npos) {
+      const std::string before = stripped(rest.substr(0, at));
+      const auto unit_begin    = rest.find_last_of("0123456789.") + 1;
+      const bool has_unit      = !before.empty() && !is_digit(before.back());
+      rest                     = has_unit ? before : before + " " + stripped(rest.substr(unit_begin));
+      break;
+    }
+  return rest == stripped(text) ? "" : rest;
+}
+
+// Fractions of an inch, signs of a drawing, a percentage for a pure number, turns where a surface speed is needed.
+std::string unusual_form(const std::string &text, const std::string &form, const Range &range)
+{
+  const ParsedQuantity parsed = parse_quantity(text);
+  const bool plain            = parsed.fault == ParsedQuantity::Fault::none;
+  if (form == "1") {
+    const bool percent = plain && parsed.unit->dimension == unit("%").dimension;
+    return percent && inside(parsed.value(), range)
+               ? fmt::format("is a percentage; write {}", number_text(parsed.value()))
+               : "";
+  }
+  if (plain && parsed.unit->dimension == unit("rpm").dimension && unit(form).dimension == unit("m/s").dimension)
+    return fmt::format("is a number of turns in a time; the speed of the surface is needed, pi x diameter x turns "
+                       "per second: a roll of "
+                       "1 m has {:.6g} m/s",
+                       M_PI * parsed.value());
+  if (const std::string decimal = without_fraction(text); !decimal.empty())
+    if (const std::string written = as_written(decimal, form, range); !written.empty())
+      return fmt::format("has a fraction of an inch; {} = {}: write {}", text, decimal, written);
+  if (const std::string bare = without_drawing_signs(text); !bare.empty())
+    if (const std::string written = as_written(bare, form, range); !written.empty())
+      return fmt::format("has more than a number and a unit; write {}", written);
+  return "";
+}
+
 std::string foreign_remedy(const ParsedQuantity &parsed, const std::string &form, const Range &range)
 {
   const ForeignUnit *u = foreign(parsed.unit_text, form);
@@ -123,6 +198,9 @@ const std::vector<ForeignUnit> &foreign_units()
       {"in", "inches", inch, "mm"},
       {"inch", "inches", inch, "mm"},
       {"inches", "inches", inch, "mm"},
+      {"\"", "inches", inch, "mm"},
+      {"''", "inches", inch, "mm"},
+      {"\u2033", "inches", inch, "mm"},
       {"ft", "feet", 12 * inch, "mm"},
       {"mil", "thousandths of an inch", inch / 1000, "mm"},
       {"cm", "centimetres", 0.01, "mm"},
@@ -193,6 +271,25 @@ std::vector<std::string> with_decimal_point(const std::string &text)
   return all;
 }
 
+bool has_decimal_comma(const std::string &text)
+{
+  const std::string number = text.substr(0, length_of_number(text));
+  const auto last          = number.find_last_of(",.");
+  return last != std::string::npos && number[last] == ',' && std::count(number.begin(), number.end(), ',') == 1 &&
+         readings(number).size() == 1;
+}
+
+std::vector<std::string> readings_of_point(const std::string &text)
+{
+  const std::size_t end   = length_of_number(text);
+  const std::string point = text.substr(0, end);
+  std::string comma       = point;
+  std::replace(comma.begin(), comma.end(), '.', ',');
+  if (point.find(',') != std::string::npos || comma == point || readings(comma).size() != 2)
+    return {};
+  return {point + text.substr(end), without(point, ".") + text.substr(end)};
+}
+
 std::string quantity_remedy(const std::string &text, const std::string &form, const Range &range)
 {
   std::vector<std::string> meant;
@@ -206,8 +303,8 @@ std::string quantity_remedy(const std::string &text, const std::string &form, co
   if (meant.size() == 1)
     return fmt::format("has {}; write {}", comma ? "a comma in its number" : "a separator in its number",
                        meant[0]);
-  if (form == "1")
-    return "";
+  if (const std::string unusual = unusual_form(text, form, range); form == "1" || !unusual.empty())
+    return unusual;
   const ParsedQuantity parsed = parse_quantity(text);
   const bool force_in_tons    = parsed.fault == ParsedQuantity::Fault::none &&
                              std::string(parsed.unit->symbol) == "t" &&

@@ -20,6 +20,13 @@ const std::vector<ForeignUnit> &foreign_units();
 /// "1450.5 mm"; "1,450 mm" -> "1.450 mm" and "1450 mm".  Empty when there is nothing of the kind in it.
 std::vector<std::string> with_decimal_point(const std::string &text);
 
+/// Is the one comma of its number a decimal comma, whatever the locale: "1450,5 mm", "1.450,5 mm", not "1,450 mm"?
+bool has_decimal_comma(const std::string &text);
+
+/// Both readings of a number whose point stands before three digits, "1.230 mm": with a point, "1.230 mm", and with
+/// thousands, "1230 mm".  Empty where there is one reading.
+std::vector<std::string> readings_of_point(const std::string &text);
+
 /// The remedy for a text that is not a quantity of the wanted unit: "has a decimal comma; write \"1450.5 mm\"",
 /// "is in inches; 57.1 in = 1450.34 mm: write \"1450.34 mm\"".  Empty when it is not such a slip.
 /// @param form   unit of the row; "1" for a pure number

@@ -4,6 +4,7 @@
 #include "core/case/kinds.h"
 #include "core/case/mend_names.h"
 #include "core/case/old_keys.h"
+#include "core/case/user_names.h"
 #include "core/case/stand_reader.h"
 #include <algorithm>
 #include <filesystem>
@@ -135,6 +136,7 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   result.kind         = head.kind;
   result.title        = head.title;
   accept_old_keys(root, reading);
+  make_names_parts(root);
   mend_names(root, head.kind, reading);
   refuse_unknown_keys(top, rows_of(head_rows()), top_names(head.kind), reading);
   reading.echo = resolved_lines("", head_rows(), head, reading);

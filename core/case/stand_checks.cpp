@@ -82,7 +82,8 @@ void check_file(const std::string &key, const std::string &file, Reading &readin
   reading.add(reading.place(key),
               fmt::format(std::filesystem::exists(file, ignored) ? "{}: {} is not a regular file; name one"
                                                                  : "{}: the file {} does not exist",
-                          reading.as_written(key), file));
+                          reading.as_written(key), file) +
+                  (file.find('\\') != std::string::npos ? "; write / between the names of folders" : ""));
 }
 }  // namespace
 

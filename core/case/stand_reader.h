@@ -123,7 +123,7 @@ void check_strip(const Strip &strip, Reading &reading);
 /// Keys that the laws of flow stress and friction cannot do without.
 void check_flow_and_friction(const Strip &strip, Reading &reading);
 /// A name that becomes part of file names.
-void check_names_a_file(const std::string &key, const std::string &name, Reading &reading);
+void check_not_empty(const std::string &key, const std::string &name, Reading &reading);
 void check_pass_names(const std::vector<Pass> &passes, Reading &reading);
 /// Thicknesses, tensions and speed of every pass against the strip.
 void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading);

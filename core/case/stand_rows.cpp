@@ -223,7 +223,7 @@ const std::vector<Field<PassInput>> &pass_rows()
   static const std::vector<Field<T>> rows{
       {"name", &T::name, "text", any, required, "pass 1", "unique; names the response file"},
       {"force", &T::force_file, "path", any, absent, "data/pass-1.csv",
-       "recorded rolling force, columns time [s] and force [kN]"},
+       "recorded rolling force, columns time [s] and force [kN]; CSV, MATLAB, numpy, universal files, LabVIEW"},
       {"measured", &T::measured_file, "path", any, absent, "data/pass-1-measured.csv",
        "measured accelerations, columns time [s], upper_work_roll [g], lower_work_roll [g]"},
       {"synthetic", &T::synthetic, "flag", any, 0, "true", "the force record is made, not measured"},

@@ -72,10 +72,10 @@ void check_strip(const Strip &strip, Reading &reading)
     check_tension("strip.exit_tension", strip.exit_tension, strip, reading);
 }
 
-void check_names_a_file(const std::string &key, const std::string &name, Reading &reading)
+void check_not_empty(const std::string &key, const std::string &name, Reading &reading)
 {
-  if (name.empty() || name.find('/') != std::string::npos || name[0] == '.')
-    contradict(reading, key, "cannot name a file; it may not be empty, begin with a dot or contain '/'", {});
+  if (name.find_first_not_of(" \t") == std::string::npos)
+    contradict(reading, key, "is empty; it names results and files", {});
 }
 
 void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
@@ -86,17 +86,10 @@ void check_pass_names(const std::vector<Pass> &passes, Reading &reading)
     const std::string &name = passes[i].name;
     if (!reading.usable({key(i)}))
       continue;
-    check_names_a_file(key(i), name, reading);
+    check_not_empty(key(i), name, reading);
     if (const auto [earlier, is_new] = first.emplace(name, i); !is_new)
       contradict(reading, key(i), "is the name of an earlier pass as well", {key(earlier->second)});
   }
-  for (const auto &[name, i] : first)  // results of "a.fe" and of the model fe of "a" would have one name
-    for (auto dot = name.find('.'); dot != std::string::npos; dot = name.find('.', dot + 1))
-      if (const auto other = first.find(name.substr(0, dot)); other != first.end())
-        contradict(reading, fmt::format("pass.{}.name", i),
-                   "continues the name of another pass after a dot, which separates the parts of result names; "
-                   "take a dash",
-                   {fmt::format("pass.{}.name", other->second)});
 }
 
 void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, Reading &reading)

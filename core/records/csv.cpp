@@ -10,45 +10,11 @@
 namespace mill {
 namespace {
 using csv::Cell;
-using csv::Header;
 using csv::Sheet;
 
 Sheet sheet_of(const std::string &path)
 {
   return csv::sheet_of(path, read_text(path), "time [s], force [kN]");
-}
-
-// One column in SI; `sample` names the wanted dimension and is shown as the example.
-Eigen::VectorXd column_of(Sheet &sheet, const std::string &name, const std::string &sample)
-{
-  const std::size_t c = index_of(sheet, name, sample);
-  const Unit &u       = unit_of(sheet, sheet.header[c], sample);
-  Eigen::VectorXd values(Eigen::Index(sheet.n_rows()));
-  for (std::size_t r = 0; r < sheet.n_rows(); ++r)
-    values[Eigen::Index(r)] = to_si(number_of(sheet.cell(r, c), name, sheet), u);
-  return values;
-}
-
-void require_increasing(const Sheet &sheet, const Eigen::VectorXd &time)
-{
-  if (time.size() < 2)
-    throw InputError(Place{sheet.file, sheet.header.front().line, 1},
-                     fmt::format("{} after this header; at least two are needed",
-                                 time.size() == 0 ? "no sample" : "only one sample"));
-  const auto is_time = [](const Header &h) { return h.name == "time"; };
-  const auto c =
-      std::size_t(std::find_if(sheet.header.begin(), sheet.header.end(), is_time) - sheet.header.begin());
-  const auto unit_txt = sheet.header[c].unit;
-  for (Eigen::Index i = 1; i < time.size(); ++i)
-    if (!(time[i] > time[i - 1])) {
-      const Cell &cell = sheet.cell(std::size_t(i), c), &before = sheet.cell(std::size_t(i - 1), c);
-      const auto message =
-          time[i] == time[i - 1]
-              ? fmt::format("time {} {} appears twice; keep one of the two lines", cell.text, unit_txt)
-              : fmt::format("time {} {} comes after {} {}; sort the lines by time", cell.text, unit_txt,
-                            before.text, unit_txt);
-      throw InputError(std::vector<Problem>{{sheet.place(cell), message, {sheet.place(before)}}});
-    }
 }
 
 // "name [unit]" as a cell of one line, in quotes where RFC 4180 wants them or where the reader would take it for
@@ -78,13 +44,6 @@ void add_number(std::string &text, const double value)
   text.append(digits, std::to_chars(digits, digits + sizeof digits, value).ptr);
 }
 
-std::vector<std::string> notes_of(const Sheet &sheet)
-{
-  auto notes = sheet.notes;
-  if (sheet.decimal_comma)
-    notes.push_back("decimal commas were read as decimal points");
-  return notes;
-}
 }  // namespace
 
 Table &Table::add(std::string name, std::string unit, Eigen::VectorXd values)
@@ -158,29 +117,6 @@ Table read_table(const std::string &path)
     table.columns.push_back(std::move(values));
   }
   return table;
-}
-
-ForceRecord read_force(const std::string &path)
-{
-  Sheet sheet = sheet_of(path);
-  ForceRecord record;
-  record.time  = column_of(sheet, "time", "s");
-  record.force = column_of(sheet, "force", "kN");
-  require_increasing(sheet, record.time);
-  record.notes = notes_of(sheet);
-  return record;
-}
-
-MeasuredRecord read_measured(const std::string &path)
-{
-  Sheet sheet = sheet_of(path);
-  MeasuredRecord record;
-  record.time            = column_of(sheet, "time", "s");
-  record.upper_work_roll = column_of(sheet, "upper_work_roll", "g");
-  record.lower_work_roll = column_of(sheet, "lower_work_roll", "g");
-  require_increasing(sheet, record.time);
-  record.notes = notes_of(sheet);
-  return record;
 }
 
 std::string quoted_cell(const std::string &text)

@@ -1,5 +1,4 @@
 #pragma once
-#include "core/records/records.h"
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -22,16 +21,6 @@ std::string csv_text(const Table &table);
 bool reads_back(const Table &table);
 /// Reads a file that csv_text wrote.  @throws InputError
 Table read_table(const std::string &path);
-
-/// A recorded rolling force: columns time and force with units in the header ("time [s], force [kN]").
-/// Separator comma, semicolon or tab, decimal comma with the latter two, BOM, CRLF and blank lines are understood.
-/// @throws InputError with file:line:column: no file, empty, header without a unit or with a wrong one, cell that
-/// is
-///         no number or empty or NaN, times not increasing (unsorted or doubled), fewer than two samples
-ForceRecord read_force(const std::string &path);
-
-/// A measured record: time, upper_work_roll, lower_work_roll (g or m/s2).  Errors as read_force.
-MeasuredRecord read_measured(const std::string &path);
 
 /// A text between quotation marks as a cell of CSV; its own quotation marks are doubled.
 std::string quoted_cell(const std::string &text);

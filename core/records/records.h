@@ -1,5 +1,6 @@
 #pragma once
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -36,6 +37,7 @@ struct ForceRecord {
   Eigen::VectorXd time;            ///< (n) s, increasing
   Eigen::VectorXd force;           ///< (n) N
   std::vector<std::string> notes;  ///< what was repaired on reading, one sentence each, for the report
+  std::optional<double> start = {};  ///< s since 1970-01-01 UTC of time 0; none: the record has no date
 };
 
 /// Measured accelerations for comparison with a response.
@@ -43,6 +45,7 @@ struct MeasuredRecord {
   Eigen::VectorXd time;             ///< (n) s, increasing
   Eigen::VectorXd upper_work_roll;  ///< (n) m/s2
   Eigen::VectorXd lower_work_roll;  ///< (n) m/s2
+  std::optional<double> start;      ///< s since 1970-01-01 UTC of time 0; none: the record has no date
   std::vector<std::string> notes;
 };
 }  // namespace mill

@@ -1,5 +1,6 @@
 #include "dynamics/cluster/modes.h"
 #include "core/base/errors.h"
+#include "core/base/name_part.h"
 #include "core/numerics/eigen_instances.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
@@ -132,8 +133,8 @@ Eigen::VectorXd parsed_shape(const Stack &stack, const std::string &text)
       if (!(number >> weight) || !number.eof())
         throw InputError(fmt::format("'{}' is not a number", rest));
     }
-    const auto result =
-        std::find_if(stack.rolls.begin(), stack.rolls.end(), [&](const Roll &r) { return r.name == roll; });
+    const auto result = std::find_if(stack.rolls.begin(), stack.rolls.end(),
+                                     [&](const Roll &r) { return r.name == name_part(roll); });
     if (result == stack.rolls.end())
       throw InputError(fmt::format("no roll has the name '{}'", roll));
     if (direction != "x" && direction != "y")

@@ -134,6 +134,8 @@ Shown engineering(const double value, const std::string &si_unit)
   if (si_unit == "rad")  // tilts are small, places round a ring are not
     return std::abs(value) < 0.02 && value != 0 ? Shown{value * 1e3, "mrad"}
                                                 : Shown{value * 57.295779513082321, "\u00b0"};
+  if (constexpr double hour = 3600; si_unit == "s" && value >= hour)
+    return {value / hour, "h"};
   return {value, unit_sign(si_unit)};
 }
 

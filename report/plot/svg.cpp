@@ -1,4 +1,5 @@
 #include "report/plot/svg.h"
+#include "core/base/name_part.h"
 #include "core/records/xml_text.h"
 #include "report/plot/number.h"
 #include <cstring>
@@ -23,7 +24,7 @@ const char *name_of(const Anchor anchor)
 
 std::string escaped(const std::string &text)
 {
-  return xml_text(text);
+  return xml_text(with_plain_names(text));
 }
 
 double text_width(const std::string &utf8, const double font_size)

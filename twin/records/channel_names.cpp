@@ -151,6 +151,12 @@ std::string command_with(const ReadOptions &options, const std::string &file, co
   return typed + " " + more;
 }
 
+std::string by_option(const ReadOptions &options, const std::string &file, const std::string &text,
+                      const std::string &more)
+{
+  return options.from_case ? "" : text + ": " + command_with(options, file, more);
+}
+
 std::string unit_options(const std::vector<std::string> &columns)
 {
   constexpr std::size_t most = 8;
@@ -167,6 +173,14 @@ std::string listed(const std::vector<std::string> &names, const std::size_t most
     text += (i == 0 ? "'" : ", '") + names[i] + "'";
   return names.size() > most ? text + fmt::format(" and {} more", names.size() - most) : text;
 }
+
+namespace {
+// "write the unit behind the name, .., or", where no option follows.
+std::string without_option(const std::string &remedy, const std::string &format)
+{
+  return format == "CSV" ? remedy.substr(0, remedy.rfind(',')) : "export the record as CSV with units";
+}
+}  // namespace
 
 void require_usable_channels(RawRecord &record, const ReadOptions &options, const std::string &remedy)
 {
@@ -195,8 +209,10 @@ void require_usable_channels(RawRecord &record, const ReadOptions &options, cons
     }
   if (std::none_of(record.channels.begin(), record.channels.end(),
                    [](const RawChannel &c) { return c.unit_known; }))
-    throw InputError(head, fmt::format("no column of this record has a known unit; its columns are {}; {}: {}",
-                                       listed(columns), remedy,
-                                       command_with(options, record.file, unit_options(columns))));
+    throw InputError(
+        head, fmt::format("no column of this record has a known unit; its columns are {}; {}", listed(columns),
+                          options.from_case
+                              ? without_option(remedy, record.format)
+                              : remedy + ": " + command_with(options, record.file, unit_options(columns))));
 }
 }  // namespace mill::twin

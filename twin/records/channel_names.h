@@ -43,6 +43,10 @@ std::string shell_word(const std::string &text);
 /// The command as it was typed, with more options: "millstand analyse r.mat --unit a=g --unit b=g".
 std::string command_with(const ReadOptions &options, const std::string &file, const std::string &more);
 
+/// "; give it: millstand analyse r.mat --rate 20000"; nothing for a record of a case, which has no options.
+std::string by_option(const ReadOptions &options, const std::string &file, const std::string &text,
+                      const std::string &more);
+
 /// "--unit a=g --unit 'b c=g'" for the first columns of a record.
 std::string unit_options(const std::vector<std::string> &columns);
 

@@ -34,19 +34,9 @@ public:
     return std::move(record);
   }
 
-  /// The evidence of all rows; nothing where they say the same of the columns as the first ones did.
-  std::optional<CsvEvidence> other_evidence(const std::string &path)
+  std::optional<CsvEvidence> other_evidence()
   {
-    if (!rows)
-      return std::nullopt;
-    CsvEvidence all(rows->layout().columns.size());
-    LineSource again(path);
-    for (std::string_view line; again.next(line);)
-      if (again.number() >= rows->layout().first_data_line)
-        rows->look_at(line, all);
-    if (columns_of(rows->layout(), all) == rows->decided())
-      return std::nullopt;
-    return all;
+    return rows ? evidence_of_all_rows(record.file, *rows) : std::nullopt;
   }
 
 private:
@@ -68,12 +58,8 @@ private:
       return;
     if (rows->timed()) {
       const double second = rows->seconds();
-      if (!seconds.empty() && second < seconds.back())
-        throw InputError(
-            rows->time_place(line, number),
-            fmt::format("the time goes backwards here, by {:.4g} s; sort the lines by time, or split the "
-                        "file where the recorder started again",
-                        seconds.back() - second));
+      if (!seconds.empty())
+        rows->require_not_before(seconds.back(), second, line, number);
       seconds.push_back(second);
     }
     for (std::size_t c = 0; c < values.size(); ++c)
@@ -106,9 +92,11 @@ private:
         record.other_columns.push_back(rows->layout().columns[i].head.name);
     if (rows->timed())
       record.time = Eigen::Map<const Eigen::VectorXd>(seconds.data(), Eigen::Index(seconds.size()));
-    record.start = rows->clock().start();
+    record.start      = rows->clock().start();
+    record.first_time = rows->clock().first_number();
     require_usable_channels(record, options,
-                            "write the unit behind the name, for example \"upper_work_roll [g]\", or");
+                            fmt::format("write the unit behind the name, for example \"{}\", or",
+                                        options.from_case ? "force [kN]" : "upper_work_roll [g]"));
   }
 
   LineSource source;
@@ -131,7 +119,7 @@ RawRecord read_csv_record(const std::string &path, const ReadOptions &options)
     throw;
   } catch (const InputError &) {
     // The first rows may have shown a column that is something else in the whole file.
-    const auto evidence = reader.other_evidence(path);
+    const auto evidence = reader.other_evidence();
     if (!evidence)
       throw;
     return CsvReader(path, options).read(&*evidence);

@@ -1,4 +1,5 @@
 #include "twin/records/csv_rows.h"
+#include "twin/records/line_source.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -60,23 +61,31 @@ Place CsvRows::time_place(const std::string_view line, const int number) const
   return place(line, std::size_t(time_), number);
 }
 
+void CsvRows::require_not_before(const double earlier, const double time, const std::string_view line,
+                                 const int number) const
+{
+  if (time < earlier)
+    throw InputError(time_place(line, number),
+                     fmt::format("the time goes backwards here, by {:.4g} s; sort the lines by time, or split the "
+                                 "file where the recorder started again",
+                                 earlier - time));
+}
+
 void CsvRows::refuse_timeless() const
 {
   std::vector<std::string> names;
   for (const CsvLayout::Column &column : layout_.columns) {
     names.push_back(column.head.name);
     if (time_name(column.head.name) == TimeName::strong && !column.head.unit.empty())
-      throw InputError(
-          column.place,
-          fmt::format("column '{}' has the unit '{}'; a time in s, ms, us, min or h is needed, or the "
-                      "samples per second: {}",
-                      column.head.name, column.head.unit, command_with(options_, file_, "--rate 20000")));
+      throw InputError(column.place,
+                       fmt::format("column '{}' has the unit '{}'; a time in s, ms, us, min or h is needed{}",
+                                   column.head.name, column.head.unit,
+                                   by_option(options_, file_, ", or the samples per second", "--rate 20000")));
   }
   throw InputError(
       layout_.columns.front().place,
-      fmt::format("no column holds the time; the columns are {}; name one, for example \"time [s]\", or "
-                  "give the samples per second: {}",
-                  listed(names), command_with(options_, file_, "--rate 20000")));
+      fmt::format("no column holds the time; the columns are {}; name one, for example \"time [s]\"{}",
+                  listed(names), by_option(options_, file_, ", or give the samples per second", "--rate 20000")));
 }
 
 void CsvRows::prepare_clock(const std::vector<std::string> &head)
@@ -93,9 +102,8 @@ void CsvRows::prepare_clock(const std::vector<std::string> &head)
   texts_            = column < cells_.size() && !read_number(cells_[column], decided_.style[column].style, number);
   if (!texts_ && per_unit_ == 0 && !options_.rate) {
     const std::string name = layout_.columns[column].head.name;
-    throw InputError(time_column_,
-                     fmt::format("column '{}' has no unit; write for example \"{} [s]\", or: {}", name, name,
-                                 command_with(options_, file_, "--unit " + name + "=s")));
+    throw InputError(time_column_, fmt::format("column '{}' has no unit; write for example \"{} [s]\"{}", name,
+                                               name, by_option(options_, file_, ", or", "--unit " + name + "=s")));
   }
   if (options_.rate) {
     notes_.push_back(
@@ -192,4 +200,15 @@ void CsvRows::take_time(const std::string_view line, const int number)
   seconds_ = second;
 }
 
+std::optional<CsvEvidence> evidence_of_all_rows(const std::string &path, CsvRows &rows)
+{
+  CsvEvidence all(rows.layout().columns.size());
+  LineSource source(path);
+  for (std::string_view line; source.next(line);)
+    if (source.number() >= rows.layout().first_data_line)
+      rows.look_at(line, all);
+  if (columns_of(rows.layout(), all) == rows.decided())
+    return std::nullopt;
+  return all;
+}
 }  // namespace mill::twin

@@ -2,6 +2,7 @@
 #include "twin/records/csv_columns.h"
 #include "twin/records/record_clock.h"
 #include <deque>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -39,6 +40,9 @@ public:
     return seconds_;
   }
   Place time_place(std::string_view line, int number) const;  ///< of the time in that line
+
+  /// @throws InputError at the time of that line  it is before the one of the sample before, both in s
+  void require_not_before(double earlier, double time, std::string_view line, int number) const;
 
   bool timed() const  ///< false: the rate was given
   {
@@ -108,4 +112,8 @@ private:
   std::deque<std::string> unquoted_;
   std::vector<std::string_view> cells_;
 };
+
+/// What all rows of a file say; nothing where they say the same of the columns as the first ones did.
+/// @throws InputError  the file cannot be read any more
+std::optional<CsvEvidence> evidence_of_all_rows(const std::string &path, CsvRows &rows);
 }  // namespace mill::twin

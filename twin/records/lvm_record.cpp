@@ -161,12 +161,13 @@ private:
       record.rate = *options.rate;
     else if (times.size() == n) {
       record.time       = Eigen::Map<const Eigen::VectorXd>(times.data(), Eigen::Index(n)).array() - times[0];
+      record.first_time = times[0];
       record.time_place = head_place;
     } else if (delta > 0)
       record.rate = 1 / delta;
     else
-      throw InputError(head_place, "neither a column of times nor Delta_X says the sampling rate; give it: " +
-                                       command_with(options, record.file, "--rate 20000"));
+      throw InputError(head_place, "neither a column of times nor Delta_X says the sampling rate" +
+                                       by_option(options, record.file, "; give it", "--rate 20000"));
     take_start();
     const auto units = keys.find("Y_Unit_Label");
     for (std::size_t c = 0; c < values.size(); ++c) {

@@ -61,8 +61,10 @@ public:
     decide_rate(time, time_rate);
     for (std::size_t i = 0; i < vectors.size(); ++i) {
       Vector &vector = vectors[i];
-      if (int(i) == time && !options.rate)
-        record.time = (vector.value.array() - vector.value[0]) * per_unit(vector.name);
+      if (int(i) == time && !options.rate) {
+        record.time       = (vector.value.array() - vector.value[0]) * per_unit(vector.name);
+        record.first_time = vector.value[0] * per_unit(vector.name);
+      }
       if (int(i) == time)
         record.other_columns.push_back(vector.name);
       else
@@ -173,14 +175,17 @@ private:
     if (const std::string clock = rising_evenly(); !clock.empty())
       throw InputError(
           fmt::format("{}: the sampling rate is missing; '{}' rises by the same step from sample to sample: "
-                      "if it is the time in seconds, {}, else give the samples per second with --rate",
-                      record.file, clock, command_with(options, record.file, "--unit " + clock + "=s")));
+                      "{}",
+                      record.file, clock,
+                      options.from_case ? "if it is the time in seconds, name it 'time'; else add the number Fs"
+                                        : "if it is the time in seconds, " +
+                                              command_with(options, record.file, "--unit " + clock + "=s") +
+                                              ", else give the samples per second with --rate"));
     throw InputError(
         fmt::format("{}: the sampling rate is missing: there is neither a vector 'time' in seconds nor a "
-                    "number Fs, sr, SampleRate, dt or Ts{}; the vectors are {}; give the samples per "
-                    "second: {}",
+                    "number Fs, sr, SampleRate, dt or Ts{}; the vectors are {}{}",
                     record.file, seen.empty() ? "" : ", and " + seen + " is not taken for it", listed(names),
-                    command_with(options, record.file, "--rate 20000")));
+                    by_option(options, record.file, "; give the samples per second", "--rate 20000")));
   }
 
   // Name of a vector with equal steps that are not whole numbers, as a time has them; "" where there is none.

@@ -93,6 +93,7 @@ RawRecord read_npy_record(const std::string &path, const ReadOptions &options)
     if (name == "s") {  // number of the sample: gaps are jumps of it
       const double first = columns[c].size() > 0 ? columns[c][0] : 0;
       record.time        = (columns[c].array() - first) / record.rate;
+      record.first_time  = first / record.rate;
       record.time_place  = {path, 0, 0};
       record.other_columns.push_back(name);
       continue;

@@ -32,6 +32,7 @@ struct RawRecord {
   std::string format;                                      ///< "CSV", "UFF 58b", "numpy", "MATLAB 5", ..
   Eigen::VectorXd time;                                    ///< (n) s from the first sample; empty: even samples
   double rate = std::numeric_limits<double>::quiet_NaN();  ///< Hz, of even samples; NaN where `time` is there
+  double first_time = 0;             ///< s, what the time column says at the first sample; 0: nothing, or a date
   std::optional<double> start;       ///< s since 1970-01-01 UTC of the first sample; none: the record has no date
   std::vector<RawChannel> channels;  ///< all of one length, at least one
   std::vector<LabelSpan> labels;     ///< by column, then by time
@@ -51,7 +52,9 @@ struct ReadOptions {
   std::map<std::string, std::string> units;         ///< plant's name of a column -> unit, where the file has none
   std::map<std::string, std::string> scales;        ///< plant's name of a column -> "50 mV/g"; "": of all others
   std::vector<std::string> asked;                   ///< columns that --channel, --unit and --scale name
-  bool several = false;                             ///< the options are for several records
+  bool several                = false;              ///< the options are for several records
+  bool from_case              = false;  ///< a case names the record: there is no option that a remedy could name
+  Eigen::Index fewest_samples = 2048;   ///< of a record; the default is what a spectrum needs
   std::string command;  ///< as it was typed, for a remedy that can be copied: "millstand analyse r.mat"
 };
 
@@ -62,6 +65,9 @@ RawRecord read_record(const std::string &path, const ReadOptions &options);
 
 /// Has this file one of the endings that read_record() knows?
 bool is_record_file(const std::string &path);
+
+/// Is this a record in text, which can be read line by line?
+bool is_csv_record(const std::string &path);
 
 RawRecord read_csv_record(const std::string &path, const ReadOptions &options);
 RawRecord read_npy_record(const std::string &path, const ReadOptions &options);

@@ -8,8 +8,6 @@
 
 namespace mill::twin {
 namespace {
-constexpr Eigen::Index fewest_samples = 2048;
-
 using Reader = RawRecord (*)(const std::string &, const ReadOptions &);
 
 const std::vector<std::pair<std::string, Reader>> &readers()
@@ -82,6 +80,11 @@ bool is_record_file(const std::string &path)
   return reader_of(path) != nullptr;
 }
 
+bool is_csv_record(const std::string &path)
+{
+  return reader_of(path) == read_csv_record;
+}
+
 RawRecord read_record(const std::string &path, const ReadOptions &options)
 {
   if (options.rate && !(*options.rate > 0 && std::isfinite(*options.rate)))
@@ -92,10 +95,11 @@ RawRecord read_record(const std::string &path, const ReadOptions &options)
   make_texts_valid(record);
   require_increasing(record);
   require_possible_times(record);
-  if (record.n_samples() < fewest_samples)
+  if (record.n_samples() < options.fewest_samples)
     throw InputError(Place{path, 1, 1},
-                     fmt::format("the record has {} samples; at least {} are needed for a spectrum",
-                                 record.n_samples(), fewest_samples));
+                     fmt::format("the record has {} sample{}; at least {} are needed{}", record.n_samples(),
+                                 record.n_samples() == 1 ? "" : "s", options.fewest_samples,
+                                 options.from_case ? "" : " for a spectrum"));
   return record;
 }
 }  // namespace mill::twin

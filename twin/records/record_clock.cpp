@@ -2,7 +2,7 @@
 #include <fmt/format.h>
 
 namespace mill::twin {
-RecordClock::RecordClock(const ReadOptions &options)
+RecordClock::RecordClock(const ReadOptions &options) : from_case(options.from_case)
 {
   if (!options.zone.empty())
     zone.emplace(options.zone, options.zone_folder);
@@ -39,8 +39,8 @@ std::int64_t RecordClock::utc_of(const TimeText &time, const std::string_view te
     return time.local_seconds;
   if (!zone)
     throw InputError(place, fmt::format("the time '{}' has no offset from UTC; write it with one, for example "
-                                        "2026-01-05T10:00:00+01:00, or name its zone with --zone Europe/Berlin",
-                                        text));
+                                        "2026-01-05T10:00:00+01:00{}",
+                                        text, from_case ? "" : ", or name its zone with --zone Europe/Berlin"));
   constexpr std::int64_t quarter_hour = 900;  // clocks change at no other times
   if (time.local_seconds / quarter_hour == quarter)
     return time.local_seconds - offset;

@@ -18,12 +18,19 @@ public:
   /// @throws InputError at `place`  no time; a local time without a zone, one that the clocks skip or show twice
   double seconds_of(std::string_view text, const Place &place);
 
+  /// s, the number of the first call of relative(); 0: there was none.
+  double first_number() const
+  {
+    return zero.value_or(0);
+  }
+
   /// s since 1970-01-01 UTC of the first sample; none: no date was read.
   std::optional<double> start() const;
 
 private:
   std::int64_t utc_of(const TimeText &time, std::string_view text, const Place &place);
 
+  bool from_case = false;
   std::optional<TimeZone> zone;
   std::optional<double> zero;         // of numbers
   std::optional<std::int64_t> first;  // s, of texts

@@ -65,10 +65,10 @@ double sampling_rate(const std::string &file, const std::vector<RateCandidate> &
   for (const Source &other : sources)
     if (std::abs(other.rate - sources.front().rate) > same_rate * sources.front().rate)
       throw InputError(
-          fmt::format("{}: the sampling rate is {:.9g} Hz by {} and {:.9g} Hz by {}, which disagree; say "
-                      "which one is right: {}",
-                      file, sources.front().rate, sources.front().text, other.rate, other.text,
-                      command_with(options, file, fmt::format("--rate {:.9g}", sources.front().rate))));
+          fmt::format("{}: the sampling rate is {:.9g} Hz by {} and {:.9g} Hz by {}, which disagree{}", file,
+                      sources.front().rate, sources.front().text, other.rate, other.text,
+                      by_option(options, file, "; say which one is right",
+                                fmt::format("--rate {:.9g}", sources.front().rate))));
   if (sources.empty())
     return std::numeric_limits<double>::quiet_NaN();
   if (!unclear.empty())

@@ -335,6 +335,7 @@ private:
     }
     if (sets.empty()) {
       record.time       = options.rate ? Eigen::VectorXd() : time;
+      record.first_time = options.rate || set.even || set.n == 0 ? 0 : values[0] * set.seconds_per_step();
       record.time_place = set.place;
       n_times           = time.size();
       if (options.rate)
@@ -362,8 +363,9 @@ private:
   {
     const double seconds = set.step * set.seconds_per_step();
     if (!(seconds > 0))
-      throw InputError(set.place, "the step of the time is zero; give the samples per second: " +
-                                      command_with(options, text.path(), "--rate 20000"));
+      throw InputError(set.place,
+                       "the step of the time is zero" +
+                           by_option(options, text.path(), "; give the samples per second", "--rate 20000"));
     const double rate = 1 / seconds, whole = std::round(rate);
     if (std::abs(rate - whole) < 6e-6 * whole && rate != whole) {
       record.notes.push_back(fmt::format(

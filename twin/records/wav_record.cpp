@@ -118,6 +118,9 @@ RawRecord read_wav_record(const std::string &path, const ReadOptions &options)
     record.notes.push_back(
         "full scale of the file was taken as 1 V; with another, multiply the sensitivity by 1 V over "
         "it, or say what full scale stands for, --scale \"20 g\"");
+  if (options.from_case)
+    throw InputError(path +
+                     " holds numbers in units of full scale and no unit; export the record as CSV with units");
   const std::vector<std::string> &asked = options.asked;
   if (options.scales.empty() && options.units.empty() && asked.empty())
     throw InputError(fmt::format("{} holds {} channel{} (ch1{}) in units of full scale; say what they mean, for "

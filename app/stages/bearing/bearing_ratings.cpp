@@ -2,6 +2,7 @@
 #include "app/stages/bearing/bearing_results.h"
 #include "core/case/provenance.h"
 #include "core/model/bearing_ratings.h"
+#include "core/model/case.h"
 #include "reduce/bearing/geometry.h"
 #include "reduce/bearing/rating_life.h"
 #include "reduce/bearing/ratings.h"
@@ -74,6 +75,12 @@ double ratio_error(const double a, const double b)
   return std::isfinite(a) && std::isfinite(b) && b != 0 ? std::abs(a / b - 1) : not_given;
 }
 
+/// A life goes with C^(10/3), (5.34): its relative error by that of C.
+double life_error_of(const double error_of_C)
+{
+  return std::pow(1 + error_of_C, 10. / 3) - 1;
+}
+
 // Sizes of the drawing, whose tolerances are not stated.
 std::vector<std::string> drawing_keys(const RollerBearing &b)
 {
@@ -135,7 +142,20 @@ void add_loads_and_safety(RatingResults &out, const RatedBearing &r)
           ratio_error(safe, S0));
 }
 
-// L10, where radial or axial load give an equivalent one, and L10r; the error of L10r is returned.
+// A life with the error of C added to its own; it lacks what C lacks.
+void add_life(RatingResults &out, const std::string &name, const double value, const std::string &method,
+              std::vector<Check> checks, const double own_error)
+{
+  const Parameter *C = out.run.results.find(out.prefix + "C");
+  const double by_C  = life_error_of(C->error_estimate);
+  const auto lacks   = C->error_lacks;
+  Parameter &p       = out.add(name, "1", value, method, std::move(checks), std::hypot(own_error, by_C));
+  if (std::isnan(by_C))
+    p.error_lacks = lacks;
+}
+
+// L10, where radial or axial load give an equivalent one, and L10r; the error of L10r without that of C is
+// returned.
 double add_basic_lives(RatingResults &out, const RatedBearing &r)
 {
   const auto life   = r.life(r.study.at);
@@ -145,14 +165,14 @@ double add_basic_lives(RatingResults &out, const RatedBearing &r)
   double error = error_of(r.study, number);
   if (r.has_equivalent_load()) {
     const double L10 = bearing::basic_life(r.C, r.loads.dynamic);
-    out.add("L10", "1", L10, "ISO 281, 1e6 (C/P)^(10/3) revolutions, (5.34)",
-            {{"ISO/TS 16281 by slices", life.life, "the solved load of every roller"}},
-            ratio_error(life.life, L10));
+    add_life(out, "L10", L10, "ISO 281, 1e6 (C/P)^(10/3) revolutions, (5.34)",
+             {{"ISO/TS 16281 by slices", life.life, "the solved load of every roller"}},
+             ratio_error(life.life, L10));
     checks.push_back({"ISO 281", L10, "load of the rollers by a factor"});
     error = std::max(std::isfinite(error) ? error : 0, ratio_error(L10, life.life));
   }
-  out.add("L10r", "1", life.life,
-          "ISO/TS 16281 by slices of every roller, revolutions, (5.37); " + model_name(r.bearing), checks, error);
+  add_life(out, "L10r", life.life,
+           "ISO/TS 16281 by slices of every roller, revolutions, (5.37); " + model_name(r.bearing), checks, error);
   return error;
 }
 
@@ -188,18 +208,23 @@ void add_modified_life(RatingResults &out, const RatedBearing &r, const double e
     checks.push_back({"ISO 281, a_ISO L10",
                       r.a_ISO(kappa, dirt, r.loads.dynamic) * bearing::basic_life(r.C, r.loads.dynamic),
                       "load of the rollers by a factor"});
-  out.add("L10mr", "1", value,
-          fmt::format("ISO 281, a_ISO L10r revolutions with kappa {:.3g} and e_C {:.3g}, (5.39)", kappa, dirt),
-          checks, error);
+  add_life(out, "L10mr", value,
+           fmt::format("ISO 281, a_ISO L10r revolutions with kappa {:.3g} and e_C {:.3g}, (5.39)", kappa, dirt),
+           checks, error);
 }
 
 void add_speeds(RatingResults &out, const RatedBearing &r)
 {
-  const double speed = r.study.question.speed;
-  if (!(speed > 0))
-    return;
+  const double speed     = r.study.question.speed;
   const RollerBearing &b = r.bearing;
-  const auto hours       = [&](const char *name) {
+  if (!(speed > 0)) {
+    out.run.assume(
+        fmt::format("bearing.{}: the lives are in revolutions only, since the speed of the shaft is not "
+                    "known; give {} for hours",
+                    b.name, out.run.the_case.kind == "four-high" ? "pass.speed" : "load.speed"));
+    return;
+  }
+  const auto hours = [&](const char *name) {
     const Parameter *life = out.run.results.find(out.prefix + name);
     if (!life)
       return;

@@ -12,6 +12,7 @@
 #include "dynamics/response/rolling_force.h"
 #include "dynamics/response/spectrum.h"
 #include "reduce/stand/gap_modes.h"
+#include "twin/records/force_record.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -64,10 +65,22 @@ double working_load(const Pass &pass, const ForceRecord &force)
   return std::isnan(pass.load) ? force.force.mean() : pass.load;
 }
 
+MeasuredRecord measured_of(const Pass &pass, const ForceRecord &force)
+{
+  MeasuredRecord measured = twin::read_measured(pass.measured_file);
+  if (measured.start && force.start)
+    measured.time.array() += *measured.start - *force.start;
+  else if (measured.start || force.start)
+    measured.notes.push_back(
+        fmt::format("only the {} record has a date; both are taken to begin at the same moment",
+                    measured.start ? "measured" : "force"));
+  return measured;
+}
+
 ForceRecord force_of(const Pass &pass)
 {
   if (!pass.force_file.empty())
-    return read_force(pass.force_file);
+    return twin::read_force(pass.force_file);
   dynamics::NoiseSettings noise;
   noise.range     = pass.synthetic_range;
   noise.duration  = pass.synthetic_duration;
@@ -354,7 +367,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   };
   std::vector<Check> measured_rms[2], measured_peak[2];
   if (!pass.measured_file.empty()) {
-    const auto measured = read_measured(pass.measured_file);
+    const auto measured = measured_of(pass, force);
     for (const std::string &note : measured.notes)
       run.warn(pass.name + ", measured: " + note);
     const auto comparison                   = dynamics::compare(response, measured);

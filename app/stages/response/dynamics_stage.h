@@ -15,6 +15,10 @@ namespace mill {
 /// Force record of a pass: its file, or the synthetic noise its keys describe.
 ForceRecord force_of(const Pass &pass);
 
+/// The measured record of a pass, in the times of its force where both have dates.
+/// @throws InputError as twin::read_measured()
+MeasuredRecord measured_of(const Pass &pass, const ForceRecord &force);
+
 /// N: the working load of a pass, as given, or the mean of its record.
 double working_load(const Pass &pass, const ForceRecord &force);
 

@@ -94,6 +94,7 @@ int analyse_command(const CommandLine &command)
                                : alone                ? command.output
                                                       : command.output + "/" + stem;
     twin::RawRecord raw;
+    console::next_bar_ends_at(double(&path - command.names.data() + 1) / double(command.names.size()));
     console::ProgressBar bar({{"read", 3}, {"clean", 1}, {"spectra", 4}, {"modes", 3}, {"findings", 1}},
                              command.quiet);
     Progress progress;

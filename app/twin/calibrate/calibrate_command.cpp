@@ -164,7 +164,9 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
 {
   const std::string folder = command.output.empty() ? "out/" + the_case.name + "-calibration" : command.output;
   require_result_folder(folder, "calibration.json", "calibration", command.force_overwrite);
+  console::next_bar_ends_at(0.3);  // where finite elements make the prior
   const PriorChain at_first_pass = prior_of_case(command, the_case, std::nan(""));
+  console::next_bar_ends_at(1);
   // wrong options are refused before long records are read
   freed_unknowns(at_first_pass, command.calibrate.free, true);
   model_error_of(command.calibrate);
@@ -174,6 +176,7 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   progress.at("read", 0);
   MeasuredPieces pieces  = measured_pieces(set, at_first_pass.places,
                                            read_options(command, monitoring_of(command.target, command.sets)));
+  console::next_bar_ends_at(0.5);
   const PriorChain chain = at_load_of(command, the_case, at_first_pass, pieces.load);
   twin::CalibrationFacts facts{the_case.name, chain.source, pieces.files,
                                pieces.notes,  "",           command.calibrate.accept};

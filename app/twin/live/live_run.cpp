@@ -45,7 +45,7 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
     print("note: contacts on their curves are not followed here; the twin has their slopes\n");
   open_folder();
   if (!options.response.empty())
-    response_.emplace(options.response, command.force_overwrite);
+    response_.emplace(options.response, command.force_overwrite, input_.kind == LiveInput::Kind::replay);
   resume();
   open_page();
   sources_ = std::make_unique<LiveSources>(input_, options, rules(), skip_to_, queue_);
@@ -55,6 +55,11 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
   if (const std::string notice = sources_->notice(); !notice.empty())
     console::say("warning: " + notice + "\n");
   console::flush();
+}
+
+bool LiveRun::leaves_old_response() const
+{
+  return response_ && response_->leaves_old_file();
 }
 
 LiveRun::~LiveRun()

@@ -38,6 +38,7 @@ public:
   LiveRun(const LiveRun &)            = delete;
   LiveRun &operator=(const LiveRun &) = delete;
   int until_the_end();
+  bool leaves_old_response() const;  ///< the --response file that was there is as it was
 
 private:
   void open_folder();

@@ -1,5 +1,6 @@
 #include "app/twin/live/response_file.h"
 #include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/base/units.h"
 #include <cerrno>
 #include <cstring>
@@ -8,12 +9,18 @@
 #include <fmt/format.h>
 #include <iterator>
 #include <sys/stat.h>
+#include <unistd.h>
 
 namespace mill {
-ResponseFile::ResponseFile(std::string path, const bool overwrite) : path_(std::move(path))
+ResponseFile::ResponseFile(std::string path, const bool overwrite, const bool at_end) : path_(std::move(path))
 {
-  const int mode = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | (overwrite ? O_TRUNC : O_EXCL);
-  const int file = ::open(path_.c_str(), mode, 0666);
+  std::error_code ignored;
+  const auto status = std::filesystem::symlink_status(path_, ignored);
+  replaces_         = overwrite && std::filesystem::is_regular_file(status);
+  if (replaces_ && at_end)
+    aside_ = name_aside(path_);
+  const int mode = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | (overwrite && aside_.empty() ? 0 : O_EXCL);
+  const int file = ::open((aside_.empty() ? path_ : aside_).c_str(), mode, 0666);
   const int why  = errno;
   if (file >= 0)
     file_ = ::fdopen(file, "w");
@@ -28,15 +35,25 @@ ResponseFile::ResponseFile(std::string path, const bool overwrite) : path_(std::
 
 ResponseFile::~ResponseFile()
 {
-  if (file_)
-    std::fclose(file_);
+  if (!file_)
+    return;
+  std::fclose(file_);
+  if (!aside_.empty())
+    std::remove(aside_.c_str());
+}
+
+bool ResponseFile::leaves_old_file() const
+{
+  return replaces_ && file_ && (!begun_ || !aside_.empty());
 }
 
 void ResponseFile::begin(const live::LiveSource &source)
 {
   if (begun_)
     return;
-  begun_           = true;
+  begun_ = true;
+  if (replaces_ && aside_.empty() && ::ftruncate(::fileno(file_), 0) != 0)
+    refuse_file(errno, "cannot write " + path_ + ": " + std::strerror(errno));
   std::string head = "s,time [s],force [N]";
   for (const std::string &place : source.places)
     head += "," + place + " [m/s2]";
@@ -60,9 +77,11 @@ void ResponseFile::take(const live::LiveBlock &block)
 
 void ResponseFile::finish()
 {
-  const bool whole = std::fflush(file_) == 0 && !std::ferror(file_);
+  bool whole = std::fflush(file_) == 0 && !std::ferror(file_);
   std::fclose(file_);
   file_ = nullptr;
+  if (!aside_.empty())
+    whole = whole && std::rename(aside_.c_str(), path_.c_str()) == 0;
   if (!whole)
     throw SystemError(path_ + ": the file could not be written completely");
 }

@@ -3,10 +3,10 @@
 #include "app/trace/closed_form_chain.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
-#include "core/records/csv.h"
 #include "dynamics/chatter/stand_structure.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
+#include "twin/records/force_record.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -17,7 +17,7 @@ double load_of_pass(const Pass &pass)
   if (!std::isnan(pass.load))
     return pass.load;
   if (!pass.force_file.empty())
-    return read_force(pass.force_file).force.mean();
+    return twin::read_force(pass.force_file).force.mean();
   return (pass.synthetic_range[0] + pass.synthetic_range[1]) / 2;
 }
 

@@ -251,7 +251,8 @@ std::vector<DrawingValue> four_high_drawing()
       {"strip.flow_stress", "k", "force model of the mill: plane strain, 1.15 times the yield stress"},
       {"pass", "name", "pass schedule"},
       {"pass", "load", "pass schedule or force meter: rolling force of both sides together"},
-      {"pass", "force", "recorder of the force meters: a CSV file in the folder of this file"},
+      {"pass", "force",
+       "recorder of the force meters: a file of any format of records, its path from the folder of this file"},
       {"pass", "synthetic_range", "in place of a record: smallest and largest rolling force"},
   };
 }

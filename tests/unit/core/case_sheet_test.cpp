@@ -73,6 +73,50 @@ TEST_F(Sheets, ASheetMayUseDecimalCommasAndSemicolons)
   EXPECT_EQ(bearing_of(stand.bearings, "crb").rollers_per_row, 34);
 }
 
+TEST_F(Sheets, TheTwoValuesOfAPairStandInOneCellOrSideBySide)
+{
+  for (const char *row : {"pass.synthetic_range,3.55 MN; 3.65 MN\n", "pass.synthetic_range,3.55; 3.65,MN\n",
+                          "pass.synthetic_range,3.55; 3.65 MN\n", "pass.synthetic_range,3.55,3.65,MN\n",
+                          "pass.synthetic_range,3.55 MN,3650 kN\n", "pass.synthetic_range;3,55;3,65;MN\n",
+                          "pass.synthetic_range\t3,55 MN; 3,65 MN\n", "pass.synthetic_range;\"3,55; 3,65 MN\"\n",
+                          "pass.synthetic_range,3.55 MN | 3.65 MN\n"}) {
+    const Case c      = filled(row);
+    const auto &range = std::get<FourHigh>(c.spec).passes.at(0).synthetic_range;
+    EXPECT_EQ(range[0], 3.55e6) << row;
+    EXPECT_EQ(range[1], 3.65e6) << row;
+  }
+  EXPECT_EQ(refused("pass.synthetic_range,3.55 MN,3.65,MN,7\n"),
+            "sheet.csv:1:1: error: pass.synthetic_range = [\"3.55 MN\", \"3.65\", \"MN\", \"7\"] is not a pair; a "
+            "pair such "
+            "as [\"972.898 kN\", \"979.537 kN\"] is needed");
+  EXPECT_EQ(
+      refused("pass.synthetic_range,3.55 MN\n"),
+      "sheet.csv:1:1: error: pass.synthetic_range = [\"3.55 MN\"] is not a pair; a pair such as [\"972.898 kN\", "
+      "\"979.537 kN\"] is needed");
+}
+
+TEST_F(Sheets, AmongDecimalCommasAPointBeforeThreeDigitsIsRefused)
+{
+  EXPECT_EQ(
+      refused("strip.entry_thickness;2,85;mm\nwork_roll.barrel_length;1.400;mm\n"),
+      "sheet.csv:2:1: error: work_roll.barrel_length = \"1.400 mm\" has two readings: other numbers of this sheet "
+      "have decimal commas, so that the point may stand for a decimal point, \"1.400 mm\", or for thousands, "
+      "\"1400 mm\"; write \"1,400 mm\" or \"1400 mm\"");
+  EXPECT_EQ(refused("strip.entry_thickness;2,85;mm\npass.synthetic_range;1.230 kN;1.250,5 kN\n"),
+            "sheet.csv:2:1: error: pass.synthetic_range = \"1.230 kN\" has two readings: other numbers of this "
+            "sheet have "
+            "decimal commas, so that the point may stand for a decimal point, \"1.230 kN\", or for thousands, "
+            "\"1230 kN\"; "
+            "write \"1,230 kN\" or \"1230 kN\"");
+  const Case c      = filled("strip.entry_thickness;2,85;mm\nwork_roll.barrel_length;1.400,0;mm\n"
+                                  "strip.exit_thickness;1,900;mm\nstrip.friction;0.065\n");
+  const auto &stand = std::get<FourHigh>(c.spec);
+  EXPECT_EQ(stand.work_roll.barrel_length, 1.4);
+  EXPECT_EQ(stand.strip.exit_thickness, 1.9e-3);
+  EXPECT_EQ(stand.strip.friction.coefficient, 0.065) << "behind a zero a point does not separate thousands";
+  EXPECT_EQ(std::get<FourHigh>(filled("work_roll.barrel_length,1.400,m\n").spec).work_roll.barrel_length, 1.4);
+}
+
 TEST_F(Sheets, ADesignationReplacesTheDrawing)
 {
   const Case c      = filled("bearing.trb.designation,LM761649D\n"
@@ -104,6 +148,16 @@ TEST_F(Sheets, AllProblemsAreReportedTogether)
       "sheet.csv:7:1: error: bearing.trb.rows = 3.5 is not a whole number; a whole number is needed, for example "
       "4\n"
       "sheet.csv:8:1: error: work_roll.bearing_span: 4 cells in a row; key, value and unit are wanted");
+}
+
+TEST_F(Sheets, AKeyOfAnEarlierVersionIsNamedWithItsSuccessor)
+{
+  EXPECT_EQ(
+      refused("bearing.trb.row_hands,+-+-\nbearing.trb.tilt_lever,full\n"),
+      "sheet.csv:1:1: error: unknown key 'bearing.trb.row_hands'; it was replaced by 'arrangement' after version "
+      "0.1.0: write the value under the new name\n"
+      "sheet.csv:2:1: error: unknown key 'bearing.trb.tilt_lever'; it was dropped after version 0.1.0: a turn of "
+      "the inner ring now always presses a tapered roller by its full moment; delete the line");
 }
 
 TEST_F(Sheets, WhatIsLeftOfTheTemplateIsListed)

@@ -14,6 +14,9 @@ namespace {
 const std::map<std::string, double> one_of{{"in mm", 2.54e-2},
                                            {"inch mm", 2.54e-2},
                                            {"inches mm", 2.54e-2},
+                                           {"\" mm", 0.0254},
+                                           {"'' mm", 0.0254},
+                                           {"\u2033 mm", 0.0254},
                                            {"ft mm", 3.048e-1},
                                            {"mil mm", 2.54e-5},
                                            {"cm mm", 1e-2},
@@ -94,6 +97,26 @@ TEST(ForeignUnits, EveryRowHasTheIndependentFactor)
     EXPECT_TRUE(!known_unit || !(known_unit->dimension == unit(u.like).dimension))
         << name << " is read, and needs no remedy";
   }
+}
+
+TEST(QuantityRemedy, UnderstandsWhatDrawingsWrite)
+{
+  EXPECT_EQ(quantity_remedy("57 1/16 in", "mm", lengths),
+            "has a fraction of an inch; 57 1/16 in = 57.0625 in: write \"1449.39 mm\"");
+  EXPECT_EQ(quantity_remedy("37 3/8\"", "mm", lengths),
+            "has a fraction of an inch; 37 3/8\" = 37.375 in: write \"949.325 mm\"");
+  EXPECT_EQ(quantity_remedy("37.4\"", "mm", lengths), "is in inches; 37.4 \" = 949.96 mm: write \"949.96 mm\"");
+  for (const char *text : {"\u00f8 950 mm", "\u00d8950 mm", "950 \u00b11 mm", "950 mm \u00b1 1 mm", "950+/-0.5 mm",
+                           "~950 mm", "dia. 950 mm"})
+    EXPECT_EQ(quantity_remedy(text, "mm", lengths), "has more than a number and a unit; write \"950 mm\"") << text;
+  EXPECT_EQ(quantity_remedy("28 %", "1", {0, 0.5}), "is a percentage; write 0.28");
+  EXPECT_EQ(quantity_remedy("80 %", "1", {0, 0.5}), "") << "outside of the range it is no remedy";
+  EXPECT_EQ(quantity_remedy("60 rpm", "m/s", {0, 100}),
+            "is a number of turns in a time; the speed of the surface is needed, pi x diameter x turns per "
+            "second: a roll of 1 m has "
+            "3.14159 m/s");
+  for (const char *plain : {"1/16", "950 mm", "a/b in", "1/0 in", "\u00b1", "~"})
+    EXPECT_EQ(quantity_remedy(plain, "mm", lengths), "") << plain;
 }
 
 TEST(QuantityRemedy, NamesTheConvertedNumber)

@@ -161,7 +161,11 @@ TEST_F(Cases, AnOldNameOfAKeyIsAcceptedWithAWarning)
   EXPECT_NE(old.resolved.find("\narrangement = \"-+-+\"\n"), std::string::npos) << "the present name";
   EXPECT_EQ(refusal([&] {
               read_case(file, {"bearing.trb.row_hands=-+-+", "bearing.trb.arrangement=-+-+"});
-            }).rfind("unknown key 'row_hands' in [bearing.trb]", 0),
+            })
+                .rfind("unknown key 'row_hands' in [bearing.trb]; it was replaced by 'arrangement' after version "
+                       "0.1.0: write "
+                       "the value under the new name",
+                       0),
             0u);
 }
 

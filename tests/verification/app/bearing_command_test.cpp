@@ -104,6 +104,41 @@ TEST(BearingCommand, RollersByFiniteElementsAgreeWithTheirChecks)
     EXPECT_GT(fs::file_size(scratch("rollers") + "/curves/" + file), 0u) << file;
 }
 
+// A life goes with C^(10/3), (5.34): a C that is known to 20 % leaves a life known to 84 % at best.
+TEST(BearingCommand, LivesHaveTheErrorOfTheRatingAndHoursWhereTheShaftHasASpeed)
+{
+  const std::string plain = " --set model.roller_law=iso --set model.rings=rigid --set bearing.trb.profile=none";
+  const auto by_formula   = run("life", plain);
+  const double C          = value(by_formula, "bearing.trb.C");
+  EXPECT_EQ(by_formula.at("values").at("bearing.trb.L10").at("error_estimate"), nullptr)
+      << "the rating of ISO 281 has no error of its own";
+  EXPECT_FALSE(by_formula.at("values").at("bearing.trb.L10").at("error_lacks").empty());
+  EXPECT_FALSE(by_formula.at("values").contains("bearing.trb.L10_time"));
+  EXPECT_NE(
+      by_formula.dump().find("bearing.trb: the lives are in revolutions only, since the speed of the shaft is "
+                             "not known; give load.speed for hours"),
+      std::string::npos);
+
+  const auto rated = run("rated", plain + " --set load.speed='300 rpm' --set bearing.trb.dynamic_rating='" +
+                                      std::to_string(C / 1.2e3) + " kN'");
+  const auto error = [&](const char *name) {
+    return rated.at("values").at(std::string("bearing.trb.") + name).at("error_estimate").get<double>();
+  };
+  EXPECT_TRUE(near(error("C"), 0.2, within(1e-5, "digits of the rating")));
+  const double by_C     = std::pow(1.2, 10. / 3) - 1,
+               by_loads = std::abs(value(rated, "bearing.trb.L10r") / value(rated, "bearing.trb.L10") - 1);
+  EXPECT_TRUE(near(error("L10"), std::hypot(by_C, by_loads), within(1e-5, "digits of the rating")));
+  EXPECT_GE(error("L10r"), by_C * 0.9999);
+  EXPECT_TRUE(near(value(rated, "bearing.trb.L10_time"), value(rated, "bearing.trb.L10") / 5,
+                   within(1e-12, "one division")));
+  const std::string out = scratch("hours");
+  const auto shown      = millstand("stiffness cases/bearing-266.toml -o " + out + " --cache " + shared_cache() +
+                                    plain + " --set load.speed='300 rpm'");
+  const auto line       = shown.out.find("bearing.trb.L10_time");
+  ASSERT_NE(line, std::string::npos) << shown.out;
+  EXPECT_NE(shown.out.substr(line, 80).find(" h "), std::string::npos) << shown.out.substr(line, 80);
+}
+
 // Errors that only mechanics can detect are reported by check, too, at their place.
 TEST(BearingCommand, CheckReportsFitAndDrawing)
 {

@@ -226,6 +226,50 @@ TEST(New, TemplatesRunAsTheyAre)
   EXPECT_EQ(twice.err, "error: the file " + file + " exists; choose another with -o, or give --force-overwrite\n");
 }
 
+// An error in the input leaves what --force-overwrite would have replaced, and a sentence says so.
+TEST(ForceOverwrite, AnErrorInTheInputLeavesTheOldFiles)
+{
+  const std::string folder = scratch("overwrite"), file = folder + "/mine.toml", out = folder + "/out";
+  std::ofstream(file) << "mine\n";
+  std::ofstream(folder + "/sheet.csv") << "work_roll.colour,red\n";
+  const auto from_sheet = millstand("new four-high --from " + folder + "/sheet.csv --force-overwrite -o " + file);
+  EXPECT_EQ(from_sheet.exit_code, 2);
+  EXPECT_NE(from_sheet.err.find("\nnothing was written; " + file + " is unchanged\n"), std::string::npos)
+      << from_sheet.err;
+  EXPECT_EQ(mill::read_text(file), "mine\n");
+
+  ASSERT_EQ(millstand("new lumped -o " + folder + "/stand.toml").exit_code, 0);
+  ASSERT_EQ(millstand("run " + folder + "/stand.toml -q -o " + out).exit_code, 0);
+  const std::string before = mill::read_text(out + "/results.json");
+  for (const auto &[verb, wrong] :
+       {std::pair("run ", " --set given.M1='1 mm'"), {"simulate ", " --force no-such-record.csv"}}) {
+    const auto outcome = millstand(verb + folder + "/stand.toml -q --force-overwrite -o " + out + wrong);
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find("nothing was written; " + out + " is unchanged\n"), std::string::npos)
+        << outcome.err;
+    EXPECT_EQ(mill::read_text(out + "/results.json"), before);
+  }
+}
+
+// What a run of a case with such names leaves: results by their parts, files by their letters, the page as
+// written.
+TEST(Names, MayHoldPointsAndSlashes)
+{
+  const std::string folder = scratch("names"), out = folder + "/out";
+  ASSERT_EQ(millstand("new lumped -o " + folder + "/stand.toml").exit_code, 0);
+  const std::string more = " --set 'pass.0.name=\"2.0 mm/A\"' -q -o " + out;
+  const auto outcome     = millstand("simulate " + folder + "/stand.toml" + more);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(fs::exists(out + "/response/2-0-mm-a.csv"));
+  EXPECT_NE(mill::read_text(out + "/results.json").find("\"2%2E0 mm%2FA.peak_g.upper_work_roll\""),
+            std::string::npos);
+  const std::string page = mill::read_text(out + "/report.html");
+  EXPECT_NE(page.find("2.0 mm/A"), std::string::npos);
+  EXPECT_EQ(page.find("%2E"), std::string::npos) << page.substr(page.find("%2E") - 200, 300);
+  const auto table = millstand("simulate " + folder + "/stand.toml --set 'pass.0.name=\"2.0 mm/A\"' -o " + out);
+  EXPECT_NE(table.out.find("2.0 mm/A.peak_g"), std::string::npos) << table.out;
+}
+
 TEST(Run, ARunRemovesOldResultsAndAFailedRunChangesNothing)
 {
   const std::string out = scratch("stale");
@@ -336,4 +380,26 @@ TEST(CommandLine, ARunEndsWithASummary)
   EXPECT_NE(outcome.out.find("/report.html\n"), std::string::npos);
   const auto table = millstand("run cases/published-1400.toml -v -o " + scratch("verdict"));
   EXPECT_NE(table.out.find("\nM1 "), std::string::npos) << table.out;
+}
+
+// The elasticity of a key in a section whose name holds separators.
+TEST(Names, AKeyOfABearingWithSuchANameIsTraced)
+{
+  const std::string folder = scratch("traced-name"), file = folder + "/stand.toml";
+  std::string text = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/cases/bearing-266.toml");
+  for (const auto &[from, to] :
+       {std::pair("[bearing.trb]", "[bearing.\"TRB 1.5/a\"]"), {"\"trb\"", "\"TRB 1.5/a\""}}) {
+    const auto place = text.find(from);
+    ASSERT_NE(place, std::string::npos) << from;
+    text.replace(place, std::string(from).size(), to);
+  }
+  std::ofstream(file) << text;
+  const auto named = millstand("trace " + file + " 'bearing.\"TRB 1.5/a\".roller_length'");
+  const auto plain = millstand("trace cases/bearing-266.toml bearing.trb.roller_length");
+  ASSERT_EQ(named.exit_code, 0) << named.err;
+  ASSERT_EQ(plain.exit_code, 0) << plain.err;
+  EXPECT_NE(named.out.find("bearing.TRB 1.5/a.roller_length = "), std::string::npos) << named.out;
+  const auto n_lines = [](const std::string &t) { return std::count(t.begin(), t.end(), '\n'); };
+  EXPECT_EQ(n_lines(named.out), n_lines(plain.out)) << named.out << plain.out;
+  EXPECT_NE(named.out.find(" % per %"), std::string::npos) << named.out;
 }

@@ -84,6 +84,14 @@ TEST(MarksCommand, RefusalsAreSentences)
   };
   EXPECT_EQ(message_of(stand + " --spacing 2 --speed '500 m/min'"),
             "error: --spacing \"2\" has no unit; it takes a number with one of m, mm, um\n");
+  EXPECT_EQ(message_of(stand + " --spacing '2,5 mm' --speed '500 m/min'"),
+            "error: --spacing \"2,5 mm\" has a comma in its number; write \"2.5 mm\"\n");
+  EXPECT_EQ(message_of(stand + " --spacing '1.75 in' --speed '500 m/min'"),
+            "error: --spacing \"1.75 in\" is in inches; 1.75 in = 44.45 mm: write \"44.45 mm\"\n");
+  EXPECT_EQ(message_of(stand + " --frequency '315 Hz' --speed '1640 fpm'"),
+            "error: --speed \"1640 fpm\" is in feet per minute; 1640 fpm = 8.3312 m/s: write \"8.3312 m/s\"\n");
+  EXPECT_EQ(message_of(stand + " --frequency '315,5 Hz' --speed '5 m/s'"),
+            "error: --frequency \"315,5 Hz\" has a comma in its number; write \"315.5 Hz\"\n");
   EXPECT_EQ(message_of(stand + " --spacing '2 mm' --speed '500 mm'"),
             "error: --speed \"500 mm\" is a length; it takes a number with one of m/s, mm/s, m/min\n");
   EXPECT_EQ(message_of(stand + " --spacing '-2 mm' --speed '5 m/s'"),

@@ -1,11 +1,12 @@
 // A record read in blocks is the record read whole.
 #include "core/base/errors.h"
-#include "core/records/csv.h"
-#include "core/records/force_blocks.h"
+#include "twin/records/force_blocks.h"
 #include <fstream>
 #include <gtest/gtest.h>
 
 using namespace mill;
+using twin::ForceBlocks;
+using twin::read_force;
 
 namespace {
 std::string record_file(const std::string &text)
@@ -73,16 +74,40 @@ TEST(ForceBlocks, ErrorsNameTheirLine)
     broken.replace(broken.find(from), from.size(), to);
     return broken;
   };
-  for (const std::size_t bytes : {30u, 1u << 20}) {
+  for (const std::size_t bytes : {30u, 1u << 16}) {  // samples of a block
     EXPECT_EQ(refusal_of(with("\n77,976", "\n77,abc"), bytes), refusal_of(with("\n77,976", "\n77,abc"), 1 << 20));
     EXPECT_EQ(refusal_of(with("\n77,976", "\n77,abc"), bytes).find("79:4: "), 0u)
         << refusal_of(with("\n77,976", "\n77,abc"), bytes);
-    EXPECT_EQ(refusal_of(with("\n77,976", "\n76,976"), bytes),
-              "79:1: time 76 s comes after 76 s; sort the lines by time, each once");
+    EXPECT_EQ(
+        refusal_of(with("\n77,976", "\n75,976"), bytes),
+        "79:1: the time goes backwards here, by 1 s; sort the lines by time, or split the file where the recorder "
+        "started again");
     EXPECT_EQ(refusal_of(with("\n77,976", "\n77"), bytes).find("79:"), 0u);
     EXPECT_EQ(refusal_of("time [s],force [kN]\n1,2\n", bytes),
               "1:1: only one sample in this record; at least two are needed");
   }
   EXPECT_THROW(ForceBlocks("/nowhere/force.csv"), InputError);
   EXPECT_THROW(ForceBlocks("/tmp"), InputError);
+}
+
+// What the first rows show of a column is not what it is: both readers look at all rows then.
+TEST(ForceBlocks, MisleadingFirstRowsAreReadAgain)
+{
+  std::string text = "time [s];force [kN]\n";
+  for (int i = 0; i < 100; ++i)
+    text += std::to_string(i) + (i < 80 ? ",5;1,250\n" : ",5;1.250,5\n");
+  const std::string path = record_file(text);
+  ForceBlocks blocks(path);
+  ForceRecord block;
+  EXPECT_THROW(blocks.next(block), InputError);
+  ASSERT_TRUE(blocks.look_at_all_rows());
+  const ForceRecord whole = read_force(path);
+  for (int pass = 0; pass < 2; ++pass, blocks.rewind()) {
+    ASSERT_TRUE(blocks.next(block));
+    EXPECT_EQ(block.force, whole.force);
+    EXPECT_EQ(block.time, whole.time);
+  }
+  EXPECT_EQ(whole.force[0], 1250);
+  EXPECT_EQ(whole.force[99], 1250500);
+  EXPECT_FALSE(blocks.look_at_all_rows()) << "once is enough";
 }
