@@ -12,6 +12,7 @@
 // remains around neck and bearing.
 namespace mill {
 namespace {
+constexpr double usual_calibration = 0.03;  // -, error of a measured mill modulus
 // A value with the ends between which it is to be expected.
 struct Spread {
   double usual = not_given, low = not_given, high = not_given;
@@ -424,8 +425,9 @@ void Estimator::frame()
                               "example {} = {}",
                               row.key, row.key, example_toml(row_of(row))));
   }
-  f.modulus       = M;
-  f.modulus_error = wishes.frame.modulus_tolerance;
+  f.modulus = M;
+  f.modulus_error =
+      std::isnan(wishes.frame.modulus_tolerance) ? usual_calibration : wishes.frame.modulus_tolerance;
   f.modulus_place = reading.place("frame.modulus");
   if (!std::isnan(M) && f.closing.empty())
     contradict(

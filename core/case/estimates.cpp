@@ -26,9 +26,9 @@ const std::vector<Field<EstimateInput>> &estimate_rows()
        &T::modulus_tolerance,
        "%",
        {0.1, 50},
-       3,
+       absent,
        "3 %",
-       "how far the modulus may be off, of its value: the error of its calibration"},
+       "how far the modulus may be off, of its value: the error of its calibration; 3 % when absent"},
   };
   return rows;
 }

@@ -13,7 +13,7 @@ namespace mill {
 struct EstimateInput {
   bool estimate            = false;
   double modulus           = not_given;  ///< N/m, of the whole stand with touching work rolls, measured
-  double modulus_tolerance = 0;          ///< -, relative, of its calibration
+  double modulus_tolerance = not_given;  ///< -, relative, of its calibration
 };
 /// [work_roll], [backup_roll]: the first row; [frame]: both.
 const std::vector<Field<EstimateInput>> &estimate_rows();
