@@ -70,7 +70,8 @@ Keys closure_keys(const FourHigh &stand)
   if (!is_closed(stand.frame))
     return {};
   return joined(Keys{"frame.modulus"}, keys_in("steel", "youngs_modulus poisson_ratio"),
-                keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes.front(), 0));
+                keys_in("work_roll", "barrel_diameter barrel_length"),
+                stand.passes.empty() ? Keys() : load_keys(stand.passes.front(), 0));
 }
 
 std::array<Keys, 13> chain_keys(const SpringKeys &s, const bool solid)

@@ -116,9 +116,10 @@ TEST(Comparison, AnEstimateThatIsReplacedLeavesItsInterval)
   mill::report::Run first       = run_of_stand("a", 100, 200);
   first.estimates               = {{"backup_roll.chock_mass_upper", 1e4, 5e3, 2e4, "kg", "rule", {{"f1", 0.03}}}};
   const mill::report::Run other = run_of_stand("b", 102, 201);
-  const auto result             = changed_results(
-                  {first, other}, {"# backup_roll.chock_mass_upper = \"10000 kg\" is estimated, 5000 kg .. 20000 kg\n",
-                                   "[backup_roll]\nchock_mass_upper = \"12000 kg\"\n"});
+  const std::vector<mill::report::Run> runs{first, other};  // the results point into it
+  const auto result =
+      changed_results(runs, {"# backup_roll.chock_mass_upper = \"10000 kg\" is estimated, 5000 kg .. 20000 kg\n",
+                             "[backup_roll]\nchock_mass_upper = \"12000 kg\"\n"});
   EXPECT_EQ(result[0].results[0]->name, "f1");
   EXPECT_EQ(result[0].certainty, Certainty::within);
   EXPECT_TRUE(near(result[0].error, 0.03, within(1e-15, "what the run states")));
