@@ -6,9 +6,11 @@ namespace mill::twin {
 namespace {
 constexpr std::size_t strongest_lines = 10;
 constexpr Eigen::Index shortest_block = 8, longest_block = 1 << 16, fewest_blocks = 20;
-constexpr double least_step = 5;  // -, times the median of the other places of a block
+constexpr double least_step          = 5;  // -, times the median of the other places of a block
+constexpr std::ptrdiff_t most_places = 3;  // where a lost sample is seen in second differences: the border alone
 
-// Mean square of the second difference at each place of a block; the largest over the median.
+// Mean square of the second difference at each place of a block; the largest over the median.  Zero where it is
+// large over more than a border: impacts that come at this rate, as those of a bearing, ring on.
 double step_at_borders(const CleanChannel &channel, const Eigen::Index block)
 {
   std::vector<double> sum(std::size_t(block), 0.0), count(std::size_t(block), 0.0);
@@ -23,7 +25,11 @@ double step_at_borders(const CleanChannel &channel, const Eigen::Index block)
   const double largest = *std::max_element(sum.begin(), sum.end());
   const auto middle    = sum.begin() + std::ptrdiff_t(sum.size() / 2);
   std::nth_element(sum.begin(), middle, sum.end());
-  return *middle > 0 ? largest / *middle : 0;
+  if (!(*middle > 0))
+    return 0;
+  const double between = std::sqrt(largest * *middle);
+  const auto places    = std::count_if(sum.begin(), sum.end(), [&](const double s) { return s > between; });
+  return places <= most_places ? largest / *middle : 0;
 }
 
 // Lines at |f + j d| of a line f.

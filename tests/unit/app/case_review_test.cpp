@@ -121,7 +121,7 @@ TEST_F(Reviewed, AMeasuredRecordIsCheckedToo)
       "both from the same moment");
   EXPECT_EQ(refusal([&] {
               review({"pass.0.force=" + force, "pass.0.measured=" + force});
-            }).find("no column 'upper_work_roll' in the header"),
+            }).find("no column 'upper_work_roll' in this record, which has 'force'"),
             0u)
       << refusal([&] {
            review({"pass.0.force=" + force, "pass.0.measured=" + force});
