@@ -19,7 +19,7 @@ double value(const std::string &folder, const std::string &result)
 const std::string thin_strip =
     " --set strip.entry_thickness='0.9 mm' --set strip.exit_thickness='0.6 mm' --set strip.friction=0.03"
     " --set strip.flow_stress.k='700 MPa' --set pass.0.entry_tension='160 MPa'"
-    " --set pass.0.exit_tension='180 MPa' --set pass.0.speed='10 m/s' ";
+    " --set pass.0.exit_tension='180 MPa' --set pass.0.speed='8 m/s' ";
 
 const std::string &cold_run()
 {
@@ -39,6 +39,8 @@ std::string chatter_of(const std::string &folder)
   mill::write_atomically(path, fmt::format(R"(schema = 1
 kind = "chatter"
 title = "the stand of a run"
+[steel]
+poisson_ratio = 0.28
 [work_roll]
 diameter = "{}"
 [strip]
@@ -55,7 +57,7 @@ exit_thickness = "0.6 mm"
 entry_tension = "160 MPa"
 exit_tension = "180 MPa"
 width = "1000 mm"
-speed = "10 m/s"
+speed = "8 m/s"
 )",
                                            "420 mm", folder + "/lumped_model-craig-bampton.toml"));
   return path;
@@ -92,11 +94,11 @@ TEST(CriticalSpeed, HasAnIntervalAVerdictAndTheDampingOfTheGapMode)
   EXPECT_EQ(verdict.at("id"), "below");
   EXPECT_LT(low, speed);
   EXPECT_LT(speed, high);
-  EXPECT_TRUE(near(verdict.at("margin").get<double>(), 1 - 10 / speed, within(1e-12, "its definition")));
+  EXPECT_TRUE(near(verdict.at("margin").get<double>(), 1 - 8 / speed, within(1e-12, "its definition")));
   EXPECT_LE(low, verdict.at("critical_speed_low_by_inputs").get<double>());
   EXPECT_GE(high, verdict.at("critical_speed_high_by_inputs").get<double>());
   const std::string sentence = verdict.at("sentence");
-  EXPECT_EQ(sentence.rfind("At 10.0 m/s, ", 0), 0u) << sentence;
+  EXPECT_EQ(sentence.rfind("At 8.00 m/s, ", 0), 0u) << sentence;
   EXPECT_NE(sentence.find(" % below the critical speed of "), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("becomes unstable first."), std::string::npos) << sentence;
   EXPECT_GT(value(cold_run(), "chatter.pass 1.gap_mode_damping"), 0);

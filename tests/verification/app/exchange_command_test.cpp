@@ -99,7 +99,7 @@ TEST(ExchangeCommand, SaysWhatItCannotWrite)
                      "--force-overwrite");
   const auto bearing = millstand("export matlab cases/bearing-266.toml -o b.m");
   EXPECT_EQ(bearing.err, "error: millstand export matlab: kind = \"bearing\" has no stand that a force can drive "
-                         "(cases/bearing-266.toml); it exports cases of kind four-high and lumped\n");
+                         "(cases/bearing-266.toml); it exports cases of kind four-high, lumped and cluster\n");
 }
 
 TEST(ExchangeCommand, RefusesNamesThatHideALibrary)
