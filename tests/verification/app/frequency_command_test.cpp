@@ -96,7 +96,7 @@ TEST(FrequencyCommand, CampbellListsTheCrossings)
     const std::string mode = name.substr(9, name.rfind('.') - 9), method = entry.at("source");
     const double f = all.at("mode." + mode + ".frequency").at("value"), v = entry.at("value");
     const double per_turn = std::stod(method.substr(method.find('(') + 1));
-    const double diameter = method.find("backup") != std::string::npos ? 1.45 : 0.42;
+    const double diameter = method.find("per turn of the backup roll") != std::string::npos ? 1.45 : 0.42;
     EXPECT_TRUE(near(per_turn * v / (M_PI * diameter), f, within(1e-4, "the order is printed with five digits")))
         << name;
     const double wanted = v < 4 ? v / 4 - 1 : v > 8 ? v / 8 - 1 : 0;
