@@ -92,7 +92,8 @@ TEST(CalibrateDrawing, AStandWithinTheStatedErrorsIsAcceptedWithItsFrequencies)
   fs::create_directories(folder + "/measured");
   write_atomically(folder + "/measured/record.csv", recorded(read_table(folder + "/simulated/response/1.csv")));
   write_atomically(folder + "/measured/records.toml", "[[record]]\nfile = \"record.csv\"\nbetween = \"lines\"\n");
-  const Outcome done = millstand("calibrate drawing.toml --measured measured -o calibrated", folder);
+  const Outcome done =
+      millstand("calibrate drawing.toml --model six-mass --measured measured -o calibrated", folder);
   ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
   const auto json = nlohmann::json::parse(read_text(folder + "/calibrated/calibration.json"));
   DynamicsSettings measured;
