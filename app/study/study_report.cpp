@@ -200,7 +200,7 @@ int study_status(const CommandLine &command)
       if (finished.insert(row.key).second && !row.failure.empty())
         ++failed;
     });
-    begun += long(read_attempts(file).size());
+    begun += long(begun_rows(file).size());
   }
   long rows = 0;
   std::set<std::int64_t> open;

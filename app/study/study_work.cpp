@@ -12,12 +12,20 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <csignal>
+#include <cstring>
+#include <fcntl.h>
+#include <filesystem>
 #include <fmt/format.h>
+#include <map>
+#include <new>
 #include <set>
+#include <unistd.h>
 
 namespace mill {
 namespace {
-constexpr int most_attempts       = 2;
+constexpr int most_crashes        = 2;  // of a row, by itself
+constexpr int most_ends           = 6;  // with kills from outside: an operator, the end of a slot, no memory
 constexpr std::size_t most_block  = 4096;
 constexpr double seconds_of_block = 0.25;  // a crash costs no more
 
@@ -82,12 +90,39 @@ FinishedRow computed(RowModel &model, const Study &study, const DesignRow &desig
     throw;
   } catch (const SolverError &e) {
     row.failure = e.report.what;
+  } catch (const std::bad_alloc &) {
+    row.failure = "not enough memory";
   } catch (const InputError &e) {
     row.failure = e.problems.empty() ? e.what() : e.problems.front().message;
   }
   if (!row.failure.empty())
     row.results.clear();
   return row;
+}
+
+// How often a row was under way when its program ended.
+struct Ends {
+  int all = 0, crashes = 0;
+};
+
+char mark_of_crash[4096];
+
+extern "C" void leave_mark(const int signal)
+{
+  if (const int mark = ::open(mark_of_crash, O_CREAT | O_WRONLY | O_CLOEXEC, 0666); mark >= 0)
+    ::close(mark);
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+// A fault of the program leaves a file; a kill from outside cannot.
+void mark_own_crash(const std::string &path)
+{
+  if (path.size() >= sizeof mark_of_crash)
+    return;
+  std::strcpy(mark_of_crash, path.c_str());
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    std::signal(signal, leave_mark);
 }
 
 // The loop over the rows of a shard.
@@ -97,9 +132,12 @@ public:
       : study(asked), model(row_model), threads(n_threads), file(new_row_file(asked.folder, shard.name())),
         bar({{"rows", 1}}, is_quiet)
   {
-    for (const std::string &earlier : row_files(study.folder, shard.name()))
-      for (const auto &[key, number] : read_attempts(earlier))
-        attempts[key] = std::max(attempts[key], number);
+    for (const std::string &earlier : row_files(study.folder, shard.name())) {
+      const bool crashed = earlier != file.path() && std::filesystem::exists(crash_mark(earlier));
+      for (const std::int64_t key : begun_rows(earlier))
+        ends[key] = {ends[key].all + 1, ends[key].crashes + crashed};
+    }
+    mark_own_crash(crash_mark(file.path()));
   }
 
   /// @return false: asked to end
@@ -134,17 +172,17 @@ private:
     std::map<std::int64_t, int> started;
     while (done < rows.size() && block.size() < size) {
       const DesignRow &row  = rows[done];
-      const auto begun      = attempts.find(row.key);
-      const int number      = begun == attempts.end() ? 0 : begun->second;
-      const bool suspicious = number > 0;
+      const auto earlier    = ends.find(row.key);
+      const Ends before     = earlier == ends.end() ? Ends() : earlier->second;
+      const bool suspicious = before.all > 0;
       if (suspicious && !block.empty())
         break;
       ++done;
-      if (number >= most_attempts) {
-        finished.push_back({row.key, {}, fmt::format("ended the program {} times; not tried again", number)});
+      if (before.crashes >= most_crashes || before.all >= most_ends) {
+        finished.push_back({row.key, {}, fmt::format("ended the program {} times; not tried again", before.all)});
         continue;
       }
-      started[row.key] = number + 1;
+      started[row.key] = before.all + 1;
       block.push_back(row);
       if (suspicious)
         break;
@@ -173,7 +211,7 @@ private:
   int threads;
   RowFile file;
   console::ProgressBar bar;
-  std::map<std::int64_t, int> attempts;
+  std::map<std::int64_t, Ends> ends;
   std::vector<FinishedRow> finished;
 };
 

@@ -1,12 +1,17 @@
 #include "app/study/store/database.h"
 #include "core/base/errors.h"
+#include "core/base/files.h"
 #include <cstring>
+#include <filesystem>
 #include <sqlite3.h>
+
+namespace fs = std::filesystem;
 
 namespace mill {
 struct Database::Implementation {
   std::string path;
   sqlite3 *file = nullptr;
+  std::string copy;  // of a file that was cut inside a transaction; empty: none
 };
 
 struct Statement::Implementation {
@@ -27,6 +32,13 @@ namespace {
     throw InputError(text + "; the file is damaged");
   throw SystemError(text);
 }
+
+// SQLite wants to undo what a killed writer has begun.
+bool has_cut_transaction(sqlite3 *file)
+{
+  return (sqlite3_exec(file, "SELECT count(*) FROM sqlite_master", nullptr, nullptr, nullptr) & 0xff) ==
+         SQLITE_READONLY;
+}
 }  // namespace
 
 Database::Database(std::string path, const Open how) : own(std::make_unique<Implementation>())
@@ -43,12 +55,35 @@ Database::Database(std::string path, const Open how) : own(std::make_unique<Impl
   sqlite3_busy_timeout(own->file, 60000);
   if (how == Open::write)
     execute("PRAGMA journal_mode=DELETE; PRAGMA synchronous=FULL");
+  else if (has_cut_transaction(own->file))
+    open_copy();
+}
+
+// A reader never writes into the file of another process: the cut transaction is undone in a copy.
+void Database::open_copy()
+{
+  sqlite3_close(own->file);
+  own->file = nullptr;
+  own->copy = (fs::temp_directory_path() / ("millstand-rows-" + random_name() + ".db")).string();
+  std::error_code error;
+  fs::copy_file(own->path, own->copy, error);
+  if (!error)
+    fs::copy_file(own->path + "-journal", own->copy + "-journal", error);
+  const int code =
+      error ? SQLITE_CANTOPEN : sqlite3_open_v2(own->copy.c_str(), &own->file, SQLITE_OPEN_READWRITE, nullptr);
+  if (code != SQLITE_OK)
+    throw SystemError(own->path + " cannot be copied to " + own->copy + ", which undoes its cut transaction");
 }
 
 Database::~Database()
 {
-  if (own)
-    sqlite3_close(own->file);
+  if (!own)
+    return;
+  sqlite3_close(own->file);
+  std::error_code ignored;
+  if (!own->copy.empty())
+    for (const char *ending : {"", "-journal"})
+      fs::remove(own->copy + ending, ignored);
 }
 
 Database::Database(Database &&) noexcept = default;

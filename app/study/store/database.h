@@ -24,6 +24,7 @@ public:
 private:
   friend class Statement;
   struct Implementation;
+  void open_copy();
   std::unique_ptr<Implementation> own;
 };
 

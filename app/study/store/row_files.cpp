@@ -82,17 +82,27 @@ ReadRows read_rows(const std::string &path, const std::int64_t after,
   return read;
 }
 
-std::map<std::int64_t, int> read_attempts(const std::string &path)
+std::vector<std::int64_t> begun_rows(const std::string &path)
 {
-  std::map<std::int64_t, int> attempts;
+  std::vector<std::int64_t> keys;
   try {
     Database file(path, Database::Open::read);
-    Statement rows = file.prepare("SELECT key, number FROM attempt WHERE key NOT IN (SELECT key FROM row)");
+    Statement rows = file.prepare("SELECT key FROM attempt WHERE key NOT IN (SELECT key FROM row)");
     while (rows.step())
-      attempts[rows.integer(0)] = int(rows.integer(1));
+      keys.push_back(rows.integer(0));
   } catch (const InputError &) {  // as above; merging names it
   }
-  return attempts;
+  return keys;
+}
+
+std::string crash_mark(const std::string &row_file)
+{
+  return row_file + ".crashed";
+}
+
+const std::string &RowFile::path() const
+{
+  return file.path();
 }
 
 std::vector<std::string> row_files(const std::string &folder, const std::string &shard)

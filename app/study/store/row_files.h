@@ -22,6 +22,7 @@ class RowFile {
 public:
   /// Creates it.  @throws SystemError
   explicit RowFile(const std::string &path);
+  const std::string &path() const;
   /// In one transaction: rows that are over, and rows that are started now with the number of the attempt.
   /// @throws SystemError  a full disk; everything before this call is kept
   void commit(const std::vector<FinishedRow> &finished, const std::map<std::int64_t, int> &started);
@@ -40,8 +41,11 @@ struct ReadRows {
 /// Reads the rows of a file behind a place, in the order in which they were written.
 ReadRows read_rows(const std::string &path, std::int64_t after, const std::function<void(FinishedRow &&)> &take);
 
-/// Attempts by key that a file has begun.
-std::map<std::int64_t, int> read_attempts(const std::string &path);
+/// Keys of rows that a file has begun and not finished.
+std::vector<std::int64_t> begun_rows(const std::string &path);
+
+/// Name of the file by which a process says that it crashed by itself, and was not killed from outside.
+std::string crash_mark(const std::string &row_file);
 
 /// Files of rows of a study; only those of one shard where it is named ("3-of-8").
 std::vector<std::string> row_files(const std::string &folder, const std::string &shard = "");

@@ -45,24 +45,22 @@ TEST(SweepCommand, EachRowIsTheRunWithItsValuesSet)
   EXPECT_EQ(mill::read_text(folder + "/sweep/report.html"), page) << "the page again from what is stored";
 }
 
-TEST(SweepCommand, FrequencyOfAMassOnASpringGoesWithTheRoot)
+TEST(SweepCommand, ARollOnItsBearingsGoesWithTheRootOfTheStiffness)
 {
-  // One stand with everything else rigid against K7: f of the lowest mode of the lower half is not a formula, but
-  // all springs and masses scaled alike leave every frequency: here one roll on its bearing, fh = sqrt(Kzc/M)/2
-  // pi.
   const std::string folder = scratch("sweep-root");
   const Outcome swept      = millstand("sweep cases/published-1400.toml --model quick --vary "
-                                            "'given.Kzc1=1e10..4e10 N/m:4' --watch fh2 --watch fh1 -o " +
-                                       folder + "/sweep -q");
+                                            "'given.Kzc1=1e10..4e10 N/m:4' --watch fh1 --watch fh2 -q -o " +
+                                       folder + "/sweep");
   ASSERT_EQ(swept.exit_code, 0) << swept.err;
   const auto table = json_of(folder + "/sweep/sweep.json");
-  const double M2  = 59716.884;
+  const double M2  = 59716.884;  // kg, the upper backup roll on its two bearings
   for (int row = 0; row < 4; ++row) {
     const double exact = std::sqrt(2 * (1 + row) * 1e10 / M2) / (2 * M_PI);
-    const auto &found  = table["rows"][row]["results"];
-    const bool first = std::abs(found[1].get<double>() / exact - 1) < std::abs(found[0].get<double>() / exact - 1);
-    EXPECT_TRUE(
-        near(found[first ? 1 : 0].get<double>(), exact, within(1e-9, "one mass on two springs, closed form")));
+    double nearest     = 0;  // of both horizontal frequencies: their order changes with the stiffness
+    for (const auto &frequency : table["rows"][row]["results"])
+      if (std::abs(frequency.get<double>() - exact) < std::abs(nearest - exact))
+        nearest = frequency;
+    EXPECT_TRUE(near(nearest, exact, within(1e-9, "one mass on two springs, closed form")));
   }
 }
 
