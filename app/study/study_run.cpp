@@ -159,15 +159,30 @@ int run_script(const Study &study, const CommandLine &command, const std::string
                                          : run_program("sh", {file}, "shards of a study");
 }
 
+// Keys of all rows that are over; the files are read as they are, since merging a million rows takes longer.
 bool all_finished(const Study &study)
 {
-  std::vector<std::int64_t> keys, wanted;
-  read_rows(merged_file(study.folder), 0, [&](FinishedRow &&row) { keys.push_back(row.key); });
+  std::vector<std::int64_t> keys;
+  auto files = row_files(study.folder);
+  files.push_back(merged_file(study.folder));
+  for (const std::string &file : files)
+    read_rows(file, 0, [&](FinishedRow &&row) { keys.push_back(row.key); });
   std::sort(keys.begin(), keys.end());
   bool all = true;
   read_design(study, 0, study.rows,
               [&](DesignRow &&row) { all = all && std::binary_search(keys.begin(), keys.end(), row.key); });
   return all;
+}
+
+// A worker reads the files of its own shard and what is merged: shards that were cut in another way are merged
+// first.
+void merge_other_shards(const Study &study, const long shards)
+{
+  const std::string same = fmt::format("-of-{}-", shards);
+  const auto files       = row_files(study.folder);
+  if (std::any_of(files.begin(), files.end(),
+                  [&](const std::string &file) { return file.find(same) == std::string::npos; }))
+    say_notes(merge_rows(study.folder));
 }
 }  // namespace
 
@@ -217,11 +232,11 @@ int study_run(const CommandLine &command)
   }
   require_engine(engine);
   base_case(study);
-  say_notes(merge_rows(study.folder));
   if (all_finished(study)) {
     console::print("all rows are finished; report: millstand study report " + study.folder + "\n");
     return 0;
   }
+  merge_other_shards(study, engine == "here" ? jobs : shards);
   if (engine == "slurm") {
     const int status =
         run_script(study, command, engine_script(study, engine, shards, command, program_path("millstand")));

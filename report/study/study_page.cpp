@@ -14,6 +14,8 @@ namespace mill::report {
 namespace {
 using nlohmann::json;
 
+constexpr double pair_width = 450;  // px, of two drawings side by side
+
 // Factor from SI to the unit of the mill floor, by the size of the base value.
 struct FloorUnit {
   double factor;
@@ -71,6 +73,7 @@ std::string histogram(const json &result)
       outline.x[p] = unit.factor * edges[end].get<double>(), outline.y[p++] = 100 * shares[b].get<double>();
   outline.x[p] = unit.factor * edges.back().get<double>(), outline.y[p] = 0;
   Plot plot;
+  plot.width = pair_width;
   plot.x     = {result["name"], unit.sign.empty() ? "-" : unit.sign};
   plot.y     = {"rows", "%"};
   plot.lines = {outline};
@@ -96,6 +99,7 @@ std::string share_bars(const json &document, const json &result)
     return all;
   };
   Plot plot;
+  plot.width      = pair_width;
   plot.title      = result["name"];
   plot.x.quantity = "input";
   plot.x.unit     = "-";
@@ -150,6 +154,7 @@ std::string scatter(const json &document, const std::size_t r)
   }
   const std::string key_unit = document["keys"][k]["unit"];
   Plot plot;
+  plot.width = pair_width;
   plot.x     = {document["keys"][k]["name"], key_unit.empty() ? "-" : unit_sign(key_unit)};
   plot.y     = {result["name"], unit.sign.empty() ? "-" : unit.sign};
   plot.lines = {dots};
