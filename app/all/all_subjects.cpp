@@ -4,12 +4,15 @@
 #include "app/export/stream_command.h"
 #include "app/process/console.h"
 #include "app/run/run_kind.h"
+#include "app/study/study_command.h"
+#include "app/study/sweep_command.h"
 #include "app/twin/advice/advise_command.h"
 #include "app/twin/analyse/analyse_command.h"
 #include "app/twin/calibrate/calibrate_command.h"
 #include "app/twin/live/live_command.h"
 #include "app/verbs/checked_case.h"
 #include "core/base/files.h"
+#include "report/study/sweep_page.h"
 #include "report/twin/advice/advice_page.h"
 #include "report/twin/analysis/analysis_comparison.h"
 #include "report/twin/analysis/analysis_page.h"
@@ -27,6 +30,7 @@ int write_page(const std::string &directory)
   write_atomically(directory + "/report.html", holds("calibration.json") ? report::calibration_page(directory)
                                                : holds("plan.json")      ? report::plan_page(directory)
                                                : holds("analysis.json")  ? report::analysis_page(directory)
+                                               : holds("sweep.json")     ? report::sweep_page(directory)
                                                                          : report::advice_page(directory));
   console::print("report: " + directory + "/report.html\n");
   return 0;
@@ -59,6 +63,10 @@ int subject_command(const CommandLine &command)
     return command.names.empty() ? write_page(command.target) : write_analysis_comparison(command);
   if (command.verb == "export")
     return export_command(command, checked_case(command).the_case);
+  if (command.verb == "study")
+    return study_command(command);
+  if (command.verb == "sweep")
+    return sweep_command(command);
   if (command.verb == "live")
     return live_command(command, read_case(command.target, command.sets));
   CommandLine without_record = command;  // which is too long to be looked at before

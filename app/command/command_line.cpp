@@ -177,6 +177,66 @@ void add_live(CLI::App &app, CommandLine &c)
   live->add_flag("-q,--quiet", c.quiet, "no lines on the console");
 }
 
+void add_model(CLI::App *verb, CommandLine &c)
+{
+  add_repeatable(verb, "--watch", c.sweep.watch,
+                 "name of a result, as in results.json, repeatable (default: springs and modes)");
+  verb->add_option("--model", c.sweep.model, "full: as a run; quick: the closed forms of trace")
+      ->check(CLI::IsMember({"quick", "full"}))
+      ->capture_default_str();
+}
+
+void add_sweep(CLI::App &app, CommandLine &c)
+{
+  auto *sweep =
+      app.add_subcommand("sweep", "one table and one page: results for every combination of some values");
+  sweep->add_option("CASE", c.target, "case file")->required();
+  add_repeatable(sweep, "--vary", c.sweep.vary,
+                 "key and its values, KEY=a,b,c or KEY=lo..hi:n, with a unit behind each value or behind the last "
+                 "one, repeatable");
+  sweep->get_option("--vary")->required();
+  add_model(sweep, c);
+  add_cache(sweep, c);
+  add_folder_of_records(sweep, c, "folder of the results (default out/<case name>-sweep)",
+                        "no progress, no table");
+}
+
+void add_study(CLI::App &app, CommandLine &c)
+{
+  auto *study =
+      app.add_subcommand("study", "many runs of one case: drawn or listed inputs, on this machine or others");
+  StudyOptions &o = c.study;
+  study->add_option("ACTION", o.action, "new, run, work, status, merge or report")
+      ->required()
+      ->check(CLI::IsMember({"new", "run", "work", "status", "merge", "report"}));
+  study->add_option("CASE", c.target, "new: case file; otherwise the folder of the study")->required();
+  add_repeatable(study, "--vary", c.sweep.vary,
+                 "new: key and its distribution, 'KEY~normal(5, 0.2) MN/mm', uniform, truncated, triangular, "
+                 "tolerance; with --method grid its values, KEY=a,b,c; repeatable");
+  add_repeatable(study, "--correlate", o.correlate, "new: correlation of two inputs, KEY1,KEY2=0.5, repeatable");
+  study->add_option("--method", o.method, "new: grid, list, latin-hypercube, monte-carlo or sobol")
+      ->check(CLI::IsMember({"grid", "list", "latin-hypercube", "monte-carlo", "sobol"}))
+      ->default_val("latin-hypercube");
+  study->add_option("--samples", o.samples, "new: number of rows; with sobol of a group, a power of two");
+  study->add_option("--seed", o.seed, "new: the same seed draws the same rows")->capture_default_str();
+  study->add_option("--list", o.list, "new: CSV file of rows, its header names keys with units");
+  study->add_flag("--yes", o.yes, "new: accept more than ten million rows");
+  add_model(study, c);
+  study->add_option("--engine", o.engine, "run: here, parallel (GNU parallel, ssh) or slurm")
+      ->check(CLI::IsMember({"here", "parallel", "slurm"}))
+      ->capture_default_str();
+  study->add_option("--jobs", o.jobs, "run: processes at a time; with slurm elements of the array")
+      ->check(CLI::Range(1, 100000));
+  study->add_option("--hosts", o.hosts, "run: file of machines for parallel, one a line");
+  study->add_flag("--dry-run", o.dry_run, "run: print the script that would start");
+  study->add_option("--shard", o.shard, "work: part I of N of the rows, I/N")->capture_default_str();
+  study->add_flag("--allow-failed", o.allow_failed,
+                  "report: statistics although more than 5 % of the rows failed");
+  add_cache(study, c);
+  add_folder_of_records(study, c, "new: folder of the study (default out/<case name>-study)",
+                        "no progress, no table");
+}
+
 // "--output" of "--output=DIR"
 std::string option_name(const std::string &argument)
 {
@@ -310,6 +370,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   add_calibrate(app, c);
   add_advise(app, c);
   add_live(app, c);
+  add_sweep(app, c);
+  add_study(app, c);
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();

@@ -2,6 +2,8 @@
 #include "app/command/calibrate_options.h"
 #include "app/command/live_options.h"
 #include "app/command/marks_options.h"
+#include "app/command/study_options.h"
+#include "app/command/sweep_options.h"
 #include <map>
 #include <optional>
 #include <string>
@@ -29,6 +31,8 @@ struct CommandLine {
   MarksOptions marks;              ///< marks
   CalibrateOptions calibrate;      ///< calibrate
   LiveOptions live;                ///< live
+  SweepOptions sweep;              ///< sweep, study new
+  StudyOptions study;              ///< study
   std::string case_file;           ///< analyse --case; empty: none
   std::string measured;            ///< advise --measured; empty: none
   std::string record_rate;         ///< analyse, calibrate, advise --rate

@@ -17,7 +17,8 @@ bool is_folder_of_records(const std::string &directory)
 {
   return !fs::exists(directory + "/results.json") &&
          (fs::exists(directory + "/calibration.json") || fs::exists(directory + "/plan.json") ||
-          fs::exists(directory + "/analysis.json") || fs::exists(directory + "/advice.json"));
+          fs::exists(directory + "/analysis.json") || fs::exists(directory + "/advice.json") ||
+          fs::exists(directory + "/sweep.json"));
 }
 
 bool is_streamed(const CommandLine &command)
@@ -32,7 +33,7 @@ bool is_of_subjects(const CommandLine &command)
 {
   const auto &verb = command.verb;
   return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live" || verb == "export" ||
-         is_streamed(command) || (verb == "report" && is_folder_of_records(command.target));
+         verb == "sweep" || verb == "study" || is_streamed(command) || (verb == "report" && is_folder_of_records(command.target));
 }
 
 int carry_out_subject(const CommandLine &command)

@@ -28,7 +28,7 @@ struct LinkedSubjects {
 /// Of this program; each defines it once (app/millstand_subjects.cpp, app/all/all_subjects.cpp).
 extern const LinkedSubjects linked_subjects;
 
-/// Whether a folder holds an analysis, a calibration or advice, and no run.
+/// Whether a folder holds an analysis, a calibration, advice or a sweep, and no run.
 bool is_folder_of_records(const std::string &directory);
 
 /// Force records of more bytes than this are streamed without being asked.
@@ -37,7 +37,7 @@ constexpr long long longest_in_memory = 256LL << 20;
 /// Is this a simulate whose force is read in blocks: --stream, or a file of --force beyond longest_in_memory?
 bool is_streamed(const CommandLine &command);
 
-/// analyse, calibrate, advise, live, export, a streamed simulate, and report of a folder of records.
+/// analyse, calibrate, advise, live, export, sweep, study, a streamed simulate, and report of a folder of records.
 bool is_of_subjects(const CommandLine &command);
 
 /// Carries out a command for which is_of_subjects() holds, here or by millstand-all.  Returns the exit code.

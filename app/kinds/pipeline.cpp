@@ -342,6 +342,10 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   }
   const PassForces forces = forces_of(run, stand, force_file);
   set_given_inputs(stand.given);
+  if (goal == Goal::contacts) {
+    solve_contacts(run, stand, forces.loads);
+    return;
+  }
   resolve_frame(run, stand);
   stand.strip = fitted_strip(run, fit_question(stand, forces.loads));
   PartsOfStand made(run, stand, forces.loads, goal);

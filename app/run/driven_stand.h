@@ -16,8 +16,8 @@ namespace mill {
 struct CurveDrive;
 
 /// How far a run goes; each goal needs the ones above it, except chatter and simulate, which do not need each
-/// other.
-enum class Goal { stiffness, masses, modes, chatter, simulate };
+/// other.  Of a four-high stand the roll contacts alone are a goal as well.
+enum class Goal { contacts, stiffness, masses, modes, chatter, simulate };
 
 /// What the reduction of a stand to some of its modes costs.
 struct StaticRest {

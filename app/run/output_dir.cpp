@@ -131,6 +131,21 @@ void OutputDir::publish() const
   publish_results(staging(), target);
 }
 
+void require_result_folder(const std::string &folder, const std::string &proof, const std::string &what,
+                           const bool overwrite)
+{
+  std::error_code error;
+  if (fs::exists(folder, error) && !fs::is_directory(folder, error))
+    throw InputError(folder + " is a file, not a folder; choose another with -o");
+  fs::create_directories(folder, error);
+  if (error)
+    refuse_file(error.value(),
+                "the folder " + folder + " cannot be made: " + error.message() + "; choose another with -o");
+  if (!overwrite && !fs::is_empty(folder) && !fs::exists(folder + "/" + proof))
+    throw InputError("the folder " + folder + " holds files that no " + what +
+                     " wrote; choose another with -o, or give --force-overwrite");
+}
+
 void check_file_names(const Case &the_case)
 {
   std::map<std::string, Pass> written;  // file name -> pass that writes it

@@ -53,6 +53,13 @@ private:
   std::unique_ptr<Written> written = std::make_unique<Written>();
 };
 
+/// Makes the folder of a verb; one that holds other things is refused.
+/// @param proof  file that this verb leaves in its folders, "analysis.json"
+/// @param what   "analysis"
+/// @throws InputError, SystemError
+void require_result_folder(const std::string &folder, const std::string &proof, const std::string &what,
+                           bool overwrite);
+
 /// @throws InputError  two passes whose names lead to the same file names, or a name too long for one
 void check_file_names(const Case &the_case);
 }  // namespace mill

@@ -332,7 +332,7 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
       add_horizontal_modes(all, model, stand.frame.chock_to_housing_stiffness,
                            {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
     }
-    if (has_force(pass))
+    if (has_force(pass) && memory.with_responses)
       add_response(all, model, stand.dynamics, pass, p, prefix, memory);
   }
   return all;
@@ -376,7 +376,7 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
   add_modes_of_states(all, model, spec.dynamics, "");
   add_horizontal_modes(all, model, not_given, {0, 0});
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
-    if (has_force(spec.passes[p]))
+    if (has_force(spec.passes[p]) && memory.with_responses)
       add_response(all, model, spec.dynamics, spec.passes[p], p, "", memory);
   for (ClosedFormResult &r : all)
     for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own_keys})

@@ -13,8 +13,10 @@ struct FourHigh;
 
 struct Case;
 
-/// What evaluations of neighbouring cases share: forces that are read once, bearings and responses already solved.
+/// What evaluations of neighbouring cases share: forces that are read once, bearings and responses already solved;
+/// and what is asked of them.
 struct ClosedFormMemory {
+  bool with_responses = true;  ///< false: no levels of the passes, which take longest
   /// Chains of cases as they stand, by file and settings.
   std::map<std::string, std::vector<ClosedFormResult>> cases;
   std::map<std::string, ForceRecord> forces;           ///< by file, or by the numbers of a made record

@@ -40,4 +40,14 @@ CheckedCase checked_case(const CommandLine &command)
     throw InputError(checked.review.problems);
   return checked;
 }
+
+Case checked_row(const std::string &path, const std::vector<std::string> &sets)
+{
+  Case the_case = read_case(path, sets);
+  check_file_names(the_case);
+  check_fits(the_case);
+  if (const auto check = run_kind(the_case).check)
+    check(the_case);
+  return the_case;
+}
 }  // namespace mill

@@ -1,6 +1,8 @@
 #pragma once
 #include "app/review/case_review.h"
 #include "core/model/case.h"
+#include <string>
+#include <vector>
 
 namespace mill {
 struct CommandLine;
@@ -15,4 +17,8 @@ struct CheckedCase {
 /// check the program is started again where another BLAS is quicker, before records are read.
 /// @throws InputError  with every problem found
 CheckedCase checked_case(const CommandLine &command);
+
+/// A case with overrides, as one row of a table: checked like a case, without a look at its records.
+/// @throws InputError  with every problem found
+Case checked_row(const std::string &path, const std::vector<std::string> &sets);
 }  // namespace mill

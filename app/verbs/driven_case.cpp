@@ -3,38 +3,16 @@
 #include "app/run/run_kind.h"
 #include "app/run/run_log.h"
 #include "app/run/run_setup.h"
-#include "core/base/files.h"
+#include "app/run/scratch_folder.h"
 #include "core/base/visible_text.h"
 #include "core/model/case.h"
-#include <filesystem>
-
-namespace fs = std::filesystem;
 
 namespace mill {
-namespace {
-// Folder for files of the stages that are not kept.
-class ScratchFolder {
-public:
-  ScratchFolder() : path_((fs::temp_directory_path() / ("millstand-export-" + random_name())).string()) {}
-  ~ScratchFolder()
-  {
-    remove_folder(path_);
-  }
-  const std::string &path() const
-  {
-    return path_;
-  }
-
-private:
-  std::string path_;
-};
-}  // namespace
-
 void run_in_scratch(const CommandLine &command, const Case &the_case,
                     const std::vector<std::pair<std::string, double>> &stages,
                     const std::function<void(RunContext &run)> &work)
 {
-  const ScratchFolder scratch;
+  const ScratchFolder scratch("millstand-export");
   const OutputDir out(scratch.path(), the_case, true, run_id_of(the_case, command.verb, ""));
   const RunLog log(out, command.log, command.verbose);
   RunContext run{the_case, out, cache_folder(command, scratch.path() + "/cache"), command.fresh};

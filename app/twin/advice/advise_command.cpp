@@ -1,6 +1,7 @@
 #include "app/twin/advice/advise_command.h"
 #include "app/process/address_space.h"
 #include "app/process/console.h"
+#include "app/run/output_dir.h"
 #include "app/stages/stand/stand_components.h"
 #include "app/twin/advice/critical_speed_advice.h"
 #include "app/twin/advice/pass_speed_advice.h"

@@ -1,6 +1,7 @@
 #include "app/twin/analyse/analyse_command.h"
 #include "app/process/address_space.h"
 #include "app/process/console.h"
+#include "app/run/output_dir.h"
 #include "app/twin/analyse/analysed_stand.h"
 #include "app/twin/analyse/analysis_lines.h"
 #include "app/twin/stand/record_options.h"

@@ -1,6 +1,7 @@
 #include "app/twin/calibrate/calibrate_command.h"
 #include "app/process/address_space.h"
 #include "app/process/console.h"
+#include "app/run/output_dir.h"
 #include "app/twin/calibrate/calibrated_case.h"
 #include "app/twin/calibrate/detailed_prior.h"
 #include "app/twin/calibrate/freed_unknowns.h"

@@ -18,11 +18,4 @@ std::optional<double> own_limit(const CommandLine &command, const Monitoring &mo
 
 /// --rate, --zone, --channel and --unit; names of channels that the case has, where the command line has no other.
 twin::ReadOptions read_options(const CommandLine &command, const Monitoring &monitoring);
-
-/// Makes the folder of a verb; one that holds other things is refused.
-/// @param proof  file that this verb leaves in its folders, "analysis.json"
-/// @param what   "analysis"
-/// @throws InputError, SystemError
-void require_result_folder(const std::string &folder, const std::string &proof, const std::string &what,
-                           bool overwrite);
 }  // namespace mill

@@ -1,0 +1,19 @@
+#pragma once
+#include <string>
+
+namespace mill {
+/// A name for a folder of files that are not kept, in the folder of temporary files; what is there when this
+/// object ends is removed.
+class ScratchFolder {
+public:
+  /// @param prefix  of the name, "millstand-export"
+  explicit ScratchFolder(const std::string &prefix);
+  ~ScratchFolder();
+  ScratchFolder(const ScratchFolder &)            = delete;
+  ScratchFolder &operator=(const ScratchFolder &) = delete;
+  const std::string &path() const;
+
+private:
+  std::string path_;
+};
+}  // namespace mill

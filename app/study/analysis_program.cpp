@@ -1,0 +1,105 @@
+#include "app/study/analysis_program.h"
+#include "app/run/scratch_folder.h"
+#include "app/study/json_number.h"
+#include "app/study/started_program.h"
+#include "core/base/files.h"
+#include "core/base/units.h"
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <filesystem>
+
+namespace mill {
+namespace {
+std::string bytes_of(const std::vector<std::vector<double>> &rows)
+{
+  std::string bytes;
+  for (const auto &row : rows)
+    bytes.append(reinterpret_cast<const char *>(row.data()), row.size() * sizeof(double));
+  return bytes;
+}
+
+// The answer of the program to the request in a folder.
+nlohmann::ordered_json answer_of(const std::string &folder, const nlohmann::ordered_json &request)
+{
+  write_atomically(folder + "/request.json", request.dump());
+  const int status = run_program(program_path("millstand-study"), {folder}, "designs and indices of a study");
+  if (status != 0)
+    throw SystemError("millstand-study ended with status " + std::to_string(status));
+  const nlohmann::ordered_json answer = nlohmann::ordered_json::parse(read_text(folder + "/answer.json"));
+  if (answer.contains("refused"))
+    throw InputError(answer["refused"].get<std::string>());
+  return answer["answer"];
+}
+
+// "K1,K2=0.5" as places and value.
+nlohmann::ordered_json correlations_of(const Study &study)
+{
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const std::string &written : study.correlations) {
+    const auto comma = written.find(','), equals = written.rfind('=');
+    double value = 0;
+    if (comma == std::string::npos || equals == std::string::npos || equals < comma ||
+        !parse_number(written.substr(equals + 1), value) || !(std::abs(value) < 1))
+      throw InputError("--correlate " + written +
+                       " is not of the form KEY1,KEY2=0.5 with a number between -1 and 1");
+    const auto place = [&](const std::string &name) {
+      for (std::size_t k = 0; k < study.keys.size(); ++k)
+        if (study.keys[k].key.name == name)
+          return k;
+      throw InputError("--correlate " + written + ": " + name + " is not one of the varied keys");
+    };
+    const std::size_t a = place(written.substr(0, comma)),
+                      b = place(written.substr(comma + 1, equals - comma - 1));
+    if (a == b)
+      throw InputError("--correlate " + written + " names one key twice");
+    all.push_back({a, b, value});
+  }
+  return all;
+}
+}  // namespace
+
+std::vector<std::vector<double>> draw_rows(const Study &study, const std::string &method, const long n)
+{
+  const ScratchFolder scratch("millstand-draw");
+  std::filesystem::create_directories(scratch.path());
+  const int number = method == "latin-hypercube" ? 0 : method == "monte-carlo" ? 1 : 2;  // DrawMethod
+  nlohmann::ordered_json request{{"task", "draw"}, {"method", number}, {"n", n}, {"seed", study.seed}};
+  request["correlations"] = correlations_of(study);
+  for (const UncertainKey &key : study.keys)
+    request["spreads"].push_back({{"kind", int(key.spread.kind)},
+                                  {"mean", json_number(key.spread.mean)},
+                                  {"sd", json_number(key.spread.sd)},
+                                  {"low", json_number(key.spread.low)},
+                                  {"high", json_number(key.spread.high)}});
+  const std::size_t n_rows = answer_of(scratch.path(), request)["rows"].get<std::size_t>(), d = study.keys.size();
+  const std::string bytes = read_text(scratch.path() + "/rows.bin");
+  std::vector<std::vector<double>> rows(n_rows, std::vector<double>(d));
+  for (std::size_t i = 0; i < n_rows; ++i)
+    std::memcpy(rows[i].data(), bytes.data() + i * d * sizeof(double), d * sizeof(double));
+  return rows;
+}
+
+std::vector<IndicesOfResult> indices_of(const std::vector<std::vector<double>> &rows,
+                                        const std::vector<std::vector<double>> &results, const long n)
+{
+  const ScratchFolder scratch("millstand-indices");
+  std::filesystem::create_directories(scratch.path());
+  write_atomically(scratch.path() + "/rows.bin", bytes_of(rows));
+  write_atomically(scratch.path() + "/results.bin", bytes_of(results));
+  std::vector<IndicesOfResult> all;
+  for (const nlohmann::ordered_json &s :
+       answer_of(scratch.path(), {{"task", "indices"}, {"keys", rows.front().size()}, {"n", n}})) {
+    IndicesOfResult one;
+    s["first"].get_to(one.first);
+    s["total"].get_to(one.total);
+    s["first_low"].get_to(one.first_low);
+    s["first_high"].get_to(one.first_high);
+    s["total_low"].get_to(one.total_low);
+    s["total_high"].get_to(one.total_high);
+    s["groups"].get_to(one.groups);
+    all.push_back(one);
+  }
+  return all;
+}
+}  // namespace mill

@@ -1,0 +1,208 @@
+#include "app/study/row_model.h"
+#include "app/kinds/pipeline.h"
+#include "app/run/run_kind.h"
+#include "app/run/scratch_folder.h"
+#include "app/trace/closed_form_chain.h"
+#include "core/base/units.h"
+#include "core/case/fields.h"
+#include "core/model/case.h"
+#include "report/results/names.h"
+#include <algorithm>
+#include <mutex>
+
+namespace mill {
+namespace {
+constexpr std::size_t most_remembered = 512;  // bearings of rows that are over
+constexpr std::size_t most_watched    = 12;   // where the command names no result
+
+const char *const closed_forms_work = "closed forms", *const with_responses_work = "closed forms and responses";
+
+// Work of a run, the least first.
+const std::vector<std::pair<std::string, Goal>> &works()
+{
+  static const std::vector<std::pair<std::string, Goal>> all{
+      {"contacts", Goal::contacts}, {"stiffness", Goal::stiffness}, {"masses", Goal::masses},
+      {"modes", Goal::modes},       {"chatter", Goal::chatter},     {"run", Goal::simulate}};
+  return all;
+}
+
+const Parameter *find_result(const NamedResults &results, const std::string &name)
+{
+  const auto entry =
+      std::find_if(results.begin(), results.end(), [&](const auto &result) { return result.first == name; });
+  return entry == results.end() ? nullptr : &entry->second;
+}
+
+bool holds_all(const NamedResults &results, const std::vector<std::string> &names)
+{
+  return std::all_of(names.begin(), names.end(),
+                     [&](const std::string &name) { return find_result(results, name); });
+}
+
+// A result of the roll contacts alone.
+bool is_of_contacts(const std::string &name)
+{
+  return name.rfind("K3.", 0) == 0 || name.rfind("K5.", 0) == 0 || name.rfind("contact.", 0) == 0;
+}
+
+// May this work give all of these names?
+bool may_give(const Case &the_case, const std::string &work, const std::vector<std::string> &names)
+{
+  if (work == "contacts")
+    return std::holds_alternative<FourHigh>(the_case.spec) && !names.empty() &&
+           std::all_of(names.begin(), names.end(), is_of_contacts);
+  const auto &verbs = run_kind(the_case).verbs;
+  if (std::find(verbs.begin(), verbs.end(), work) == verbs.end())
+    return false;
+  // Chatter of a stand is asked for by its names; without names modes are enough.
+  const bool of_chatter = std::any_of(names.begin(), names.end(), [](const std::string &name) {
+    return name.rfind("chatter.", 0) == 0 || name.rfind("critical_speed", 0) == 0;
+  });
+  if (work == "chatter")
+    return of_chatter;
+  return !of_chatter || work == "run";
+}
+
+// What one looks for first in a stand; of other kinds the first results.
+std::vector<std::string> usual_names(const NamedResults &results)
+{
+  std::vector<std::string> names;
+  for (const char *name : {"K3.tangent", "K3", "K4.combined", "K4", "K5.tangent", "K5", "f1", "f2", "f3", "f4",
+                           "f5", "f6", "critical_speed"})
+    if (find_result(results, name) && names.size() < most_watched)
+      names.push_back(name);
+  // A spring by both its names is one.
+  for (const char *spring : {"K3", "K4", "K5"})
+    if (std::any_of(names.begin(), names.end(),
+                    [&](const std::string &name) { return name.rfind(std::string(spring) + ".", 0) == 0; }))
+      names.erase(std::remove(names.begin(), names.end(), spring), names.end());
+  for (const auto &[name, result] : results)
+    if (names.size() < most_watched && !find_result(results, "f1"))
+      names.push_back(name);
+  return names;
+}
+
+[[noreturn]] void refuse_unknown(const Case &the_case, const std::string &name, const NamedResults &results)
+{
+  std::vector<std::string> known;
+  for (const auto &[other, result] : results)
+    known.push_back(other);
+  const std::string nearest = nearest_word(name, known);
+  throw InputError("--watch " + name + ": " + the_case.path + " gives no result of this name" +
+                   (nearest.empty() ? "; docs/output.md lists the names" : "; did you mean '" + nearest + "'?"));
+}
+}  // namespace
+
+// Memories of closed forms that no row uses at present: one for each thread.
+struct RowModel::Implementation {
+  RowModelSettings settings;
+  std::string work;
+  std::shared_ptr<MadeKeys> made = std::make_shared<MadeKeys>();
+  std::mutex access;
+  std::vector<std::unique_ptr<ClosedFormMemory>> free_memories;
+
+  std::unique_ptr<ClosedFormMemory> take_memory()
+  {
+    const std::lock_guard lock(access);
+    if (free_memories.empty())
+      return std::make_unique<ClosedFormMemory>();
+    auto memory = std::move(free_memories.back());
+    free_memories.pop_back();
+    return memory;
+  }
+  void give_back(std::unique_ptr<ClosedFormMemory> memory)
+  {
+    if (memory->bearings.size() > most_remembered)
+      memory->bearings.clear();
+    if (memory->driven.size() > most_remembered)
+      memory->driven.clear();
+    if (memory->forces.size() > most_remembered / 64)
+      memory->forces.clear();
+    const std::lock_guard lock(access);
+    free_memories.push_back(std::move(memory));
+  }
+
+  NamedResults quick(const Case &row)
+  {
+    auto memory            = take_memory();
+    memory->with_responses = work == with_responses_work;
+    NamedResults results;
+    for (ClosedFormResult &result : closed_form_chain(row, *memory))
+      results.emplace_back(std::move(result.name), std::move(result.parameter));
+    give_back(std::move(memory));
+    return results;
+  }
+
+  NamedResults full(const Case &row)
+  {
+    const ScratchFolder scratch("millstand-row");
+    const OutputDir out(scratch.path(), row, true, "row");
+    RunContext run{row, out, settings.cache, settings.fresh};
+    run.made    = made;
+    run.threads = settings.threads;
+    const auto of =
+        std::find_if(works().begin(), works().end(), [&](const auto &one) { return one.first == work; });
+    run_stages(run, of->second);
+    return std::move(run.results.values);
+  }
+};
+
+RowModel::RowModel(RowModelSettings settings) : own(std::make_unique<Implementation>())
+{
+  own->settings = std::move(settings);
+  own->work     = own->settings.kind == ModelKind::quick ? closed_forms_work : "run";
+}
+
+RowModel::~RowModel() = default;
+
+NamedResults RowModel::choose(const Case &base, std::vector<std::string> watched)
+{
+  std::vector<std::string> candidates;
+  if (own->settings.kind == ModelKind::quick)
+    candidates = {closed_forms_work, with_responses_work};
+  else
+    for (const auto &[work, goal] : works())
+      if (may_give(base, work, watched))
+        candidates.push_back(work);
+  for (const std::string &name : watched)  // before minutes are spent on a name that does not exist
+    if (own->settings.kind == ModelKind::full && report::meaning_of(name).empty())
+      refuse_unknown(base, name, {});
+  NamedResults results;
+  for (const std::string &work : candidates) {
+    // Without names the modes of a stand are enough.
+    const bool enough =
+        !watched.empty() || work == "modes" || work == candidates.back() || own->settings.kind == ModelKind::quick;
+    if (!enough)
+      continue;
+    own->work = work;
+    results   = this->results(base);
+    if (watched.empty())
+      watched = usual_names(results);
+    if (holds_all(results, watched))
+      break;
+  }
+  NamedResults of_watched;
+  for (const std::string &name : watched) {
+    const Parameter *result = find_result(results, name);
+    if (!result)
+      refuse_unknown(base, name, results);
+    of_watched.emplace_back(name, *result);
+  }
+  return of_watched;
+}
+
+NamedResults RowModel::results(const Case &row)
+{
+  return own->settings.kind == ModelKind::quick ? own->quick(row) : own->full(row);
+}
+
+std::string RowModel::work() const
+{
+  return own->work;
+}
+
+void RowModel::choose_work(const std::string &work)
+{
+  own->work = work;
+}
+}  // namespace mill

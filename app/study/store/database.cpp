@@ -1,0 +1,198 @@
+#include "app/study/store/database.h"
+#include "core/base/errors.h"
+#include "core/base/files.h"
+#include <cstring>
+#include <filesystem>
+#include <sqlite3.h>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+struct Database::Implementation {
+  std::string path;
+  sqlite3 *file = nullptr;
+  std::string copy;  // of a file that was cut inside a transaction; empty: none
+};
+
+struct Statement::Implementation {
+  sqlite3_stmt *statement = nullptr;
+  sqlite3 *file           = nullptr;
+  std::string path;
+};
+
+namespace {
+[[noreturn]] void refuse(sqlite3 *file, const int code, const std::string &path)
+{
+  const int primary        = code & 0xff;
+  const std::string reason = file ? sqlite3_errmsg(file) : sqlite3_errstr(code);
+  const std::string text   = path + ": " + reason;
+  if (primary == SQLITE_FULL)
+    throw SystemError(text + "; what was finished before is kept: make room and run the same command again");
+  if (primary == SQLITE_CORRUPT || primary == SQLITE_NOTADB)
+    throw InputError(text + "; the file is damaged");
+  throw SystemError(text);
+}
+
+// SQLite wants to undo what a killed writer has begun.
+bool has_cut_transaction(sqlite3 *file)
+{
+  return (sqlite3_exec(file, "SELECT count(*) FROM sqlite_master", nullptr, nullptr, nullptr) & 0xff) ==
+         SQLITE_READONLY;
+}
+}  // namespace
+
+Database::Database(std::string path, const Open how) : own(std::make_unique<Implementation>())
+{
+  own->path       = std::move(path);
+  const int flags = how == Open::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const int code  = sqlite3_open_v2(own->path.c_str(), &own->file, flags, nullptr);
+  if (code != SQLITE_OK) {
+    const std::string reason = own->file ? sqlite3_errmsg(own->file) : sqlite3_errstr(code);
+    sqlite3_close(own->file);
+    own->file = nullptr;
+    throw SystemError(own->path + " cannot be opened: " + reason);
+  }
+  sqlite3_busy_timeout(own->file, 60000);
+  if (how == Open::write)
+    execute("PRAGMA journal_mode=DELETE; PRAGMA synchronous=FULL");
+  else if (has_cut_transaction(own->file))
+    open_copy();
+}
+
+// A reader never writes into the file of another process: the cut transaction is undone in a copy.
+void Database::open_copy()
+{
+  sqlite3_close(own->file);
+  own->file = nullptr;
+  own->copy = (fs::temp_directory_path() / ("millstand-rows-" + random_name() + ".db")).string();
+  std::error_code error;
+  fs::copy_file(own->path, own->copy, error);
+  if (!error)
+    fs::copy_file(own->path + "-journal", own->copy + "-journal", error);
+  const int code =
+      error ? SQLITE_CANTOPEN : sqlite3_open_v2(own->copy.c_str(), &own->file, SQLITE_OPEN_READWRITE, nullptr);
+  if (code != SQLITE_OK)
+    throw SystemError(own->path + " cannot be copied to " + own->copy + ", which undoes its cut transaction");
+}
+
+Database::~Database()
+{
+  if (!own)
+    return;
+  sqlite3_close(own->file);
+  std::error_code ignored;
+  if (!own->copy.empty())
+    for (const char *ending : {"", "-journal"})
+      fs::remove(own->copy + ending, ignored);
+}
+
+Database::Database(Database &&) noexcept = default;
+
+const std::string &Database::path() const
+{
+  return own->path;
+}
+
+void Database::execute(const std::string &sql)
+{
+  const int code = sqlite3_exec(own->file, sql.c_str(), nullptr, nullptr, nullptr);
+  if (code != SQLITE_OK)
+    refuse(own->file, code, own->path);
+}
+
+Statement Database::prepare(const std::string &sql)
+{
+  auto made      = std::make_unique<Statement::Implementation>();
+  made->file     = own->file;
+  made->path     = own->path;
+  const int code = sqlite3_prepare_v2(own->file, sql.c_str(), -1, &made->statement, nullptr);
+  if (code != SQLITE_OK)
+    refuse(own->file, code, own->path);
+  return Statement(std::move(made));
+}
+
+Statement::Statement(std::unique_ptr<Implementation> made) : own(std::move(made)) {}
+
+Statement::~Statement()
+{
+  if (own)
+    sqlite3_finalize(own->statement);
+}
+
+Statement::Statement(Statement &&) noexcept = default;
+
+Statement &Statement::bind(const int place, const std::int64_t value)
+{
+  sqlite3_bind_int64(own->statement, place + 1, value);
+  return *this;
+}
+
+Statement &Statement::bind(const int place, const std::string &text)
+{
+  sqlite3_bind_text(own->statement, place + 1, text.data(), int(text.size()), SQLITE_TRANSIENT);
+  return *this;
+}
+
+Statement &Statement::bind(const int place, const std::vector<double> &numbers)
+{
+  sqlite3_bind_blob(own->statement, place + 1, numbers.empty() ? "" : static_cast<const void *>(numbers.data()),
+                    int(8 * numbers.size()), SQLITE_TRANSIENT);
+  return *this;
+}
+
+bool Statement::step()
+{
+  const int code = sqlite3_step(own->statement);
+  if (code != SQLITE_ROW && code != SQLITE_DONE)
+    refuse(own->file, code, own->path);
+  return code == SQLITE_ROW;
+}
+
+void Statement::run()
+{
+  while (step()) {
+  }
+  sqlite3_reset(own->statement);
+}
+
+std::int64_t Statement::integer(const int column) const
+{
+  return sqlite3_column_int64(own->statement, column);
+}
+
+std::string Statement::text(const int column) const
+{
+  const auto *bytes = reinterpret_cast<const char *>(sqlite3_column_text(own->statement, column));
+  return bytes ? std::string(bytes, std::size_t(sqlite3_column_bytes(own->statement, column))) : "";
+}
+
+std::vector<double> Statement::numbers(const int column) const
+{
+  const void *bytes = sqlite3_column_blob(own->statement, column);
+  std::vector<double> values(std::size_t(sqlite3_column_bytes(own->statement, column)) / 8);
+  if (bytes)
+    std::memcpy(values.data(), bytes, 8 * values.size());
+  return values;
+}
+
+Transaction::Transaction(Database &opened) : file(opened)
+{
+  file.execute("BEGIN IMMEDIATE");
+}
+
+Transaction::~Transaction()
+{
+  if (!open)
+    return;
+  try {
+    file.execute("ROLLBACK");
+  } catch (const InputError &) {  // a full disk has undone it already
+  }
+}
+
+void Transaction::commit()
+{
+  file.execute("COMMIT");
+  open = false;
+}
+}  // namespace mill

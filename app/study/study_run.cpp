@@ -1,0 +1,263 @@
+#include "app/study/study_run.h"
+#include "app/process/console.h"
+#include "app/process/cut_signal.h"
+#include "app/study/started_program.h"
+#include "app/study/store/row_files.h"
+#include "core/base/files.h"
+#include "core/model/case.h"
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <cstdlib>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+#include <sys/wait.h>
+#include <thread>
+
+namespace fs = std::filesystem;
+
+namespace mill {
+namespace {
+constexpr double seconds_of_shard = 20;
+constexpr long shards_of_core     = 10;
+constexpr int most_restarts       = 100;
+
+// A word of the shell, whatever it holds.
+std::string shell_word(const std::string &text)
+{
+  if (text.find_first_of("\n\r") != std::string::npos)
+    throw InputError("the folder " + text + " has a line feed in its name; no engine can start there");
+  std::string word = "'";
+  for (const char c : text)
+    word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+long processors()
+{
+  return long(std::max(1u, std::thread::hardware_concurrency()));
+}
+
+std::string absolute_folder(const Study &study)
+{
+  return fs::absolute(study.folder).lexically_normal().string();
+}
+
+bool is_installed(const std::string &program)
+{
+  const char *path = std::getenv("PATH");
+  std::string folder;
+  for (const char *c = path ? path : "";; ++c) {
+    if (*c == ':' || *c == '\0') {
+      std::error_code ignored;
+      if (!folder.empty() && fs::exists(folder + "/" + program, ignored))
+        return true;
+      folder.clear();
+      if (*c == '\0')
+        return false;
+    } else {
+      folder += *c;
+    }
+  }
+}
+
+void require_engine(const std::string &engine)
+{
+  if (engine == "parallel" && !is_installed("parallel"))
+    throw InputError("--engine parallel needs GNU parallel, which is not installed: apt-get install parallel; "
+                     "--engine here works without it");
+  if (engine == "slurm" && !is_installed("sbatch"))
+    throw InputError("--engine slurm needs sbatch, which is not installed on this machine: apt-get install "
+                     "slurm-client; --engine here works without it");
+}
+
+// What is common to the calls of all shards.
+std::string options_of(const CommandLine &command)
+{
+  std::string options = " -q";
+  if (command.threads > 0)
+    options += fmt::format(" --threads {}", command.threads);
+  if (!command.cache.empty())
+    options += " --cache " + shell_word(fs::absolute(command.cache).string());
+  return options;
+}
+
+void say_notes(const std::vector<std::string> &notes)
+{
+  for (const std::string &note : notes)
+    console::say("warning: " + note + "\n");
+}
+
+// Processes of this machine: a shard that a crash ended is started again, since its second crash is marked.
+class HerePool {
+public:
+  HerePool(const Study &asked, const CommandLine &command, const long n_jobs) : study(asked), jobs(n_jobs)
+  {
+    const long threads = command.threads > 0 ? command.threads : std::max(1L, processors() / jobs);
+    common             = {"--threads", std::to_string(threads)};
+    if (!command.cache.empty())
+      common.insert(common.end(), {"--cache", command.cache});
+    if (command.fresh)
+      common.push_back("--fresh");
+    if (command.quiet || jobs > 1)
+      common.push_back("-q");
+  }
+
+  int work(const CutSignal &signal)
+  {
+    for (long i = 1; i <= jobs; ++i)
+      start(i);
+    int worst = 0;
+    bool sent = false;
+    while (!running.empty()) {
+      if (signal.asked() && !sent) {
+        for (const auto &[process, shard] : running)
+          ::kill(process, SIGTERM);
+        sent = true;
+      }
+      int status          = 0;
+      const pid_t process = ::waitpid(-1, &status, WNOHANG);
+      if (process <= 0) {
+        std::this_thread::sleep_for(std::chrono::milliseconds(5));
+        continue;
+      }
+      const auto entry = running.find(process);
+      if (entry == running.end())
+        continue;
+      const long shard = entry->second;
+      running.erase(entry);
+      const bool crashed = WIFSIGNALED(status);
+      if (crashed && !signal.asked() && ++restarts <= most_restarts)
+        start(shard);
+      else
+        worst = std::max(worst, crashed ? 3 : WEXITSTATUS(status));
+    }
+    return signal.asked() ? 130 : worst;
+  }
+
+private:
+  void start(const long shard)
+  {
+    std::vector<std::string> words{"study", "work", study.folder, "--shard", fmt::format("{}/{}", shard, jobs)};
+    words.insert(words.end(), common.begin(), common.end());
+    running[start_program(program_path("millstand-all"), words, "rows of a study")] = shard;
+  }
+  const Study &study;
+  long jobs;
+  int restarts = 0;
+  std::vector<std::string> common;
+  std::map<pid_t, long> running;
+};
+
+// Carries out the script of an engine.
+int run_script(const Study &study, const CommandLine &command, const std::string &script)
+{
+  const std::string file = study.folder + "/" + command.study.engine + ".sh";
+  write_atomically(file, script);
+  return command.study.engine == "slurm" ? run_program("sbatch", {file}, "arrays of a study")
+                                         : run_program("sh", {file}, "shards of a study");
+}
+
+// Keys of all rows that are over; the files are read as they are, since merging a million rows takes longer.
+bool all_finished(const Study &study)
+{
+  std::vector<std::int64_t> keys;
+  auto files = row_files(study.folder);
+  files.push_back(merged_file(study.folder));
+  for (const std::string &file : files)
+    read_rows(file, 0, [&](FinishedRow &&row) { keys.push_back(row.key); });
+  std::sort(keys.begin(), keys.end());
+  bool all = true;
+  read_design(study, 0, study.rows,
+              [&](DesignRow &&row) { all = all && std::binary_search(keys.begin(), keys.end(), row.key); });
+  return all;
+}
+
+// A worker reads the files of its own shard and what is merged: shards that were cut in another way are merged
+// first.
+void merge_other_shards(const Study &study, const long shards)
+{
+  const std::string same = fmt::format("-of-{}-", shards);
+  const auto files       = row_files(study.folder);
+  if (std::any_of(files.begin(), files.end(),
+                  [&](const std::string &file) { return file.find(same) == std::string::npos; }))
+    say_notes(merge_rows(study.folder));
+}
+}  // namespace
+
+long shards_for(const Study &study, const long cores)
+{
+  const double total = std::isfinite(study.seconds) ? study.seconds * double(study.rows) : 0;
+  const long by_time = long(total / seconds_of_shard);
+  return std::clamp(by_time, std::min(cores, study.rows),
+                    std::max(shards_of_core * cores, std::min(by_time, study.rows)));
+}
+
+std::string engine_script(const Study &study, const std::string &engine, const long shards,
+                          const CommandLine &command, const std::string &program)
+{
+  const std::string folder = absolute_folder(study);
+  const std::string work   = shell_word(program) + " study work " + shell_word(folder) + " --shard ";
+  if (engine == "slurm")
+    return fmt::format("#!/bin/sh\n#SBATCH --job-name=millstand\n#SBATCH --array=1-{}\n#SBATCH --requeue\n"
+                       "#SBATCH --open-mode=append\n#SBATCH --signal=B:TERM@60\n#SBATCH --output={}/slurm-%a.log\n"
+                       "exec {}\"$SLURM_ARRAY_TASK_ID\"/{}{}\n",
+                       shards, folder, work, shards, options_of(command));
+  const long jobs           = command.study.jobs > 0 ? command.study.jobs : processors();
+  const std::string hosts   = command.study.hosts.empty()
+                                  ? ""
+                                  : " --sshloginfile " + shell_word(fs::absolute(command.study.hosts).string());
+  const std::string threads = command.threads > 0 ? "" : " --threads 1";
+  return fmt::format("#!/bin/sh\nseq {} | parallel --jobs {} --retries 3 --halt never{} --joblog {} \\\n  {}\n",
+                     shards, jobs, hosts, shell_word(folder + "/parallel.log"),
+                     shell_word(work + "{}/" + std::to_string(shards) + options_of(command) + threads));
+}
+
+int study_run(const CommandLine &command)
+{
+  const Study study         = read_study(command.target);
+  const std::string &engine = command.study.engine;
+  const long jobs           = command.study.jobs > 0 ? command.study.jobs : engine == "here" ? 1 : processors();
+  if (command.study.dry_run && engine == "here") {
+    console::print(fmt::format("millstand study work {} --shard I/{}, {} at a time\n", study.folder, jobs, jobs));
+    return 0;
+  }
+  if (engine == "here" && !command.study.hosts.empty())
+    throw InputError("--hosts belongs to --engine parallel");
+  const long shards = engine == "slurm" ? jobs : shards_for(study, jobs);
+  if (command.study.dry_run) {
+    console::print(engine_script(study, engine, shards, command, program_path("millstand")));
+    return 0;
+  }
+  require_engine(engine);
+  base_case(study);
+  if (all_finished(study)) {
+    console::print("all rows are finished; report: millstand study report " + study.folder + "\n");
+    return 0;
+  }
+  merge_other_shards(study, engine == "here" ? jobs : shards);
+  if (engine == "slurm") {
+    const int status =
+        run_script(study, command, engine_script(study, engine, shards, command, program_path("millstand")));
+    if (status != 0)
+      throw SystemError("sbatch did not accept the array; its message is above, its script " + study.folder +
+                        "/slurm.sh");
+    console::print("watch it with: millstand study status " + study.folder + "\n");
+    return 0;
+  }
+  const CutSignal signal;
+  int code = 0;
+  if (engine == "here")
+    code = HerePool(study, command, jobs).work(signal);
+  else if (run_script(study, command, engine_script(study, engine, shards, command, program_path("millstand"))) !=
+           0)
+    code = signal.asked() ? 130 : 3;
+  say_notes(merge_rows(study.folder));
+  if (code == 130)
+    console::say("stopped; what is finished is kept. Continue with: millstand study run " + study.folder + "\n");
+  else if (code == 0 && !command.quiet)
+    console::print("finished; report: millstand study report " + study.folder + "\n");
+  return code;
+}
+}  // namespace mill
