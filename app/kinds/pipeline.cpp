@@ -394,14 +394,20 @@ void add_turning_and_response(RunContext &run, const Lumped &lumped, const Lumpe
 void add_modes_and_response(RunContext &run, const Lumped &lumped, const LumpedModel &model)
 {
   const auto open = chain_with_modes(model, in_state(lumped.dynamics, GapState::open));
+  const auto add  = [&](const GapState named, const GapState state, const reduce::StandWithModes &chain) {
+    const auto uncertain = reduce::modal_sensitivities(chain, model);
+    NamedModes modes{named, {&chain}, uncertain};
+    modes.of_gap = gap_compliance_keys(model, in_state(lumped.dynamics, state));
+    add_named_modes(run, modes);
+  };
   if (!knows_strip(model)) {
     assume_open(run, "given.K4");
-    add_named_modes(run, {GapState::rolling, {&open}, reduce::modal_sensitivities(open, model)});
+    add(GapState::rolling, GapState::open, open);
     return add_turning_and_response(run, lumped, model, open, open);
   }
   const auto rolling = chain_with_modes(model, in_state(lumped.dynamics, GapState::rolling));
-  add_named_modes(run, {GapState::rolling, {&rolling}, reduce::modal_sensitivities(rolling, model)});
-  add_named_modes(run, {GapState::open, {&open}, reduce::modal_sensitivities(open, model)});
+  add(GapState::rolling, GapState::rolling, rolling);
+  add(GapState::open, GapState::open, open);
   const bool measured = driven_state(lumped.dynamics) == GapState::open;
   add_turning_and_response(run, lumped, model, rolling, measured ? open : rolling);
 }

@@ -2,6 +2,8 @@
 #include "app/trace/trace_key.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <optional>
 #include <string>
@@ -16,6 +18,12 @@ struct BaseCase {
 inline mill::Case read(const BaseCase &base)
 {
   return mill::read_case(base.file, base.sets);
+}
+
+// Whether a result has moved: eigenvalues of an unchanged block round differently.
+inline bool differs(const double a, const double b)
+{
+  return std::isnan(a) != std::isnan(b) || std::abs(a - b) > 1e-11 * std::max(std::abs(a), std::abs(b));
 }
 
 // Values to put in the place of the present one, as TOML; a case need not accept all of them.
@@ -51,6 +59,19 @@ inline std::vector<std::string> other_values(const mill::TraceKey &key)
                                            : mill::example_toml(row));
   else
     values.push_back(mill::example_toml(row));
+  return values;
+}
+
+// Values far from the present one, for what a few per cent move by less than its rounding.
+inline std::vector<std::string> far_values(const mill::TraceKey &key)
+{
+  using mill::Kind;
+  const Kind kind = key.row.kind;
+  if (!key.value || (kind != Kind::quantity && kind != Kind::number && kind != Kind::pair && kind != Kind::six))
+    return {};
+  std::vector<std::string> values;
+  for (const double factor : {2., 0.5, 10., 0.1})
+    values.push_back(mill::changed_toml(*key.value, [&](const double x) { return factor * x; }));
   return values;
 }
 

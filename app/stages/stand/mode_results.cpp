@@ -52,6 +52,24 @@ reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSetting
   return s;
 }
 
+std::vector<std::string> gap_compliance_parts(const DynamicsSettings &settings)
+{
+  std::vector<std::string> springs;
+  for (const Half half : {Half::upper, Half::lower})
+    for (const std::string &part : chain_parts(settings, half))
+      if (part[0] == 'K' && !holds(springs, part))
+        springs.push_back(part);
+  return springs;
+}
+
+KeyList gap_compliance_keys(const LumpedModel &model, const DynamicsSettings &settings)
+{
+  KeyList keys;
+  for (const std::string &spring : gap_compliance_parts(settings))
+    keys = joined(std::move(keys), model.K[std::size_t(spring[1] - '1')].inputs);
+  return keys;
+}
+
 namespace {
 // The share of a mode in the compliance of the gap, next to its frequency.
 Parameter share_of(const reduce::StandWithModes &best, const std::size_t i, const Parameter &frequency,
@@ -80,7 +98,8 @@ void add_named_modes(RunContext &run, const NamedModes &named)
     if (mode.key.empty() || !mode.listed || !frequency)
       continue;
     Parameter p = *frequency, share = share_of(best, i, p, of_gap);
-    p.method = mode.name + ": " + mode.decided + "; " + p.method;
+    share.inputs = joined(std::move(share.inputs), named.of_gap);
+    p.method     = mode.name + ": " + mode.decided + "; " + p.method;
     p.checks.clear();
     for (std::size_t m = 1; m < named.models.size(); ++m) {
       const reduce::StandWithModes &model = *named.models[m];

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run/run_context.h"
+#include "core/case/provenance.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
 #include "reduce/stand/stand_comparison.h"
@@ -31,6 +32,12 @@ void write_mode_table(RunContext &run, const reduce::StandWithModes &stand, GapS
 /// Under which name a frequency of a model stands in the results: "craig-bampton.f3" for mode 2.
 std::string frequency_result(const StandModel &model, std::size_t mode, GapState state = GapState::rolling);
 
+/// Springs of the static compliance of the gap, which the shares of the modes divide: those of both halves,
+/// whether or not anything joins the halves.  theory.md (22.23)
+std::vector<std::string> gap_compliance_parts(const DynamicsSettings &settings);
+/// The keys behind those springs.
+KeyList gap_compliance_keys(const LumpedModel &model, const DynamicsSettings &settings);
+
 /// The modes of a stand in one state of the gap, for results by name.
 struct NamedModes {
   GapState state = GapState::rolling;  ///< whose names the results get
@@ -38,6 +45,7 @@ struct NamedModes {
   std::vector<const reduce::StandWithModes *> models;
   const std::vector<reduce::ModalSensitivity> &uncertain;  ///< inputs of the first one
   double limit = std::numeric_limits<double>::infinity();  ///< Hz
+  KeyList of_gap;  ///< inputs of the shares of the gap's compliance that a frequency lacks
 };
 
 /// mode.<name>.frequency and mode.<name>.gap_share of every mode below the limit that the gap or a sensor sees

@@ -1,5 +1,6 @@
 #include "core/base/files.h"
 #include "core/case/stand_rows.h"
+#include "core/records/csv.h"
 #include "core/records/matrix_market.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
@@ -431,6 +432,19 @@ Eigen::MatrixXd matrix(const std::string &name)
 {
   return mill::read_matrix_market(demo_masses() + "/models/" + name + ".mtx");
 }
+
+// Without the strip between the work rolls, as the files are: the force of the demo is measured and holds the
+// answer of the strip.  The results have no open state of the beams, their table of modes has it.
+double open_frequency(const std::string &folder, const std::string &model, const int number)
+{
+  const std::string name = "f" + std::to_string(number);
+  if (model == "six-mass")
+    return value(folder, "open." + name);
+  if (model == "craig-bampton")
+    return value(folder, "open.craig-bampton." + name);
+  const mill::Table modes = mill::read_table(scratch(folder) + "/curves/modes-" + model + "-open.csv");
+  return (*modes.column("frequency"))[number - 1];
+}
 }  // namespace
 
 TEST(ModelFiles, ModelFilesHoldTheModesOfTheRun)
@@ -440,11 +454,10 @@ TEST(ModelFiles, ModelFilesHoldTheModesOfTheRun)
     EXPECT_TRUE((M - M.transpose()).isZero(0) && (K - K.transpose()).isZero(0)) << "symmetric to the last digit";
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, M);  // K phi = w^2 M phi
     for (int i = 1; i <= 4; ++i) {
-      const std::string name  = (model == "six-mass" ? "" : model + ".") + "f" + std::to_string(i);
       const std::string where = model == "six-mass" ? "demo-modes" : "demo";
       if (model == "six-mass")
         ASSERT_EQ(run("modes", demo, where).exit_code, 0);
-      EXPECT_TRUE(near(std::sqrt(modes.eigenvalues()[i - 1]) / (2 * M_PI), value(where, name),
+      EXPECT_TRUE(near(std::sqrt(modes.eigenvalues()[i - 1]) / (2 * M_PI), open_frequency(where, model, i),
                        within(1e-8, "eigenvalues of a stiff pencil by another call")));
     }
     const std::string names = mill::read_text(demo_masses() + "/models/" + model + "-names.csv");
@@ -474,8 +487,7 @@ TEST(ModelFiles, ModelFilesAreACaseThatRuns)
                                        " --set dynamics.output_rate='5 kHz'");
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
     for (int i = 1; i <= 6; ++i)
-      EXPECT_TRUE(near(value("back-" + model, "f" + std::to_string(i)),
-                       value("demo", model + ".f" + std::to_string(i)),
+      EXPECT_TRUE(near(value("back-" + model, "f" + std::to_string(i)), open_frequency("demo", model, i),
                        within(1e-8, "the same matrices by another call")));
     if (model == "beam")
       continue;

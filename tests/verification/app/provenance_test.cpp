@@ -25,14 +25,6 @@ namespace {
 using namespace mill;
 using Results = std::vector<ClosedFormResult>;
 
-// Eigenvalues of an unchanged block round differently.
-constexpr double rounding = 1e-11;
-
-bool differs(const double a, const double b)
-{
-  return std::isnan(a) != std::isnan(b) || std::abs(a - b) > rounding * std::max(std::abs(a), std::abs(b));
-}
-
 double load_of(const Pass &pass)
 {
   return std::isnan(pass.load) ? force_of(pass).force.mean() : pass.load;
@@ -135,8 +127,11 @@ void expect_complete(const BaseCase &base, const Exceptions &known)
     names.insert(key.name);
     std::vector<std::pair<Case, Results>> others;
     // Up, down, and further as long as something that should move has not.
-    const TraceKey trace_key = find_key(the_case, base.sets, key.name, {});
-    for (const std::string &value : other_values(trace_key)) {
+    const TraceKey trace_key        = find_key(the_case, base.sets, key.name, {});
+    std::vector<std::string> values = other_values(trace_key);
+    for (std::string &value : far_values(trace_key))
+      values.push_back(std::move(value));
+    for (const std::string &value : values) {
       if (others.size() > 1 && all_moved(before, others, key.name))
         break;
       std::optional<Case> other = with_value(base, trace_key, value);
@@ -214,12 +209,13 @@ const std::vector<std::string> tapered{"bearing.trb.roller_total_length=34 mm",
 // what is not given yet stands in no list of what it would replace; the work rolls' bearing does not go on the
 // necks of the backup rolls, and the stand has no third bearing.  The bite's elements are kept under all constants
 // of all laws.
-const Exceptions of_a_stand{
-    {"backup_roll.bearing", "bearing.trb.type", "bearing.crb.type", "bearing.trb.end_play", "bearing.trb.preload",
-     "given.*", "backup_roll.bending_model", "work_roll.bearing of fh3", "bearing.trb.profile of fh3",
-     "bearing.trb.profile of fh4", "dynamics.frame of mode.*", "frame.chock_to_housing_stiffness"},
-    {"strip.initial_thickness", "strip.youngs_modulus", "strip.poisson_ratio", "strip.flow_stress.*",
-     "strip.friction.*", "pass.0.speed"}};
+const Exceptions of_a_stand{{"backup_roll.bearing", "bearing.trb.type", "bearing.crb.type", "bearing.trb.end_play",
+                             "bearing.trb.preload", "given.*", "backup_roll.bending_model",
+                             "work_roll.bearing of fh3", "bearing.trb.profile of fh3",
+                             "bearing.trb.profile of fh4", "dynamics.frame of mode.*",
+                             "dynamics.frame of open.mode.*", "frame.chock_to_housing_stiffness"},
+                            {"strip.initial_thickness", "strip.youngs_modulus", "strip.poisson_ratio",
+                             "strip.flow_stress.*", "strip.friction.*", "pass.0.speed"}};
 
 Exceptions also(Exceptions known, const std::vector<std::string> &not_moved)
 {
@@ -249,12 +245,13 @@ TEST(Provenance, ResultsOfADrawnFrameAndGivenSpringsStateTheirInputs)
        {"work_roll.end_chamfer_length=50 mm", "work_roll.end_chamfer_depth=20 um",
         "backup_roll.end_chamfer_length=50 mm", "backup_roll.end_chamfer_depth=20 um",
         "screwdown.load_cell_bore=100 mm", "given.K1=6e3 kN/mm", "given.K_ZW=6.5e4 kN/mm", "given.Kzc2=2e4 kN/mm",
-        "given.K5=2e4 kN/mm",
+        "given.K5=1.5e4 kN/mm",
         "backup_roll.crown_table=[[\"-700 mm\", \"0 um\"], [\"0 mm\", \"20 um\"], [\"700 mm\", \"0 um\"]]",
         "work_roll.crown_polynomial=[[2, \"30 um\"]]"})
     base.sets.push_back(set);
   // Friction given as a number excludes its section; a soft seat or another bearing puts the horizontal modes in
-  // another order; a barrel whose crown table reaches its ends can only grow, beyond the other one.
+  // another order; a barrel whose crown table reaches its ends can only grow, beyond the other one.  K5 keeps
+  // every mode away from the share of the gap where its name changes.
   expect_complete(base,
                   also(of_a_stand, {"strip.friction.*", "strip.flow_stress.law", "bite.strip", "contact.*",
                                     "frame.chock_to_housing_stiffness", "work_roll.bearing of fh4",

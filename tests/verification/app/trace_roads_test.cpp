@@ -1,5 +1,6 @@
 #include "app/trace/trace_text.h"
 #include "core/model/case.h"
+#include "tests/support/changed_rows.h"
 #include "tests/support/near.h"
 #include "tests/support/short_records.h"
 #include <gtest/gtest.h>
@@ -16,17 +17,33 @@ const TraceLine *line(const Trace &trace, const std::string &result)
   return nullptr;
 }
 
+// Through a soft strip a mode of one half follows the other half so weakly that one per cent of a key moves it by
+// less than rounding.  A trace does not resolve that; values far from the present one show it.
+bool moves_far_away(const BaseCase &base, const TraceKey &key, const ClosedFormResult &result,
+                    ClosedFormMemory &memory)
+{
+  for (const std::string &value : far_values(key))
+    if (const auto other = with_value(base, key, value)) {
+      const auto results           = closed_form_chain(*other, memory);
+      const ClosedFormResult *same = find(results, result.name);
+      if (same && differs(same->parameter.value, result.parameter.value))
+        return true;
+    }
+  return false;
+}
+
 // A result moves with a key exactly when its list of inputs has the key.  Results of later passes repeat the
 // first.
-void compare_with_lists(const Trace &t)
+void compare_with_lists(const BaseCase &base, const Trace &t, ClosedFormMemory &memory)
 {
   for (const ClosedFormResult &r : t.base) {
     if (r.name.rfind("pass 2.", 0) == 0)
       continue;
     const TraceLine *reached = line(t, r.name);
-    EXPECT_EQ(reached && reached->moves, holds(r.closed, t.key.name))
-        << t.key.name << " -> " << r.name
-        << (reached ? ": moves, and its inputs lack the key" : ": does not move");
+    const bool listed        = holds(r.closed, t.key.name),
+               moves         = reached ? reached->moves : listed && moves_far_away(base, t.key, r, memory);
+    EXPECT_EQ(moves, listed) << t.key.name << " -> " << r.name
+                             << (reached ? ": moves, and its inputs lack the key" : ": does not move");
     for (const std::string &key : r.closed)
       EXPECT_TRUE(holds(r.parameter.inputs, key)) << r.name << " " << key;
   }
@@ -49,7 +66,7 @@ TEST(TraceRoads, EveryKeyOfTheDemoStandIsTraced)
     EXPECT_EQ(t.per.empty(), !t.reason.empty());
     if (t.per.empty() || key.name.rfind("given.", 0) == 0)
       continue;  // what is not given yet stands in no list
-    compare_with_lists(t);
+    compare_with_lists({file, {}}, t, memory);
     ++sizes;
   }
   EXPECT_GT(sizes, 100);
@@ -67,10 +84,12 @@ TEST(TraceRoads, AGivenValueReachesItselfAndItsResults)
     EXPECT_TRUE(near(line(t, name)->slope, 1, within(1e-9, "the value itself"))) << name;
     EXPECT_EQ(t.key.origin, "not given: computed");
   }
-  // K1 stands in the load path, so the masses of the upper rolls hang on it; the lower half does not.
+  // K1 stands in the load path, so the masses of the upper rolls hang on it; the lower half does not, and its
+  // modes follow through the strip alone.
   const Trace K1 = trace({file, "given.K1", {}, "no such folder"}, memory);
   EXPECT_TRUE(line(K1, "M2") && line(K1, "M3") && line(K1, "f1"));
-  EXPECT_FALSE(line(K1, "M5") || line(K1, "M4") || line(K1, "f2"));
+  EXPECT_TRUE(line(K1, "f2") && line(K1, "open.f1"));
+  EXPECT_FALSE(line(K1, "M5") || line(K1, "M4") || line(K1, "open.f2"));
 }
 
 TEST(TraceRoads, EveryKeyOfTheOtherKindsIsTraced)
@@ -121,5 +140,5 @@ TEST(TraceRoads, AKeyOfADrawnFrameIsTraced)
   ASSERT_TRUE(line(stroke, "K2") && line(piston, "K2"));
   EXPECT_TRUE(near(line(piston, "K2")->slope / line(stroke, "K2")->slope, -2,
                    within(2e-3, "series springs are not straight over 1 %")));
-  compare_with_lists(stroke);
+  compare_with_lists({file, drawn}, stroke, memory);
 }
