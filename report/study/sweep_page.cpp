@@ -16,7 +16,7 @@ namespace mill::report {
 namespace {
 using nlohmann::json;
 
-constexpr double pair_width = 450;  // px, of two drawings side by side
+constexpr double half_page = 450;  // px, of two drawings side by side
 
 constexpr std::size_t most_lines = 8, most_rows = 500;
 
@@ -88,7 +88,7 @@ std::string drawing_of(const json &document, const std::size_t result, const std
     lines[label][x] = unit.factor * number_in(row["results"][result]);
   }
   Plot plot;
-  plot.width = pair_width;
+  plot.width = half_page;
   plot.title = document["results"][result]["name"];
   plot.x     = axis < document["keys"].size()
                    ? Axis{document["keys"][axis]["name"], unit_of_axis(document["keys"][axis])}
