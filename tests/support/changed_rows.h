@@ -71,7 +71,7 @@ inline std::vector<std::string> far_values(const mill::TraceKey &key)
     return {};
   std::vector<std::string> values;
   for (const double factor : {2., 0.5, 10., 0.1})
-    values.push_back(mill::changed_toml(*key.value, [&](const double x) { return factor * x; }));
+    values.push_back(mill::changed_toml(*key.value, [&](const double x) { return x == 0 ? factor : factor * x; }));
   return values;
 }
 
