@@ -3,8 +3,12 @@
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_results.h"
 #include "app/cluster/cluster_bite.h"
+#include "app/stages/stability/stability_question.h"
+#include "app/stages/stability/uncertain_numbers.h"
+#include "core/case/fields.h"
 #include "core/model/case.h"
 #include "core/records/result_names.h"
+#include "core/records/speed_verdict.h"
 #include "reduce/stand/gap_modes.h"
 #include <algorithm>
 #include <cmath>
@@ -67,6 +71,16 @@ Points points_of(const ClusterStand &stand, const cluster::Stack &stack, const b
 Eigen::MatrixXd in_modes(const Eigen::MatrixXd &K, const Eigen::MatrixXd &shape)
 {
   return shape.transpose() * K * shape;
+}
+
+// The mode with the largest share in the compliance of the gap.
+// @param w    (n) rad/s
+// @param gap  (n) its opening in each mode
+Eigen::Index leading_mode(const Eigen::VectorXd &w, const Eigen::VectorXd &gap)
+{
+  Eigen::Index leading = 0;
+  gap.cwiseQuotient(w).cwiseAbs().maxCoeff(&leading);
+  return leading;
 }
 
 // What a pass of a four-high is asked; thicknesses and tensions are those of the bite.
@@ -285,33 +299,86 @@ void solve_cluster_chatter(RunContext &run, const ClusterStand &stand, const std
     std::rethrow_exception(failure);
 }
 
+namespace {
+// Roll at the strip and what carries it, in each stack: the names of the modes need no more.
+void keep_stack_motions(dynamics::StandStructure &structure, const ClusterStand &stand, const ClusterPassRun &pass,
+                        const cluster::GapStandModes &modes)
+{
+  const StripRolls at = strip_rolls(stand);
+  structure.labels.clear();
+  structure.point = Eigen::MatrixXd::Zero(at.lower < 0 ? 2 : 4, modes.shape.cols());
+  for (const bool upper : {true, false}) {
+    if (!upper && at.lower < 0)
+      continue;
+    const std::string side = upper ? "upper" : "lower";
+    const auto row         = Eigen::Index(structure.labels.size());
+    for (Eigen::Index k = 0; k < modes.shape.cols(); ++k) {
+      const cluster::StripMotion motion =
+          cluster::strip_motion(pass.state.stack, pass.state.rest.contact_loads, upper ? at.upper : at.lower,
+                                upper ? 1 : -1, modes.shape.col(k));
+      structure.point(row, k)     = motion.work_roll;
+      structure.point(row + 1, k) = motion.carrier;
+    }
+    structure.labels.insert(structure.labels.end(), {side + " work roll", side + " backup roll"});
+  }
+}
+
+// Contacts and supports that are one number are off together.
+StabilityQuestion stability_question(const RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
+                                     const ClusterChatter &asked)
+{
+  const ChatterQuestion &from               = asked.question;
+  const cluster::GapStandModes modes        = seen_modes(asked.gap);
+  const Eigen::VectorXd damping             = damping_of(modes);
+  const dynamics::StandStructure &structure = from.stand.structure;
+  StabilityQuestion q;
+  q.pass          = pass.pass->name;
+  q.speed         = pass.pass->speed;
+  q.model         = from.structure;
+  q.leading.stand = from.stand;
+  keep_stack_motions(q.leading.stand.structure, stand, pass, modes);
+  q.leading.modal_damping = damping[leading_mode(structure.K.diagonal().cwiseSqrt(), structure.b)];
+  q.leading.bite          = from.bite;
+  q.leading.scheme        = from.scheme;
+  q.leading.range         = speed_range(stand.analysis);
+  UncertainNumbers uncertain;
+  for (const dynamics::StructureNumber &number : from.numbers)
+    if (number.K_by.size() > 0) {
+      dynamics::UncertainNumber one{number.key, usual_error::spring_or_mass};
+      one.structure = {number.K_by, Eigen::MatrixXd::Zero(number.K_by.rows(), number.K_by.cols())};
+      uncertain.numbers.push_back(std::move(one));
+    }
+  uncertain.assumed = fmt::format("{:g} % for contacts and supports", 100 * usual_error::spring_or_mass);
+  add_pass_numbers(uncertain, run, from.bite, stand.span, not_given);
+  q.uncertain = std::move(uncertain.numbers);
+  q.assumed   = std::move(uncertain.assumed);
+  q.inputs    = from.inputs;
+  return q;
+}
+
+SpeedVerdict not_searched(const ClusterPassRun &pass, const std::string &missing)
+{
+  SpeedVerdict v;
+  v.pass    = pass.pass->name;
+  v.speed   = pass.pass->speed;
+  v.missing = split(missing, ", ");
+  v.remedy  = "Add them to the case to have the critical speed searched.";
+  return v;
+}
+}  // namespace
+
 void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes)
 {
   for (const ClusterPassRun &pass : passes) {
     if (const std::string missing = missing_of_chatter(stand, pass.p); !missing.empty()) {
-      run.summary += fmt::format("pass \"{}\": critical speed not searched; give {}\n", pass.pass->name, missing);
+      run.results.speeds.push_back(not_searched(pass, missing));
       continue;
     }
     try {
-      const ClusterChatter asked   = chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
-      const ChatterQuestion &q     = asked.question;
-      const ChatterSearch searched = search_chatter(q);
-      const auto add               = [&](const char *name, const char *unit, const double value) {
-        if (std::isnan(value))
-          return;
-        Parameter p;
-        p.value       = value;
-        p.unit        = unit;
-        p.method      = "eigenvalues of stand, bite and strip; " + q.structure;
-        p.at          = {"{}", {{searched.found.speed, "m/s", ".4g"}}};
-        p.inputs      = q.inputs;
-        p.error_lacks = {"errors of stand, friction law and flow stress"};
-        run.results.add(result_name({family::chatter, pass.pass->name, name}), p);
-      };
-      add("critical_speed", "m/s", searched.found.speed);
-      add("frequency", "Hz", searched.found.frequency);
-      run.summary += fmt::format("pass \"{}\", {:.4g} m/s: {}\n", pass.pass->name, q.condition.speed,
-                                 dynamics::sentence(searched.found, chatter_range(q)));
+      const ClusterChatter asked = chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
+      for (const std::string &sentence : asked.assumed)
+        run.assume(sentence);
+      add_critical_speed(run, stability_question(run, stand, pass, asked));
     } catch (const InputError &e) {
       run.warn(e.problems.front().message);
     } catch (const SolverError &e) {
@@ -333,9 +400,7 @@ DrivenStand driven_cluster(RunContext &run, const std::string &wanted)
   const cluster::GapStand gap        = gap_stand_of(stand, state);
   const cluster::GapStandModes modes = seen_modes(gap);  // the force moves no other
   const Points points                = points_of(stand, state.stack, false);
-  const Eigen::VectorXd share        = reduce::gap_shares(modes.frequency, modes.shape, gap.b);
-  Eigen::Index leading               = 0;
-  share.maxCoeff(&leading);
+  const Eigen::Index leading         = leading_mode(2 * M_PI * modes.frequency, modes.shape.transpose() * gap.b);
   dynamics::ModalModel modal;
   modal.labels    = points.labels;
   modal.frequency = modes.frequency;

@@ -54,8 +54,8 @@ ClusterChatter chatter_question(const Case &the_case, const ClusterStand &stand,
 /// @throws InputError  none does: which keys the first one lacks
 void solve_cluster_chatter(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes);
 
-/// A run: the critical speed alone, chatter.PASS.critical_speed and .frequency; for a pass that does not say
-/// enough the last lines of the run name the keys.
+/// A run: critical speed with its interval and the verdict of every pass, as a four-high has them; the verdict of
+/// a pass that does not say enough names the keys.
 void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes);
 
 /// The stand of one pass in its modes, for export.

@@ -29,7 +29,7 @@ using json = nlohmann::ordered_json;
 void RunContext::warn(const std::string &text)
 {
   const std::string sentence = with_plain_names(text);
-  const auto &warnings = results.warnings;
+  const auto &warnings       = results.warnings;
   if (sentence.empty() || std::find(warnings.begin(), warnings.end(), sentence) != warnings.end())
     return;
   results.warnings.push_back(sentence);
@@ -256,7 +256,9 @@ std::string manifest_json(const RunContext &run)
                   {"Eigen", std::to_string(EIGEN_WORLD_VERSION) + "." + std::to_string(EIGEN_MAJOR_VERSION) + "." +
                                 std::to_string(EIGEN_MINOR_VERSION)},
                   {"compiler", __VERSION__}}}};
-  for (const SpeedVerdict &verdict : run.results.speeds)
+  std::vector<SpeedVerdict> verdicts = run.results.speeds;
+  worst_first(verdicts);
+  for (const SpeedVerdict &verdict : verdicts)
     manifest["critical_speed"].push_back(json_of(verdict));
   add_timings(manifest, run.times);
   for (const auto &[file, sum] : run.out.checksums())

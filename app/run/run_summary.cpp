@@ -4,6 +4,7 @@
 #include "core/base/visible_text.h"
 #include "core/case/fields.h"
 #include "core/records/result_names.h"
+#include "report/results/named_mode.h"
 #include "report/results/names.h"
 #include <algorithm>
 #include <cmath>
@@ -50,7 +51,9 @@ void add_modulus_line(const Results &results, std::vector<std::string> &lines)
 void add_speed_lines(const Results &results, std::vector<std::string> &lines)
 {
   std::vector<std::pair<std::string, std::string>> sentences;  // with the passes that they are of
-  for (const SpeedVerdict &verdict : results.speeds) {
+  std::vector<SpeedVerdict> verdicts = results.speeds;
+  worst_first(verdicts);
+  for (const SpeedVerdict &verdict : verdicts) {
     const std::string sentence = sentence_of(verdict);
     const auto same =
         std::find_if(sentences.begin(), sentences.end(), [&](const auto &one) { return one.first == sentence; });
@@ -67,30 +70,27 @@ void add_speed_lines(const Results &results, std::vector<std::string> &lines)
     lines.push_back(fmt::format("and critical speeds of {} more passes on the page", sentences.size() - shown));
 }
 
-// mode.gap_first_kind.frequency -> gap first kind, with the open stand after it; gap modes first, because a mill
-// asks for these.
+// A mode by its name on the page, "gap mode, first kind (third octave)", with its frequency in the open stand
+// after it; gap modes first, because a mill asks for these.
 void add_mode_lines(const Results &results, std::vector<std::string> &lines)
 {
-  std::vector<std::pair<std::string, const Parameter *>> modes;
+  std::vector<std::pair<std::string, const Parameter *>> modes;  // key and frequency
   for (const auto &[name, p] : results.values)
     if (const auto parts = parts_of(name);
-        parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency") {
+        parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency")
       modes.emplace_back(parts[1], &p);
-      std::replace(modes.back().first.begin(), modes.back().first.end(), '_', ' ');
-    }
   const auto rank = [](const auto &mode) {
-    return mode.first == "gap first kind"     ? 0
-           : mode.first == "gap second kind"  ? 1
-           : mode.first.rfind("gap ", 0) == 0 ? 2
+    return mode.first == "gap_first_kind"     ? 0
+           : mode.first == "gap_second_kind"  ? 1
+           : mode.first.rfind("gap_", 0) == 0 ? 2
                                               : 3;
   };
   std::stable_sort(modes.begin(), modes.end(), [&](const auto &a, const auto &b) { return rank(a) < rank(b); });
   for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i) {
-    std::string key = modes[i].first;
-    std::replace(key.begin(), key.end(), ' ', '_');
-    const Parameter *open = results.find(result_name({family::open, family::mode, key, "frequency"}));
-    lines.push_back(value_line("mode " + modes[i].first, *modes[i].second) +
-                    (open ? ", open stand " + engineering(*open) : ""));
+    const Parameter *open = results.find(result_name({family::open, family::mode, modes[i].first, "frequency"}));
+    const Parameter &p    = *modes[i].second;
+    lines.push_back(fmt::format("  {:<54} {:>9}{}{}", report::mode_in_words(p.method), engineering(p), accuracy(p),
+                                open ? ", open stand " + engineering(*open) : ""));
   }
   if (modes.size() > most_modes)
     lines.push_back(fmt::format("  and {} more named modes", modes.size() - most_modes));

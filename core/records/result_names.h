@@ -9,6 +9,9 @@
 // Names that one stage writes and another one reads: results, the files in curves/ with their columns, the checks
 // next to a number.  Each is written here once.
 namespace mill {
+/// Note of the check of bite.PASS.force where that force is too far from the one of the pass: what to do.
+constexpr const char *force_remedy = "bite.fit = [\"force\"] fits the flow stress to it";
+
 
 // Results ------------------------------------------------------------------------------------------------------
 

@@ -20,19 +20,10 @@ std::string end_text(const double end, const double width)
   return number_within(end, 0.3 * width / end, 3);
 }
 
-std::string interval_text(const SpeedVerdict &v)
-{
-  const double low = std::isnan(v.low) ? v.range[0] : v.low, high = std::isnan(v.high) ? v.range[1] : v.high;
-  const double width = high - low;
-  if (!(width > 0))
-    return "";
-  return fmt::format(" ({}{} to {}{})", std::isnan(v.low) ? "below " : "", end_text(low, width),
-                     std::isnan(v.high) ? "above " : "", end_text(high, width));
-}
-
 std::string critical_text(const SpeedVerdict &v)
 {
-  return number_within(v.critical, 0.1 * relative_error(v), 4) + " m/s" + interval_text(v);
+  const std::string interval = interval_text(v);
+  return speed_digits(v) + " m/s" + (interval.empty() ? "" : " (" + interval + ")");
 }
 
 std::string speed_text(const double speed)
@@ -40,14 +31,10 @@ std::string speed_text(const double speed)
   return number_within(speed, 0.005, 3);
 }
 
-std::string percent_of(const double share)
-{
-  const double percent = std::abs(100 * share);
-  return fmt::format("{} %", percent < 0.95 ? short_number(percent, 1) : short_number(percent, 2));
-}
-
 std::string range_text(const SpeedVerdict &v)
 {
+  if (!(v.range[1] > 0))
+    return "of the range that was searched";
   return fmt::format("from {} to {} m/s", short_number(v.range[0], 3), short_number(v.range[1], 3));
 }
 
@@ -65,13 +52,47 @@ std::string unstable_sentence(const SpeedVerdict &v)
     return fmt::format("Unstable: the {} grows at {} m/s; no speed {} is critical.", v.mode, speed_text(v.speed),
                        range_text(v));
   return fmt::format("Unstable: {} m/s is {} above the critical speed of {}; the {} becomes unstable first.",
-                     speed_text(v.speed), percent_of(v.margin()), critical_text(v), v.mode);
+                     speed_text(v.speed), margin_text(v), critical_text(v), v.mode);
 }
 }  // namespace
 
 double SpeedVerdict::margin() const
 {
   return 1 - speed / critical;
+}
+
+std::string speed_digits(const SpeedVerdict &v)
+{
+  return number_within(v.critical, 0.1 * relative_error(v), 4);
+}
+
+std::string interval_text(const SpeedVerdict &v)
+{
+  const double low = std::isnan(v.low) ? v.range[0] : v.low, high = std::isnan(v.high) ? v.range[1] : v.high;
+  const double width = high - low;
+  if (!(width > 0))
+    return "";
+  return fmt::format("{}{} to {}{}", std::isnan(v.low) ? "below " : "", end_text(low, width),
+                     std::isnan(v.high) ? "above " : "", end_text(high, width));
+}
+
+std::string margin_text(const SpeedVerdict &v)
+{
+  const double percent = std::abs(100 * v.margin());
+  return fmt::format("{} %", percent < 0.95 ? short_number(percent, 1) : short_number(percent, 2));
+}
+
+void worst_first(std::vector<SpeedVerdict> &verdicts)
+{
+  const auto rank = [](const SpeedVerdict &v) {
+    return v.finding == SpeedFinding::unstable ? 0
+           : v.finding == SpeedFinding::below  ? 1
+           : v.finding == SpeedFinding::stable ? 2
+                                               : 3;
+  };
+  std::stable_sort(verdicts.begin(), verdicts.end(), [&](const SpeedVerdict &a, const SpeedVerdict &b) {
+    return rank(a) != rank(b) ? rank(a) < rank(b) : a.margin() < b.margin();
+  });
 }
 
 const char *id_of(const SpeedFinding finding)
@@ -94,7 +115,7 @@ std::string sentence_of(const SpeedVerdict &v)
   switch (v.finding) {
   case SpeedFinding::below:
     return fmt::format("At {} m/s, {} below the critical speed of {}; the {} becomes unstable first.",
-                       speed_text(v.speed), percent_of(v.margin()), critical_text(v), v.mode);
+                       speed_text(v.speed), margin_text(v), critical_text(v), v.mode);
   case SpeedFinding::unstable:
     return unstable_sentence(v);
   case SpeedFinding::stable:
@@ -145,5 +166,28 @@ nlohmann::ordered_json json_of(const SpeedVerdict &v)
   if (!v.remedy.empty())
     json["remedy"] = v.remedy;
   return json;
+}
+
+SpeedVerdict speed_verdict_of(const nlohmann::json &json)
+{
+  SpeedVerdict v;
+  const std::string id = json.value("id", "");
+  for (const SpeedFinding finding : {SpeedFinding::below, SpeedFinding::unstable, SpeedFinding::stable})
+    if (id == id_of(finding))
+      v.finding = finding;
+  v.pass      = json.value("pass", "");
+  v.mode      = json.value("mode", "");
+  v.cause     = json.value("cause", "");
+  v.remedy    = json.value("remedy", "");
+  v.missing   = json.value("missing", std::vector<std::string>());
+  v.range     = json.value("range", v.range);
+  v.speed     = json.value("speed", v.speed);
+  v.critical  = json.value("critical_speed", v.critical);
+  v.low       = json.value("critical_speed_low", v.low);
+  v.high      = json.value("critical_speed_high", v.high);
+  v.frequency = json.value("frequency", v.frequency);
+  v.damping   = json.value("gap_mode_damping", v.damping);
+  v.growth    = json.value("growth_rate", v.growth);
+  return v;
 }
 }  // namespace mill

@@ -52,5 +52,21 @@ const char *id_of(SpeedFinding finding);
 /// becomes unstable first."
 std::string sentence_of(const SpeedVerdict &verdict);
 
+/// "18.9", m/s: the critical speed with the digits that its interval allows.
+std::string speed_digits(const SpeedVerdict &verdict);
+
+/// "15 to 23", "13 to above 30", m/s; empty without an interval.
+std::string interval_text(const SpeedVerdict &verdict);
+
+/// "15 %": the size of margin().
+std::string margin_text(const SpeedVerdict &verdict);
+
+/// Unstable ones, then by growing margin; passes that were not searched are last.
+void worst_first(std::vector<SpeedVerdict> &verdicts);
+
 nlohmann::ordered_json json_of(const SpeedVerdict &verdict);
+
+/// The verdict that json_of() has written, without its inputs and by_inputs.
+/// @throws nlohmann::json::exception  an entry of the wrong type
+SpeedVerdict speed_verdict_of(const nlohmann::json &json);
 }  // namespace mill

@@ -59,7 +59,7 @@ void maps(Page &page, const Run &run, const ChatterCondition &condition,
       "Where condition " + escaped(condition.name) +
           " is stable (blue, lighter the better damped) and where it chatters (orange to brown, darker the "
           "faster it grows). The black line is the critical speed, the ring the working point: its distance to "
-          "the line along each axis is the reserve. Reduction is changed by the exit thickness, tension is a "
+          "the line along each axis is the margin. Reduction is changed by the exit thickness, tension is a "
           "factor on both tensions.");
 }
 

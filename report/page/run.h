@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/parameter.h"
 #include "core/records/csv.h"
+#include "core/records/speed_verdict.h"
 #include <map>
 #include <string>
 #include <vector>
@@ -63,6 +64,7 @@ struct Manifest {
   std::map<std::string, double> geometry;       ///< m, "work_roll_diameter", ...
   std::map<std::string, BearingInfo> bearings;  ///< by name
   std::vector<PassInfo> passes;
+  std::vector<SpeedVerdict> speeds;  ///< critical speed of the passes, the worst first
 };
 
 struct Run {

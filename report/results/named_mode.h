@@ -3,6 +3,9 @@
 #include <string>
 
 namespace mill::report {
+/// The name of a mode: "NAME: DECIDED; method of the frequency" up to the colon.
+std::string mode_in_words(const std::string &method);
+
 /// What a result mode.* says of its mode.
 struct NamedMode {
   std::string name;   ///< "gap mode, first kind (third octave)"

@@ -30,6 +30,20 @@ Parameter plain(const BiteStudy &s, const BiteAnswer &answer)
   return p;
 }
 
+bool is_fitted(const BiteStudy &s)
+{
+  return !std::isnan(s.question.force_deviation);
+}
+
+// Flow stress and friction that belong to another force give another K4: beyond this the first page shows it.  A
+// strip that was fitted to the force is within three standard deviations of it.
+bool agrees_with_force(const BiteStudy &s)
+{
+  constexpr double same_force = 0.1;
+  return apart(s.chosen().state.force, s.question.force) <=
+         (is_fitted(s) ? 3 * s.question.force_deviation : same_force);
+}
+
 // The same number by every other model.
 std::vector<Check> comparisons(const BiteStudy &s, const std::function<double(const BiteAnswer &)> &same)
 {
@@ -165,7 +179,8 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   const double coarse_torque = s.flow ? s.flow->coarse_torque : not_given;
   auto checks                = comparisons(s, force_in);
   if (!std::isnan(s.question.force))
-    checks.push_back({s.question.force_name, s.question.force, ""});
+    checks.push_back(
+        {s.question.force_name, s.question.force, agrees_with_force(s) || is_fitted(s) ? "" : force_remedy});
   const auto with_measured = [](std::vector<Check> checks, const double value) {
     if (!std::isnan(value))
       checks.push_back(check(CheckId::measured, value));
@@ -325,21 +340,17 @@ void add_bite_spring(RunContext &run, const BiteSpring &spring)
 }
 
 namespace {
-// Flow stress and friction that belong to another force give another K4: beyond this the first page shows a
-// warning. A strip that was fitted to the force is within three standard deviations of it.
-constexpr double same_force = 0.1;
-
 void note_force(RunContext &run, const BiteStudy &s, const std::string &where)
 {
   if (std::isnan(s.question.force) || s.question.stress_fitted_to_force)
     return;  // a stress that was fitted to the force says nothing of the case
   const double force = s.chosen().state.force;
-  const bool fitted  = !std::isnan(s.question.force_deviation);
+  const bool fitted  = is_fitted(s);
   const std::string sentence =
       fmt::format("{}{} give {} by {}; {} is {}", where,
                   fitted ? "the fitted flow stress and friction" : "strip.flow_stress and strip.friction",
                   in_kN(force), model_text(s.chosen()), s.question.force_name, in_kN(s.question.force));
-  if (apart(force, s.question.force) <= (fitted ? 3 * s.question.force_deviation : same_force))
+  if (agrees_with_force(s))
     run.assume(sentence);
   else
     run.warn(

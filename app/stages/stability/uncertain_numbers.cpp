@@ -88,11 +88,9 @@ double fitted_or(const RunContext &run, const char *number, const double usual)
 }
 }  // namespace
 
-UncertainNumbers uncertain_numbers(const RunContext &run, const FourHigh &stand, const bite::RollBite &bite,
-                                   const std::vector<reduce::ModalSensitivity> &inputs, const Eigen::Index n)
+void add_pass_numbers(UncertainNumbers &all, const RunContext &run, const bite::RollBite &bite,
+                      const StandSpan &span, const double damping_tolerance)
 {
-  UncertainNumbers all;
-  add_structure(all, stand, inputs, n);
   const auto assume = [&](const std::string &name, const double error) {
     all.assumed += fmt::format("{}{} for {}", all.assumed.empty() ? "" : ", ", percent_text(error), name);
   };
@@ -112,17 +110,24 @@ UncertainNumbers uncertain_numbers(const RunContext &run, const FourHigh &stand,
   add("exit_thickness", usual_error::exit_thickness, {PassNumber::exit_thickness});
   add("entry_tension", usual_error::tension, {PassNumber::entry_tension});
   add("exit_tension", usual_error::tension, {PassNumber::exit_tension});
-  const bool no_entry = std::isnan(stand.span.entry_distance), no_exit = std::isnan(stand.span.exit_distance);
+  const bool no_entry = std::isnan(span.entry_distance), no_exit = std::isnan(span.exit_distance);
   const auto distance = [](const bool assumed) {
     return assumed ? usual_error::assumed_distance : usual_error::distance;
   };
   add("entry_distance", distance(no_entry), {}).entry_distance = true;
   add("exit_distance", distance(no_exit), {}).exit_distance    = true;
-  const double given_damping                                   = stand.frequency_response.damping_tolerance;
-  add("modal_damping", std::isnan(given_damping) ? usual_error::modal_damping : given_damping, {},
-      std::isnan(given_damping))
+  add("modal_damping", std::isnan(damping_tolerance) ? usual_error::modal_damping : damping_tolerance, {},
+      std::isnan(damping_tolerance))
       .damping = true;
   all.assumed  = "the interval of the critical speed takes, where the case states no error: " + all.assumed;
+}
+
+UncertainNumbers uncertain_numbers(const RunContext &run, const FourHigh &stand, const bite::RollBite &bite,
+                                   const std::vector<reduce::ModalSensitivity> &inputs, const Eigen::Index n)
+{
+  UncertainNumbers all;
+  add_structure(all, stand, inputs, n);
+  add_pass_numbers(all, run, bite, stand.span, stand.frequency_response.damping_tolerance);
   return all;
 }
 }  // namespace mill

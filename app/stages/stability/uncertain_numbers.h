@@ -8,6 +8,7 @@
 namespace mill {
 struct FourHigh;
 struct RunContext;
+struct StandSpan;
 
 /// What the interval takes for inputs whose error no case states, half of 95 %, relative.
 namespace usual_error {
@@ -19,6 +20,11 @@ struct UncertainNumbers {
   std::vector<dynamics::UncertainNumber> numbers;
   std::string assumed;  ///< a sentence on the errors that the case does not state
 };
+
+/// Bite, strip and damping of a pass.
+/// @param damping_tolerance  -, of the damping of the modes; NaN: the usual one
+void add_pass_numbers(UncertainNumbers &all, const RunContext &run, const bite::RollBite &bite,
+                      const StandSpan &span, double damping_tolerance);
 
 /// Springs and masses of the stand with the errors that they state, twins of one number together (upper and lower
 /// contact of one model, bearing of one drawing, frame part of one rule); then bite, strip and damping.

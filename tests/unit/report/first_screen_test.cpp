@@ -1,3 +1,4 @@
+#include "core/records/result_names.h"
 #include "report/page/sections.h"
 #include <gtest/gtest.h>
 
@@ -48,15 +49,67 @@ bool says(const std::string &html, const std::string &text)
 }
 }  // namespace
 
-TEST(FirstScreen, NamesModulusAndModes)
+TEST(FirstScreen, HasOneCardForEachGapModeAndTheModulus)
 {
-  const std::string html = first_screen(four_high());
-  EXPECT_TRUE(says(html, "<b>Finished.</b> Mill modulus 4500\u00a0kN/mm; gap mode, first kind (third octave) "
-                         "128\u00a0Hz; gap mode, second kind (fifth octave) 620\u00a0Hz."))
-      << html;
+  Run run = four_high();
+  run.results.push_back(result("open.mode.gap_first_kind.frequency", 96, "Hz"));
+  const std::string html = first_screen(run);
+  EXPECT_TRUE(says(html, "<div class=\"verdict ok\"><p><b>Finished.</b></p></div>")) << html;
   const auto tile = [&](const std::string &name) { return html.find("<span>" + name + "</span>"); };
   EXPECT_LT(tile("gap mode, first kind (third octave)"), tile("gap mode, second kind (fifth octave)"));
-  EXPECT_LT(tile("gap mode, second kind (fifth octave)"), tile("frame, upper"));
+  EXPECT_LT(tile("gap mode, second kind (fifth octave)"), tile("mill modulus with strip"));
+  EXPECT_TRUE(says(html, "open stand 96.0\u00a0Hz")) << html;
+  EXPECT_TRUE(says(html, "rolls touching 5000\u00a0kN/mm")) << html;
+  EXPECT_EQ(tile("frame, upper"), std::string::npos) << "no gap mode";
+}
+
+TEST(FirstScreen, BeginsWithTheVerdictOfTheWorstPass)
+{
+  Run run = four_high();
+  mill::SpeedVerdict v;
+  v.finding           = mill::SpeedFinding::below;
+  v.pass              = "stand 5";
+  v.speed             = 16;
+  v.critical          = 18.9;
+  v.low               = 15;
+  v.high              = 23;
+  v.range             = {1, 30};
+  v.mode              = "gap mode at 107 Hz (third octave)";
+  v.frequency         = 107;
+  v.damping           = 0.004;
+  run.manifest.speeds = {v};
+  run.results.push_back(result("chatter.stand 5.gap_mode_frequency", 126, "Hz"));
+  const std::string html = first_screen(run);
+  EXPECT_TRUE(says(html,
+                   "<div class=\"verdict ok\"><p><b>At 16.0 m/s, 15 % below the critical speed of 18.9 m/s (15 "
+                   "to 23); the gap mode at 107 Hz (third octave) becomes unstable first.</b>"))
+      << html;
+  EXPECT_TRUE(
+      says(html, "<span>critical speed</span><b>18.9</b> m/s<small>15 to 23; margin 15 % at 16.0 m/s</small>"))
+      << html;
+  EXPECT_TRUE(says(html, "damping 0.40 % at 16.0 m/s")) << html;
+  v.pass    = "stand 4";
+  v.finding = mill::SpeedFinding::not_searched;
+  v.missing = {"pass.speed"};
+  run.manifest.speeds.push_back(v);
+  EXPECT_TRUE(says(first_screen(run), "<b>stand 5: At 16.0 m/s, 15 %"));
+  run.manifest.speeds = {v};
+  EXPECT_TRUE(says(first_screen(run), "<b>Critical speed not searched: pass.speed is not given.</b>"));
+  EXPECT_FALSE(says(first_screen(run), "<span>critical speed"));
+}
+
+// The mode that chatter finds in the gap is not always the one of the card.
+TEST(FirstScreen, StatesADampingOnlyForTheModeThatHasIt)
+{
+  Run run = four_high();
+  mill::SpeedVerdict v;
+  v.finding           = mill::SpeedFinding::stable;
+  v.pass              = "1";
+  v.speed             = 16;
+  v.damping           = 0.004;
+  run.manifest.speeds = {v};
+  run.results.push_back(result("chatter.1.gap_mode_frequency", 300, "Hz"));
+  EXPECT_FALSE(says(first_screen(run), "damping"));
 }
 
 TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
@@ -66,18 +119,34 @@ TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
   run.results.push_back(result("chatter.1.critical_speed", 25, "m/s", mill::operating_point_of("25 m/s")));
   run.results.push_back(result("chatter.2.growth_rate", -1, "1/s", mill::operating_point_of("20 m/s")));
   run.results.push_back(result("chatter.2.critical_speed", 21, "m/s", mill::operating_point_of("21 m/s")));
+  run.results.push_back(result("chatter.2.frequency", 107.2, "Hz"));
   std::string html = first_screen(run);
-  EXPECT_TRUE(says(html,
-                   "Quiet at the working speed of 20.0\u00a0m/s; chatter begins at 21.00\u00a0m/s, 5.0\u00a0% "
-                   "above it (condition 2)"))
+  EXPECT_TRUE(says(html, "<b>2: At 20.0 m/s, 4.8 % below the critical speed of 21 m/s; the mode at 107 Hz becomes "
+                         "unstable first.</b>"))
       << html;
   EXPECT_TRUE(says(html, "card fair")) << "a margin below a tenth";
   run.results.push_back(result("chatter.3.growth_rate", 2, "1/s", mill::operating_point_of("20 m/s")));
   run.results.push_back(result("chatter.3.critical_speed", 18, "m/s", mill::operating_point_of("18 m/s")));
   html = first_screen(run);
-  EXPECT_TRUE(says(html, "verdict failed\"><p><b>Chatter.</b> The stand chatters at its working speed of "
-                         "20.0\u00a0m/s (condition 3); the limit is 18.00\u00a0m/s"))
+  EXPECT_TRUE(says(html,
+                   "verdict failed\"><p><b>3: Unstable: 20.0 m/s is 11 % above the critical speed of 18 m/s; "
+                   "the least damped mode becomes unstable first.</b>"))
       << html;
+}
+
+TEST(FirstScreen, ShowsTheBiteThatDisagreesMostWithItsForce)
+{
+  mill::report::Run run = four_high();
+  for (const auto &[pass, force] : {std::pair("pass 1", 0.9e6), {"pass 2", 0.74e6}, {"pass 3", 0.5e6}}) {
+    run.results.push_back(result((std::string("bite.") + pass + ".force").c_str(), 1e6, "N"));
+    run.results.back().checks = {
+        {"the mean of the recorded force", force, std::string(pass) == "pass 3" ? "" : mill::force_remedy}};
+  }
+  const std::string html = first_screen(run);
+  EXPECT_TRUE(says(html, "<span>force of the bite against the mean of the recorded force, pass 2</span><b>+35.1"))
+      << html;
+  EXPECT_TRUE(says(html, "1000 kN against 740 kN; bite.fit = [&quot;force&quot;]")) << html;
+  EXPECT_FALSE(says(html, ", pass 1</span>")) << "the worst pass only";
 }
 
 // Half of the users run the program for these numbers.

@@ -1,0 +1,50 @@
+// How far the working speeds are from the critical ones.
+#include "report/front/stability.h"
+#include "core/records/result_names.h"
+#include "report/page/curves.h"
+#include "report/plot/number.h"
+#include <cmath>
+#include <limits>
+
+namespace mill::report {
+namespace {
+double value_or_not(const Result *result)
+{
+  return result ? result->value : std::numeric_limits<double>::quiet_NaN();
+}
+
+// @param growth  chatter.CONDITION.growth_rate
+SpeedVerdict of_condition(const Run &run, const std::string &condition, const Result &growth)
+{
+  const auto value = [&](const char *quantity) {
+    return value_or_not(run.find(result_name({family::chatter, condition, quantity})));
+  };
+  SpeedVerdict v;
+  v.pass      = condition;
+  v.speed     = quantity_at(growth, "m/s");
+  v.critical  = value("critical_speed");
+  v.low       = v.critical;  // without an interval
+  v.high      = v.critical;
+  v.growth    = growth.value;
+  v.frequency = value("frequency");
+  v.mode      = std::isfinite(v.frequency) ? "mode at " + fixed(v.frequency, 0) + " Hz" : "least damped mode";
+  v.finding   = growth.value > 0       ? SpeedFinding::unstable
+                : v.speed < v.critical ? SpeedFinding::below
+                                       : SpeedFinding::stable;
+  return v;
+}
+}  // namespace
+
+std::vector<SpeedVerdict> speed_verdicts(const Run &run)
+{
+  std::vector<SpeedVerdict> all = run.manifest.speeds;
+  if (!all.empty())
+    return all;
+  for (const Result &result : run.results)
+    if (const auto parts = parts_of(result.name); parts.size() == 3 && parts[0] == family::chatter &&
+                                                  parts[2] == "growth_rate" && std::isfinite(result.value))
+      all.push_back(of_condition(run, parts[1], result));
+  worst_first(all);
+  return all;
+}
+}  // namespace mill::report
