@@ -99,7 +99,7 @@ std::string speed_cards(const Run &run)
 // "damping 2.0 % at 15.0 m/s": where the mode that chatter found in the gap is this one.
 std::string damping_of(const Run &run, const Result &frequency)
 {
-  constexpr double same_mode = 0.1;
+  constexpr double same_mode = 0.05;
   for (const SpeedVerdict &v : speed_verdicts(run)) {
     const Result *with_bite = run.find(result_name({family::chatter, v.pass, "gap_mode_frequency"}));
     if (has_value(with_bite) && std::isfinite(v.damping) &&
@@ -109,17 +109,20 @@ std::string damping_of(const Run &run, const Result &frequency)
   return "";
 }
 
-std::string gap_mode_card(const Run &run, const char *key)
+std::string gap_mode_card(const Run &run, const std::string &key)
 {
   const Result *frequency = run.find(result_name({family::mode, key, "frequency"}));
   if (!has_value(frequency))
     return "";
-  const Result *open = run.find(result_name({family::open, family::mode, key, "frequency"}));
-  std::string below  = damping_of(run, *frequency);
+  const Result *open        = run.find(result_name({family::open, family::mode, key, "frequency"}));
+  const std::string damping = key == "gap_first_kind" ? damping_of(run, *frequency) : "";
+  const NamedMode named     = named_mode(*frequency);
+  std::string below         = named.model;
   if (has_value(open))
-    below += (below.empty() ? "" : "; ") + ("open stand " + shown(*open));
-  const NamedMode named = named_mode(*frequency);
-  return card(frequency, named.name, below.empty() ? named.model : below);
+    below = "rolling" + (damping.empty() ? "" : ", " + damping) + "; open stand " + shown(*open);
+  else if (!damping.empty())
+    below = damping;
+  return card(frequency, named.name, below);
 }
 
 // Without gap modes (a case of kind lumped that names none) the first modes by name.

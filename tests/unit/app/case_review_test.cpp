@@ -272,6 +272,7 @@ TEST(RunSummary, HasAtMostTwentyFiveLines)
   for (int i = 1; i <= 20; ++i) {
     add("K3.reading" + std::to_string(i), 4e10, "N/m");
     add("mode.bending_" + std::to_string(i) + ".frequency", 100. * i, "Hz");
+    results.values.back().second.method = "bending " + std::to_string(i) + ", roll: 60 % of it; six masses";
     results.warnings.push_back("warning number " + std::to_string(i) + " " + std::string(300, 'x'));
   }
   std::string limits;
@@ -282,7 +283,7 @@ TEST(RunSummary, HasAtMostTwentyFiveLines)
   EXPECT_EQ(
       text.rfind(
           "stand: finished with 20 warnings\nmill modulus: 4.5 MN/mm with strip, 5.1 MN/mm with touching work "
-          "rolls\n  mode bending 1 ",
+          "rolls\n  bending 1, roll ",
           0),
       0u)
       << text;

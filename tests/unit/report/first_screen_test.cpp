@@ -1,3 +1,4 @@
+#include "core/model/material.h"
 #include "core/records/result_names.h"
 #include "report/page/sections.h"
 #include <gtest/gtest.h>
@@ -51,7 +52,7 @@ bool says(const std::string &html, const std::string &text)
 
 TEST(FirstScreen, HasOneCardForEachGapModeAndTheModulus)
 {
-  Run run = four_high();
+  mill::report::Run run = four_high();
   run.results.push_back(result("open.mode.gap_first_kind.frequency", 96, "Hz"));
   const std::string html = first_screen(run);
   EXPECT_TRUE(says(html, "<div class=\"verdict ok\"><p><b>Finished.</b></p></div>")) << html;
@@ -65,7 +66,7 @@ TEST(FirstScreen, HasOneCardForEachGapModeAndTheModulus)
 
 TEST(FirstScreen, BeginsWithTheVerdictOfTheWorstPass)
 {
-  Run run = four_high();
+  mill::report::Run run = four_high();
   mill::SpeedVerdict v;
   v.finding           = mill::SpeedFinding::below;
   v.pass              = "stand 5";
@@ -101,7 +102,7 @@ TEST(FirstScreen, BeginsWithTheVerdictOfTheWorstPass)
 // The mode that chatter finds in the gap is not always the one of the card.
 TEST(FirstScreen, StatesADampingOnlyForTheModeThatHasIt)
 {
-  Run run = four_high();
+  mill::report::Run run = four_high();
   mill::SpeedVerdict v;
   v.finding           = mill::SpeedFinding::stable;
   v.pass              = "1";
