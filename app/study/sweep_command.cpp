@@ -61,16 +61,14 @@ std::vector<std::string> sets_of(const std::vector<std::string> &sets, const std
   return all;
 }
 
-// All rows as cases; every refused row is named before anything is computed.
-std::vector<Case> checked_rows(const CommandLine &command, const std::vector<VariedKey> &keys,
-                               const std::vector<TableRow> &rows)
+// Every refused row is named before anything is computed.
+void check_rows(const CommandLine &command, const std::vector<VariedKey> &keys, const std::vector<TableRow> &rows)
 {
-  std::vector<Case> cases;
   std::vector<Problem> problems;
   std::size_t refused = 0;
   for (std::size_t i = 0; i < rows.size(); ++i) {
     try {
-      cases.push_back(checked_row(command.target, sets_of(command.sets, keys, rows[i])));
+      checked_row(command.target, sets_of(command.sets, keys, rows[i]));
     } catch (const InputError &e) {
       if (++refused <= most_refused)
         for (Problem problem : e.problems) {
@@ -83,14 +81,16 @@ std::vector<Case> checked_rows(const CommandLine &command, const std::vector<Var
     problems.push_back({{}, fmt::format("{} more rows are refused", refused - most_refused), {}});
   if (!problems.empty())
     throw InputError(problems);
-  return cases;
 }
 
-void compute_row(RowModel &model, const Case &row_case, const NamedResults &watched, TableRow &row)
+// The case of a row is read again: a thousand of them would take more memory than time.
+void compute_row(const CommandLine &command, RowModel &model, const StudyTable &table, TableRow &row)
 {
+  const NamedResults &watched = table.watched;
   row.results.assign(watched.size(), not_given);
   try {
-    const NamedResults results = model.results(row_case);
+    const NamedResults results =
+        model.results(checked_row(command.target, sets_of(command.sets, table.keys, row)));
     for (std::size_t i = 0; i < watched.size(); ++i) {
       const auto entry = std::find_if(results.begin(), results.end(),
                                       [&](const auto &result) { return result.first == watched[i].first; });
@@ -106,11 +106,20 @@ void compute_row(RowModel &model, const Case &row_case, const NamedResults &watc
   }
 }
 
+// Of a column: its name or its longest value.
+std::size_t width_of(const VariedKey &key)
+{
+  std::size_t width = key.name.size();
+  for (const std::string &value : key.values)
+    width = std::max(width, value.size());
+  return width;
+}
+
 std::string table_text(const StudyTable &table)
 {
   std::string text = fmt::format("{:>5}", "row");
   for (const VariedKey &key : table.keys)
-    text += "  " + key.name;
+    text += fmt::format("  {:>{}}", key.name, width_of(key));
   for (const auto &[name, result] : table.watched)
     text += fmt::format("  {:>14}", name + (result.unit == "1" ? "" : " [" + result.unit + "]"));
   text += "\n";
@@ -118,7 +127,7 @@ std::string table_text(const StudyTable &table)
     const TableRow &row = table.rows[i];
     text += fmt::format("{:>5}", i + 1);
     for (std::size_t k = 0; k < table.keys.size(); ++k)
-      text += fmt::format("  {:>{}}", row.values[k], table.keys[k].name.size());
+      text += fmt::format("  {:>{}}", row.values[k], width_of(table.keys[k]));
     for (std::size_t r = 0; r < table.watched.size(); ++r) {
       const auto &[name, result] = table.watched[r];
       const std::size_t width    = name.size() + (result.unit == "1" ? 0 : result.unit.size() + 3);
@@ -150,19 +159,17 @@ double seconds_since(const std::chrono::steady_clock::time_point start)
 }
 
 // Closed forms side by side, runs one after the other with all threads inside.
-void compute_rows(const CommandLine &command, RowModel &model, const std::vector<Case> &cases, const int threads,
-                  StudyTable &table)
+void compute_rows(const CommandLine &command, RowModel &model, const int threads, StudyTable &table)
 {
   const auto start = std::chrono::steady_clock::now();
   console::ProgressBar bar({{"rows", 1}}, command.quiet);
   if (command.sweep.model == "quick") {
-    share_tasks(long(cases.size()), threads, [&](const long i) {
-      compute_row(model, cases[std::size_t(i)], table.watched, table.rows[std::size_t(i)]);
-    });
+    share_tasks(long(table.rows.size()), threads,
+                [&](const long i) { compute_row(command, model, table, table.rows[std::size_t(i)]); });
   } else {
-    for (std::size_t i = 0; i < cases.size(); ++i) {
-      compute_row(model, cases[i], table.watched, table.rows[i]);
-      bar.show("rows", double(i + 1) / double(cases.size()));
+    for (std::size_t i = 0; i < table.rows.size(); ++i) {
+      compute_row(command, model, table, table.rows[i]);
+      bar.show("rows", double(i + 1) / double(table.rows.size()));
     }
   }
   bar.finish();
@@ -174,9 +181,9 @@ int sweep_command(const CommandLine &command)
 {
   const Case base = checked_case(command).the_case;
   StudyTable table;
-  table.keys      = varied_keys(base, command.sets, command.sweep.vary);
-  table.rows      = combinations(table.keys);
-  const auto rows = checked_rows(command, table.keys, table.rows);
+  table.keys = varied_keys(base, command.sets, command.sweep.vary);
+  table.rows = combinations(table.keys);
+  check_rows(command, table.keys, table.rows);
   table.case_name = base.name;
   table.case_path = base.path;
   table.title     = base.title;
@@ -192,7 +199,7 @@ int sweep_command(const CommandLine &command)
                   setup.threads});
   table.watched = model.choose(base, command.sweep.watch);
   table.work    = model.work();
-  compute_rows(command, model, rows, setup.threads, table);
+  compute_rows(command, model, setup.threads, table);
   write_sweep(folder, table);
   if (!command.quiet)
     console::print(table_text(table) + "report: " + folder + "/report.html\n");
