@@ -4,9 +4,10 @@
 
 namespace mill::cluster {
 namespace {
+// The state at rest has two unknowns per roll also where a vibration turns the rolls.
 Eigen::Vector2d at(const Motion &u, const Stack &stack, const int roll)
 {
-  return u.segment<2>(stack.per_roll() * roll);
+  return u.segment<2>(u.size() / Eigen::Index(stack.rolls.size()) * roll);
 }
 
 // A symmetric 2x2 block between two rolls: + on the diagonal, - off it.

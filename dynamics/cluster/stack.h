@@ -121,6 +121,7 @@ struct ContactState {
   double approach        = 0;                         ///< m, negative: open
   Eigen::Vector2d normal = Eigen::Vector2d::UnitY();  ///< from a to b
 };
+/// @param u  per_roll() or, of a coupled stack at rest, two unknowns a roll
 ContactState contact_state(const Stack &stack, const Contact &contact, const Motion &u);
 double contact_force(const Contact &contact, double approach);  ///< N; of the strip the whole force, never < 0
 /// N, what the contact puts on its rolls in addition to the loads: of the strip the change of its force.

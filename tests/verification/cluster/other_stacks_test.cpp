@@ -112,6 +112,21 @@ TEST(OtherStacks, TwentyRollsTakeMilliseconds)
   EXPECT_LT(best, 0.1) << "20 ms alone on a machine; here tests run side by side";
 }
 
+TEST(OtherStacks, ContactsAtRestAreThoseOfRollsThatTurnFreely)
+{
+  const Case the_case = read_case("cases/z-mill.toml");
+  ClusterStand stand  = *std::get<ClusterCase>(the_case.spec).stand;
+  const auto free     = cluster::pass_state(stand, stand.schedule[0], 1148e3);
+  stand.stack.spin    = "coupled";
+  const auto coupled  = cluster::pass_state(stand, stand.schedule[0], 1148e3);
+  const auto approach = [](const cluster::PassState &s, const std::size_t i) {
+    return cluster::contact_state(s.stack, s.stack.contacts[i], s.rest.u).approach;
+  };
+  for (std::size_t i = 0; i < free.stack.contacts.size(); ++i)
+    EXPECT_TRUE(near(approach(coupled, i), approach(free, i), within(1e-12, "nothing turns at rest")))
+        << free.stack.contacts[i].name;
+}
+
 TEST(OtherStacks, WithCoupledSpinTheRollsTurnTogetherFreely)
 {
   const Case the_case = read_case("cases/z-mill.toml");
