@@ -14,14 +14,19 @@ const char *const by_factors    = "exact derivative at the solved state, by the 
 const char *const by_statics    = "statics of rigid rolls (51.11)";
 constexpr int frequencies_shown = 6;
 
-void add_strip_numbers(StackNumbers &all, const SolvedStack &solved)
+void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool given_force)
 {
   const reduce::StripState &strip = solved.state.strip;
   const std::string profile       = std::string(by_newton) + ", opening (51.2)";
   const auto add = [&](const char *what, const double value, const char *unit, std::string method) {
     all.push_back({result_name({family::stack, what}), value, unit, std::move(method), {}});
   };
-  add("force", solved.stack.strip.force, "N", "given, or that at which the gap is the given one");
+  if (given_force) {
+    add("force", solved.stack.strip.force, "N", "");
+    all.back().source = Source::given;
+  } else {
+    add("force", solved.stack.strip.force, "N", "that at which the unloaded gap is the given one");
+  }
   add("crown", strip.crown, "m", profile);
   add("edge_drop", strip.edge_drop, "m", profile);
   add("wedge", strip.wedge, "m", profile);
@@ -128,11 +133,11 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
 }
 }  // namespace
 
-StackNumbers stack_numbers(const StackInput &, const SolvedStack &solved)
+StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved)
 {
   StackNumbers all;
   const auto resultants = stack_resultants(solved.stack, solved.stack.strip.force);
-  add_strip_numbers(all, solved);
+  add_strip_numbers(all, solved, std::isnan(input.strip.gap));
   for (std::size_t c = 0; c < solved.stack.contacts.size(); ++c)
     add_pair_numbers(all, solved, c, resultants[c]);
   for (std::size_t r = 0; r < solved.stack.rolls.size(); ++r)

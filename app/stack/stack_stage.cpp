@@ -64,6 +64,7 @@ void add_results(RunContext &run, const StackNumbers &fine, const StackNumbers &
     p.at     = {"{}", {{force, "kN", ".5g"}}};
     p.inputs = inputs;
     p.checks = number.checks;
+    p.source = number.source;
     // Zero by symmetry differs between two meshes by rounding alone.
     const double rounding = number.unit == "m" ? 1e-12 : 0;
     p.error_estimate      = std::abs(number.value) <= rounding || number.value == coarse[i].value

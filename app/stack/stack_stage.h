@@ -13,6 +13,7 @@ struct StackNumber {
   double value = 0;  ///< SI
   std::string unit, method;
   std::vector<Check> checks;
+  Source source = Source::computed;
 };
 using StackNumbers = std::vector<StackNumber>;
 

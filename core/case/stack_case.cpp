@@ -93,6 +93,22 @@ void check_roll_names(const StackInput &input, Reading &reading)
   }
 }
 
+// What a barrel is beyond the end of its table is not known.
+void check_table_length(const StackRollInput &roll, const std::size_t r, Reading &reading)
+{
+  for (const auto &[name, table] :
+       {std::pair{"crown_table", &roll.crown_table}, {"thermal_crown_table", &roll.thermal_crown_table}}) {
+    if (table->empty() || !reading.usable({roll_key(r, name)}))
+      continue;
+    const double shortest = std::min(-table->front()[0], table->back()[0]), barrel = roll.barrel_length / 2;
+    if (shortest < barrel * (1 - 1e-9))
+      contradict(reading, roll_key(r, name),
+                 fmt::format("ends at {} from mid-length, and the barrel at {}; add the points at both ends",
+                             millimetres(shortest), millimetres(barrel)),
+                 {roll_key(r, "barrel_length")});
+  }
+}
+
 void check_shaft(const StackRollInput &roll, const std::size_t r, Reading &reading)
 {
   const auto key   = [&](const char *k) { return roll_key(r, k); };
@@ -221,14 +237,20 @@ void check_stack_rolls(const StackInput &input, Reading &reading)
     if (!reading.usable({roll_key(r, "barrel_diameter"), roll_key(r, "barrel_length")}))
       continue;
     check_profile(fmt::format("roll.{}", r), roll, reading);
+    check_table_length(roll, r, reading);
     check_shaft(roll, r, reading);
     check_holding(roll, r, input.settings.lower == "listed", reading);
     check_saddles(roll, r, reading);
     if (roll.on.size() > 2)
       contradict(reading, roll_key(r, "on"), "names more than two rolls; a roll leans on one or two", {});
     if (!roll.material.empty() && std::find(materials.begin(), materials.end(), roll.material) == materials.end())
-      contradict(reading, roll_key(r, "material"),
-                 fmt::format("names no [material.{}]{}", roll.material, suggestion(roll.material, materials)), {});
+      contradict(
+          reading, roll_key(r, "material"),
+          materials.empty()
+              ? fmt::format("names a section that is missing; add [material.{0}], or remove the key for [steel]",
+                            roll.material)
+              : fmt::format("names no [material.{}]{}", roll.material, suggestion(roll.material, materials)),
+          {});
   }
 }
 
@@ -268,8 +290,15 @@ void check_stack_strip(const StackStripInput &strip, Reading &reading)
                {"strip.entry_thickness"});
   if (strip.crown_at > strip.width / 2)
     contradict(reading, "strip.crown_at", "is beyond the middle of the strip", {"strip.width"});
-  if (std::max(strip.edge_drop[0], strip.edge_drop[1]) > strip.width / 2)
-    contradict(reading, "strip.edge_drop", "is beyond the middle of the strip", {"strip.width"});
+  if (const double deepest = std::max(strip.edge_drop[0], strip.edge_drop[1]); deepest > strip.width / 2) {
+    if (given("edge_drop"))
+      contradict(reading, "strip.edge_drop", "is beyond the middle of the strip", {"strip.width"});
+    else
+      reading.add(reading.place("strip.width"),
+                  fmt::format("the edge drop is read at {} from the edge, beyond the middle of the strip; add for "
+                              "example edge_drop = [\"50 mm\", \"25 mm\"]",
+                              millimetres(deepest)));
+  }
 }
 }  // namespace
 

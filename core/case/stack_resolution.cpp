@@ -209,8 +209,10 @@ void check_resultants(const Stack &stack, const std::vector<Origin> &origins, Re
     if (by_strip > 0)
       contradict(reading, roll_key(origins[a].roll, "bending_force"),
                  fmt::format("parts the rolls {}: the contact would carry {:.4g} kN, where the strip alone puts "
-                             "{:.4g} kN on it; bending away from the strip is positive, make it less negative",
-                             pair, 1e-3 * resultants[c].force, 1e-3 * by_strip),
+                             "{:.4g} kN on it; keep the bending forces below {:.1f} % of these, or make them less "
+                             "negative",
+                             pair, 1e-3 * resultants[c].force, 1e-3 * by_strip,
+                             100 * by_strip / (by_strip - resultants[c].force)),
                  {"strip.force"});
     else
       contradict(

@@ -274,6 +274,20 @@ std::string cluster_cards(const Run &run)
   return all;
 }
 
+// What one asks of the strip.
+std::string stack_cards(const Run &run)
+{
+  std::string all;
+  for (const auto &[name, label] : {std::pair("crown", "crown of the strip"),
+                                    {"edge_drop", "edge drop"},
+                                    {"wedge", "wedge"},
+                                    {"opening", "opening of the gap"},
+                                    {"modulus.mid", "modulus of the stack"},
+                                    {"flatness.max", "flatness, longest fibre, I-units"}})
+    all += card(run.find(result_name({"stack", name})), label);
+  return all;
+}
+
 std::string marks_cards(const Run &run)
 {
   std::string all = card(run.find(result_name({marks_family, "frequency"})), "frequency of the marks");
@@ -290,6 +304,8 @@ std::string cards(const Run &run)
     return marks_cards(run);
   if (run.manifest.kind == "cluster")
     return cluster_cards(run);
+  if (run.manifest.kind == "stack")
+    return stack_cards(run);
   if (has_chain(run))
     return chain_cards(run);
   if (run.manifest.kind == "bearing")
@@ -329,6 +345,9 @@ std::string sentence(const Run &run)
     return conditions(run).empty() ? "" : chatter_sentence(conditions(run).front());
   if (run.manifest.kind == "cluster")
     return "";
+  if (run.manifest.kind == "stack" && has_value(run.find("stack.crown")) && has_value(run.find("stack.edge_drop")))
+    return "The strip has a crown of " + shown(*run.find("stack.crown")) + " and an edge drop of " +
+           shown(*run.find("stack.edge_drop"));
   if (run.manifest.kind == "bearing" && has_value(run.find("Kzc.tangent")))
     return "The bearing is a spring of " + shown(*run.find("Kzc.tangent")) +
            (run.find("Kzc.tangent")->at.empty() ? "" : " at " + escaped(run.find("Kzc.tangent")->at));

@@ -16,12 +16,12 @@ struct StackRun {
   nlohmann::json results;
   double value(const std::string &name) const
   {
-    return results.at("results").at(name).at("value").get<double>();
+    return results.at("values").at(name).at("value").get<double>();
   }
   // A closed form next to the result, by the beginning of its name.
   double check(const std::string &name, const std::string &beginning) const
   {
-    for (const auto &one : results.at("results").at(name).at("checks"))
+    for (const auto &one : results.at("values").at(name).at("checks"))
       if (one.at("name").get<std::string>().rfind(beginning, 0) == 0)
         return one.at("value").get<double>();
     ADD_FAILURE() << name << " has no check " << beginning;
