@@ -21,6 +21,7 @@ struct FourHigh;
 
 struct BiteCase;
 struct Lumped;
+struct StackCase;
 struct ClosedFormMemory;
 struct ClosedFormResult;
 struct StandIn;
@@ -73,6 +74,7 @@ const RunKind &run_kind(const Lumped &);
 const RunKind &run_kind(const TwoCylinders &);
 const RunKind &run_kind(const BearingCase &);
 const RunKind &run_kind(const BiteCase &);
+const RunKind &run_kind(const StackCase &);
 /// Of what the program is linked with; require_linked() comes first.
 const RunKind &run_kind(const ChatterCase &);
 const RunKind &run_kind(const ClusterCase &);

@@ -196,6 +196,9 @@ std::string without_elasticity(const TraceKey &key)
     return "a name has no size";
   case Kind::words:
     return "a list of words has no size";
+  case Kind::list:
+  case Kind::triples:
+    return "a list has no single size";
   case Kind::choice:
   case Kind::flag:
     return "a word has no size; every other one is tried";

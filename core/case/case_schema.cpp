@@ -58,6 +58,11 @@ ordered_json type_of(const Row &row)
     return list_of(row.form, 2);
   case Kind::six:
     return list_of(row.form, 6);
+  case Kind::list:
+    return {{"anyOf", ordered_json::array({element(row.form),
+                                           {{"type", "array"}, {"items", element(row.form)}, {"minItems", 1}}})}};
+  case Kind::triples:
+    return {{"type", "array"}, {"items", list_of(row.form, 3)}, {"minItems", 1}};
   case Kind::words:
     if (row.form == "names")
       return {{"type", "object"}, {"additionalProperties", {{"type", "string"}}}, {"minProperties", 1}};
@@ -132,6 +137,8 @@ ordered_json &object_at(ordered_json &root, const std::string &name)
     if (!properties.contains(part))
       properties[part] = closed_object();
     object = &properties[part];
+    if (object->contains("items"))  // a section of each of a list, [roll.saddles]
+      object = &(*object)["items"];
     if (!object->contains("properties")) {  // a key that may also be a section: friction = 0.2 or { law = ... }
       const ordered_json plain = *object;
       *object                  = {{"anyOf", ordered_json::array({plain, closed_object()})},

@@ -210,7 +210,7 @@ std::vector<std::string> SheetReader::known_keys() const
 
 bool is_list(const Row &row)
 {
-  return row.kind == Kind::pair || row.kind == Kind::table || row.kind == Kind::six;
+  return row.kind == Kind::pair || row.kind == Kind::table || row.kind == Kind::six || row.kind == Kind::list;
 }
 
 // Values and unit of a row: "420 mm", "420" and "mm"; of a list also "3.55; 3.65 MN", or "3.55", "3.65" and "MN".

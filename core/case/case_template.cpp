@@ -1,5 +1,6 @@
 #include "core/case/case_template.h"
 #include "core/base/units.h"
+#include "core/case/embedded.h"
 #include "core/case/input_reference.h"
 #include "core/case/provenance.h"
 #include <algorithm>
@@ -246,6 +247,12 @@ std::vector<std::string> left_at_template(const CaseKind &kind, const std::map<s
 
 std::string template_of(const std::string &kind)
 {
+  for (const auto &[name, text] : {std::pair{"stack-2", embedded::stack_two_high},
+                                   {"stack-4", embedded::stack_four_high},
+                                   {"stack-6", embedded::stack_six_high},
+                                   {"stack-20", embedded::stack_twenty_high}})
+    if (kind == name)
+      return text;
   const auto &kinds = case_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(fmt::format("no template is available for the kind '{}'{}", kind, suggestion(kind, kinds)));

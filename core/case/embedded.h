@@ -4,4 +4,9 @@
 // (cmake/embed_text.cmake).
 namespace mill::embedded {
 extern const char *const bearings_csv;  ///< core/case/bearings.csv
+// cases/stack-*.toml
+extern const char *const stack_two_high;
+extern const char *const stack_four_high;
+extern const char *const stack_six_high;
+extern const char *const stack_twenty_high;
 }  // namespace mill::embedded

@@ -146,6 +146,40 @@ std::optional<Value> table(const Item &item)
   return pairs;
 }
 
+std::optional<Value> list(const Item &item)
+{
+  std::vector<double> values;
+  if (item.node.kind != Node::Kind::array) {
+    if (const auto value = scalar(item, item.row.form, item.row.range))
+      return std::vector<double>{*value};
+    return std::nullopt;
+  }
+  if (item.node.items.empty())
+    return item.refuse(fmt::format("is empty; {}", needed(item.row)));
+  for (std::size_t i = 0; i < item.node.items.size(); ++i) {
+    const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
+    if (const auto value = scalar(one, item.row.form, item.row.range))
+      values.push_back(*value);
+  }
+  return values.size() == item.node.items.size() ? std::optional<Value>(values) : std::nullopt;
+}
+
+std::optional<Value> triples(const Item &item)
+{
+  if (item.node.kind != Node::Kind::array || item.node.items.empty())
+    return item.refuse(fmt::format("is not a list of threes; {}", needed(item.row)));
+  std::vector<std::array<double, 3>> all;
+  const std::string &form = item.row.form;
+  for (std::size_t i = 0; i < item.node.items.size(); ++i) {
+    const Item one{item.row, item.node.items[i], fmt::format("{}[{}]", item.key, i), item.reading};
+    const auto three = several<3>(one, "a list of three", {form, form, form}, {Range{}, Range{}, item.row.range});
+    if (!three)
+      return std::nullopt;
+    all.push_back(*three);
+  }
+  return all;
+}
+
 // { "AI_07" = "upper_work_roll" } as a list of "AI_07=upper_work_roll"; no text goes by two names.
 std::optional<Value> name_list(const Item &item)
 {
@@ -215,6 +249,10 @@ std::optional<Value> value_of(const Item &item)
     return alike<6>(item, "a list of six");
   case Kind::words:
     return word_list(item);
+  case Kind::list:
+    return list(item);
+  case Kind::triples:
+    return triples(item);
   }
   return std::nullopt;
 }
@@ -270,8 +308,12 @@ Kind kind_of(const std::size_t member_index, const std::string &form)
     return Kind::table;
   case 6:
     return Kind::six;
-  default:
+  case 7:
     return Kind::words;
+  case 8:
+    return Kind::list;
+  default:
+    return Kind::triples;
   }
 }
 

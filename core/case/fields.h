@@ -39,16 +39,19 @@ enum class Kind {
   flag,      ///< true or false
   choice,    ///< one of a list of words
   text,
-  path,   ///< file, relative to the folder of the case file
-  pair,   ///< two quantities, ["100 kN", "2000 kN"]
-  table,  ///< list of pairs, [["-700 mm", "0 um"], ...]
-  six,    ///< list of six quantities, one for each body or spring of a stand
-  words,  ///< list of words out of some, ["force", "slip"]
+  path,     ///< file, relative to the folder of the case file
+  pair,     ///< two quantities, ["100 kN", "2000 kN"]
+  table,    ///< list of pairs, [["-700 mm", "0 um"], ...]
+  six,      ///< list of six quantities, one for each body or spring of a stand
+  words,    ///< list of words out of some, ["force", "slip"]
+  list,     ///< list of quantities of any length; one alone may stand without brackets
+  triples,  ///< list of three quantities each, [["-900 mm", "900 mm", "300 mm"], ...]
 };
 
 /// A value on its way between file and struct, SI.
 using Value = std::variant<double, int, bool, std::string, std::array<double, 2>,
-                           std::vector<std::array<double, 2>>, std::array<double, 6>, std::vector<std::string>>;
+                           std::vector<std::array<double, 2>>, std::array<double, 6>, std::vector<std::string>,
+                           std::vector<double>, std::vector<std::array<double, 3>>>;
 
 /// A row without its destination: what documentation, schema and echo need.
 struct Row {
@@ -63,9 +66,10 @@ struct Row {
 };
 
 template <class T>
-using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::array<double, 2> T::*,
-                            std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*,
-                            std::vector<std::string> T::*>;
+using Member =
+    std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::array<double, 2> T::*,
+                 std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*,
+                 std::vector<std::string> T::*, std::vector<double> T::*, std::vector<std::array<double, 3>> T::*>;
 
 /// One input parameter.  Everything that the program says about it is written here, once.
 template <class T> struct Field {

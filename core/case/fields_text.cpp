@@ -171,6 +171,19 @@ std::string toml_of(const Row &row, const Value &value)
       text += (text.empty() ? "" : ", ") + quoted(word);
     return text.empty() ? "" : "[" + text + "]";
   }
+  case Kind::list: {
+    std::string text;
+    for (const double number : std::get<std::vector<double>>(value))
+      text += (text.empty() ? "" : ", ") + scalar_toml(number, row.form);
+    return text.empty() ? "" : "[" + text + "]";
+  }
+  case Kind::triples: {
+    std::string text;
+    for (const auto &[a, b, c] : std::get<std::vector<std::array<double, 3>>>(value))
+      text += fmt::format("{}[{}, {}, {}]", text.empty() ? "" : ", ", scalar_toml(a, row.form),
+                          scalar_toml(b, row.form), scalar_toml(c, row.form));
+    return text.empty() ? "" : "[" + text + "]";
+  }
   case Kind::table: {
     std::string text;
     for (const auto &pair : std::get<std::vector<std::array<double, 2>>>(value))
@@ -260,6 +273,10 @@ std::string needed(const Row &row)
     return fmt::format("a list of pairs such as {} is needed", example);
   case Kind::six:
     return fmt::format("a list of six such as {} is needed", example);
+  case Kind::list:
+    return fmt::format("a list such as {} is needed", example);
+  case Kind::triples:
+    return fmt::format("a list of threes such as {} is needed", example);
   case Kind::words:
     if (row.form == "names")
       return fmt::format("a table of names such as {} is needed", example);

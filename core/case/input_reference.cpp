@@ -37,6 +37,10 @@ std::string form_text(const Row &row)
     return "pairs, " + row.form;
   case Kind::six:
     return "six, " + row.form;
+  case Kind::list:
+    return "one or a list, " + row.form;
+  case Kind::triples:
+    return "threes, " + row.form;
   case Kind::words:
     return row.form == "names" ? "table of texts" : "list, " + row.form;
   }

@@ -6,6 +6,7 @@
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
 #include "core/model/pass.h"
+#include "core/model/stack_case.h"
 #include "core/model/two_cylinders.h"
 #include <map>
 #include <string>
@@ -54,6 +55,7 @@ const CaseKind &case_kind(const BearingCase *);
 const CaseKind &case_kind(const BiteCase *);
 const CaseKind &case_kind(const ChatterCase *);
 const CaseKind &case_kind(const ClusterCase *);
+const CaseKind &case_kind(const StackCase *);
 
 const std::vector<const CaseKind *> &all_kinds();     ///< those this version reads
 const CaseKind &kind_named(const std::string &name);  ///< one of them

@@ -4,8 +4,8 @@
 #include "core/case/kinds.h"
 #include "core/case/mend_names.h"
 #include "core/case/old_keys.h"
-#include "core/case/user_names.h"
 #include "core/case/stand_reader.h"
+#include "core/case/user_names.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
@@ -13,17 +13,6 @@
 
 namespace mill {
 namespace {
-// Kinds of the file format that later versions will read.
-const std::vector<std::string> later_kinds{"stack"};
-
-std::string listed(const std::vector<std::string> &words)
-{
-  std::string text;
-  for (const std::string &word : words)
-    text += (text.empty() ? "" : ", ") + word;
-  return text;
-}
-
 // Without a known schema and kind nothing else in the file can be judged, so these throw at once.
 CaseHead read_head(const Section &top, Reading &reading)
 {
@@ -39,10 +28,7 @@ CaseHead read_head(const Section &top, Reading &reading)
                     "keys are listed in docs/input.md",
                     reading.as_written("schema")));
   const auto &kinds = case_kinds();
-  if (std::find(later_kinds.begin(), later_kinds.end(), head.kind) != later_kinds.end())
-    reading.add(reading.place("kind"), fmt::format("{} is not handled by this version; it handles {}",
-                                                   reading.as_written("kind"), listed(kinds)));
-  else if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())
+  if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())
     reading.add(reading.place("kind"),
                 fmt::format("{} is unknown{}", reading.as_written("kind"), suggestion(head.kind, kinds)));
   if (reading.problems.size() > n_before)

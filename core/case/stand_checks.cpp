@@ -30,18 +30,9 @@ std::string degrees(const double angle)
   return fmt::format("{:.2f} deg", from_si(angle, unit("deg")));
 }
 
-namespace {
-// What work roll and backup roll have in common.
-void check_roll(const std::string &name, const Roll &roll, Reading &reading)
+void check_profile(const std::string &name, const Roll &roll, Reading &reading)
 {
-  const auto key = [&](const char *k) { return name + "." + k; };
-  if (reading.usable({key("neck_diameter"), key("barrel_diameter")}) && roll.neck_diameter > roll.barrel_diameter)
-    contradict(reading, key("neck_diameter"), "is larger than the barrel", {key("barrel_diameter")});
-  if (reading.usable({key("bearing_span"), key("barrel_length")}) && roll.bearing_span <= roll.barrel_length)
-    contradict(reading, key("bearing_span"),
-               fmt::format("puts the bearing centres inside the barrel, which is {} long",
-                           millimetres(roll.barrel_length)),
-               {key("barrel_length")});
+  const auto key   = [&](const char *k) { return name + "." + k; };
   const auto given = [&](const char *k) { return reading.places.count(key(k)) > 0; };
   for (const auto &[one, other] :
        {std::pair("crown", "crown_table"), std::pair("crown", "crown_polynomial"),
@@ -72,6 +63,21 @@ void check_roll(const std::string &name, const Roll &roll, Reading &reading)
   if (reading.usable({key("end_chamfer_length"), key("end_chamfer_depth")}) && roll.end_chamfer_depth > 0 &&
       roll.end_chamfer_length == 0)
     contradict(reading, key("end_chamfer_depth"), "needs an end_chamfer_length over which the radius falls", {});
+}
+
+namespace {
+// What work roll and backup roll have in common.
+void check_roll(const std::string &name, const Roll &roll, Reading &reading)
+{
+  const auto key = [&](const char *k) { return name + "." + k; };
+  if (reading.usable({key("neck_diameter"), key("barrel_diameter")}) && roll.neck_diameter > roll.barrel_diameter)
+    contradict(reading, key("neck_diameter"), "is larger than the barrel", {key("barrel_diameter")});
+  if (reading.usable({key("bearing_span"), key("barrel_length")}) && roll.bearing_span <= roll.barrel_length)
+    contradict(reading, key("bearing_span"),
+               fmt::format("puts the bearing centres inside the barrel, which is {} long",
+                           millimetres(roll.barrel_length)),
+               {key("barrel_length")});
+  check_profile(name, roll, reading);
 }
 
 void check_file(const std::string &key, const std::string &file, Reading &reading)

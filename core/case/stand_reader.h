@@ -113,6 +113,8 @@ std::string degrees(double angle);       ///< "19.66 deg"
 // Checks between keys.  Each compares only values that were accepted, and names both places.
 void check_work_roll(const WorkRollInput &roll, Reading &reading);
 void check_backup_roll(const Roll &roll, Reading &reading);
+/// Crown, tables and chamfers of the barrel in the section `name`.
+void check_profile(const std::string &name, const Roll &roll, Reading &reading);
 void check_bearing(const RollerBearing &bearing, Reading &reading);
 /// @param key    that names the bearing, "work_roll.bearing"
 /// @param names  of all bearings

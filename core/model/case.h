@@ -6,6 +6,7 @@
 #include "core/model/cluster_case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
+#include "core/model/stack_case.h"
 #include "core/model/two_cylinders.h"
 #include <map>
 #include <string>
@@ -17,9 +18,9 @@ namespace mill {
 struct Case {
   std::string path;  ///< of the file as given by the user
   std::string name;  ///< stem of the file name
-  std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite | chatter | cluster
+  std::string kind;  ///< four-high | lumped | two-cylinders | bearing | bite | chatter | cluster | stack
   std::string title;
-  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase, ChatterCase, ClusterCase> spec;
+  std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase, ChatterCase, ClusterCase, StackCase> spec;
   std::vector<std::string> left_at_template;  ///< keys whose values are still those of the template
   std::vector<Problem> warnings;              ///< what is unlikely but not refused, by place
   std::string resolved;                       ///< text of resolved.toml

@@ -455,6 +455,7 @@ StackState BeamStack::solve()
   state.strip.edges     = my.edges;
   state.strip.load      = my.q;
   state.strip.opening   = gap.opening;
+  state.strip.entry     = my.entry;
   state.strip.middle    = gap.middle;
   state.strip.crown     = gap.crown;
   state.strip.edge_drop = gap.edge_drop;

@@ -31,6 +31,7 @@ struct StripState {
   Eigen::VectorXd edges;    ///< (n + 1) m, from the middle of the strip
   Eigen::VectorXd load;     ///< (n) N/m, mean over an element
   Eigen::VectorXd opening;  ///< (n) m, h - S, mean over an element
+  Eigen::VectorXd entry;    ///< (n) m, entry thickness minus its mean over the width
   double middle    = 0;     ///< m, h - S at mid-width
   double crown     = 0;     ///< m
   double edge_drop = 0;     ///< m

@@ -251,6 +251,20 @@ std::string cluster_cards(const Run &run)
   return all;
 }
 
+// What one asks of the strip.
+std::string stack_cards(const Run &run)
+{
+  std::string all;
+  for (const auto &[name, label] : {std::pair("crown", "crown of the strip"),
+                                    {"edge_drop", "edge drop"},
+                                    {"wedge", "wedge"},
+                                    {"opening", "opening of the gap"},
+                                    {"modulus.mid", "modulus of the stack"},
+                                    {"flatness.max", "flatness, longest fibre, I-units"}})
+    all += card(run.find(result_name({"stack", name})), label);
+  return all;
+}
+
 std::string marks_cards(const Run &run)
 {
   std::string all = card(run.find(result_name({marks_family, "frequency"})), "frequency of the marks");
@@ -269,6 +283,8 @@ std::string cards(const Run &run)
     return marks_cards(run);
   if (run.manifest.kind == "cluster")
     return cluster_cards(run);
+  if (run.manifest.kind == "stack")
+    return stack_cards(run);
   if (has_chain(run))
     return chain_cards(run);
   if (run.manifest.kind == "bearing")

@@ -36,6 +36,9 @@ std::string sentence(const Run &run)
 {
   if (holds_marks(run))
     return marks_sentence(read_marks(run.directory));
+  if (run.manifest.kind == "stack" && has_value(run.find("stack.crown")) && has_value(run.find("stack.edge_drop")))
+    return "The strip has a crown of " + shown(*run.find("stack.crown")) + " and an edge drop of " +
+           shown(*run.find("stack.edge_drop"));
   if (run.manifest.kind == "bearing" && has_value(run.find("Kzc.tangent")))
     return "The bearing is a spring of " + escaped(shown(*run.find("Kzc.tangent"))) +
            (run.find("Kzc.tangent")->at.empty() ? "" : " at " + escaped(run.find("Kzc.tangent")->at));

@@ -8,6 +8,7 @@
 #include "report/page/page.h"
 #include "report/page/sections.h"
 #include "report/plot/svg.h"
+#include "report/stack/section.h"
 
 namespace mill::report {
 namespace {
@@ -75,6 +76,7 @@ std::string html_page(const Run &run)
   summary_section(page, run, models);
   stand_section(page, run);
   cluster_section(page, run);
+  stack_section(page, run);
   schedule_section(page, run);
   contact_section(page, run);
   bite_section(page, run);

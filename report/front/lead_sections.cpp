@@ -38,6 +38,10 @@ std::string what_is_in_short(const Run &run)
   if (run.manifest.kind == "cluster")
     return "Every pass: its force, the named natural frequencies about the state at rest, how far it is from "
            "buckling and from an open contact; then the numbers that variants of the stack are fitted with.";
+  if (run.manifest.kind == "stack")
+    return "The strip that the loaded stack makes, the contacts of its rolls, and how the crown follows force, "
+           "bending, "
+           "crowns and eccentrics; derivatives are exact at this state.";
   return run.find("contact.space.approach") ? "The contact at its working load."
                                             : "The contact at its working load, stiffnesses per metre of length.";
 }
@@ -89,6 +93,11 @@ std::string what_is_left_out(const Run &run)
            "tilt "
            "across the strip, no saddle or housing that moves, no chatter feedback from the strip. The law of a "
            "support is taken from the case.";
+  if (run.manifest.kind == "stack")
+    return "Rolls are Timoshenko beams, their contacts springs per length: contacts of one roll do not feel each "
+           "other, "
+           "shoulders do not soften it. The strip does not flow across its width, and its slopes are those of the "
+           "case. These numbers are not compared with a published experiment.";
   if (run.find("contact.space.approach"))
     return "The contact is elastic and smooth, and small against both bodies, each of which is a half space: its "
            "far side, its supports and, beyond the end of a face, its missing half are not seen. Friction acts "

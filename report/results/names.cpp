@@ -269,6 +269,8 @@ std::string meaning_of(const std::string &name)
     return words;
   if (const std::string words = cluster_meaning(name); !words.empty())
     return words;
+  if (const std::string words = stack_meaning(name); !words.empty())
+    return words;
   if (const std::string words = marks_meaning(name); !words.empty())
     return words;
   if (const std::string number = number_after("fh", name); !number.empty())
@@ -330,6 +332,8 @@ std::vector<Group> short_groups(const Run &run)
     return chatter_groups(run);
   if (run.manifest.kind == "cluster")
     return cluster_groups(run);
+  if (run.manifest.kind == "stack")
+    return stack_groups(run);
   Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}}, named{"", {}},
       chain{"", {}}, fit{"Fit to measured values", {}};
   if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))

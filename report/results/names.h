@@ -33,6 +33,10 @@ std::vector<Group> chatter_groups(const Run &run);
 std::vector<Group> cluster_groups(const Run &run);
 /// Meaning of "cluster.pass 1.W-I.tangent"; empty: another name.
 std::string cluster_meaning(const std::string &name);
+/// What one asks for first in a run of kind "stack": strip and stack, contacts, influences.
+std::vector<Group> stack_groups(const Run &run);
+/// Meaning of "pair.W-B.q_max" and of the other results of a stack; empty: another name.
+std::string stack_meaning(const std::string &name);
 /// Meaning of "chatter.2.growth_rate" and of the derivatives "bite.2.F.gap"; empty: another name.
 std::string chatter_meaning(const std::string &name);
 /// Meaning of "marks.work_roll.per_turn"; empty: another name.

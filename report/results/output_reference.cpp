@@ -1,6 +1,7 @@
 #include "report/results/output_reference.h"
 #include "core/records/cluster_names.h"
 #include "core/records/result_names.h"
+#include "core/records/stack_names.h"
 #include "report/results/names.h"
 #include <algorithm>
 #include <array>
@@ -15,7 +16,7 @@ struct OutputGroup {
   const char *chapter;  // of docs/theory
 };
 
-constexpr std::array<OutputGroup, 27> output_groups{{
+constexpr std::array<OutputGroup, 31> output_groups{{
     {"K3", "Contact of the upper rolls", "12-contact-of-meshed-bodies"},
     {"K5", "Contact of the lower rolls", "12-contact-of-meshed-bodies"},
     {"K4", "Roll bite as a spring", "08-roll-bite-slab-theories"},
@@ -43,6 +44,10 @@ constexpr std::array<OutputGroup, 27> output_groups{{
     {"campbell", "Speeds at which something in the mill excites a mode", "32-frequency-response"},
     {"chatter", "Chatter", "25-chatter-single-stand"},
     {"cluster", "Planar stacks of rolls", "38-planar-roll-stacks"},
+    {"stack", "Roll stacks: strip and stack", "51-roll-stacks"},
+    {"pair", "Roll stacks: contacts", "51-roll-stacks"},
+    {"roll", "Roll stacks: rolls", "51-roll-stacks"},
+    {"influence", "Roll stacks: what moves the profile", "51-roll-stacks"},
 }};
 
 bool is_number(const std::string &text)
@@ -181,6 +186,10 @@ std::string row_of_output(const Run &run, const std::string &result)
     parts[2] = "MODEL";
   if (family == family::cluster)
     name_cluster_parts(parts);
+  if ((family == family::pair || family == family::roll) && parts.size() > 2)
+    parts[1] = family == family::pair ? "PAIR" : "ROLL";
+  if (family == family::influence && parts.size() > 3)
+    parts[2] = "ROLL";
   return result_name(parts);
 }
 

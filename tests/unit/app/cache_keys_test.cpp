@@ -128,6 +128,11 @@ Texts texts_of(const ClusterCase &)
 {
   return {};
 }
+// Nothing of it is kept: it takes a second.
+Texts texts_of(const StackCase &)
+{
+  return {};
+}
 
 Texts texts_of(const Case &the_case)
 {

@@ -1,0 +1,192 @@
+#include "app/stack/stack_stage.h"
+#include "core/model/stack_statics.h"
+#include "core/records/stack_names.h"
+#include "reduce/stack/line_law.h"
+#include "reduce/stack/stations.h"
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+const char *const by_newton     = "Timoshenko beams and line contacts, equilibrium by Newton's method (51.9)";
+const char *const by_factors    = "exact derivative at the solved state, by the factors of (51.9)";
+const char *const by_statics    = "statics of rigid rolls (51.11)";
+constexpr int frequencies_shown = 6;
+
+void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool given_force)
+{
+  const reduce::StripState &strip = solved.state.strip;
+  const std::string profile       = std::string(by_newton) + ", opening (51.2)";
+  const auto add = [&](const char *what, const double value, const char *unit, std::string method) {
+    all.push_back({result_name({family::stack, what}), value, unit, std::move(method), {}});
+  };
+  if (given_force) {
+    add("force", solved.stack.strip.force, "N", "");
+    all.back().source = Source::given;
+  } else {
+    add("force", solved.stack.strip.force, "N", "that at which the unloaded gap is the given one");
+  }
+  add("crown", strip.crown, "m", profile);
+  add("edge_drop", strip.edge_drop, "m", profile);
+  add("wedge", strip.wedge, "m", profile);
+  add("opening", strip.middle, "m", profile);
+  if (const double gap = unloaded_gap(solved); !std::isnan(gap))
+    add("gap", gap, "m", "mean exit thickness less the mean opening (51.2)");
+  add("modulus.mid", solved.state.modulus.mid, "N/m", by_factors);
+  add("modulus.mean", solved.state.modulus.mean, "N/m", by_factors);
+  if (const Eigen::VectorXd I = flatness(solved); I.size() > 0) {
+    add("flatness.min", I.minCoeff(), "1", "I-units, no lateral flow (51.12)");
+    add("flatness.max", I.maxCoeff(), "1", "I-units, no lateral flow (51.12)");
+  }
+  const Eigen::VectorXd f = solved.engine.frequencies(frequencies_shown);
+  for (Eigen::Index k = 0; k < f.size(); ++k)
+    add(fmt::format("f{}", k + 1).c_str(), f[k], "Hz",
+        "beams with their masses about the solved state, rolling force imposed");
+}
+
+void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t c,
+                      const StackResultant &resultant)
+{
+  const StackContact &contact = solved.stack.contacts[c];
+  const StackRoll &a = solved.stack.rolls[contact.a], &b = solved.stack.rolls[contact.b];
+  const reduce::PairState &pair = solved.state.pairs[c];
+  const auto law =
+      reduce::line_law(a.diameter / 2, a.material, b.diameter / 2, b.material, contact.ring_stiffness);
+  double length = 0;
+  for (const auto &[from, to] : reduce::contact_zones(solved.stack, contact))
+    length += to - from;
+  const double even = resultant.force / length, even_width = reduce::half_width_of(law, even);
+  const auto add = [&](const char *what, const double value, const char *unit, std::string method,
+                       std::vector<Check> checks) {
+    all.push_back({result_name({family::pair, a.name + "-" + b.name, what}), value, unit, std::move(method),
+                   std::move(checks)});
+  };
+  add("force", pair.force, "N", by_newton, {{by_statics, resultant.force, ""}});
+  add("load_centre", pair.load_centre, "m", by_newton, {{by_statics, resultant.centre, ""}});
+  const std::string uneven = "the load is not uniform";
+  add("q_max", pair.peak_load, "N/m", by_newton, {{"mean over the length of contact", even, uneven}});
+  add("peak_pressure", pair.peak_pressure, "Pa", "Hertz, largest line load (51.3)",
+      {{"Hertz, uniform load", 2 * even / (M_PI * even_width), uneven}});
+  add("touching", pair.touching, "1", by_newton, {});
+  add("uniform_tangent", pair.uniform_tangent, "N/m", "integral of dq/dd along the contact (51.4)",
+      {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});
+  const double weighted = (pair.weight.array() * pair.load.array() * pair.approach.array()).sum() / pair.force;
+  add("secant", pair.force / weighted, "N/m", "force over the approach, which the line load weighs (51.3)",
+      {{"uniform load (51.3)", resultant.force / reduce::approach_of(law, even), uneven}});
+}
+
+// Of two bearings of a roll: what balances the forces of its contacts.  Along y, drive side first.
+std::array<double, 2> reactions_by_statics(const Stack &stack, const std::size_t roll,
+                                           const std::vector<StackResultant> &resultants)
+{
+  const StackRoll &of = stack.rolls[roll];
+  double force = 0, moment = 0;
+  const auto add = [&](const double f, const double z) {
+    force += f;
+    moment += f * z;
+  };
+  for (std::size_t c = 0; c < stack.contacts.size(); ++c)
+    if (stack.contacts[c].b == roll)
+      add(resultants[c].force * reduce::direction_of(stack, stack.contacts[c])[1], resultants[c].centre);
+  for (const StackLoad &load : of.loads)
+    add(load.force[1], load.z + of.shift);
+  for (const auto &[work_roll, sign] : {std::pair(stack.upper, 1.), std::pair(stack.lower, -1.)})
+    if (work_roll == roll)
+      add(sign * stack.strip.force, stack.strip.offset);
+  const double z1 = of.supports[1].z + of.shift, z2 = of.supports[0].z + of.shift;
+  const double drive = -(moment - force * z2) / (z1 - z2);
+  return {drive, -force - drive};
+}
+
+void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t r,
+                      const std::vector<StackResultant> &resultants)
+{
+  const StackRoll &roll          = solved.stack.rolls[r];
+  const reduce::RollState &state = solved.state.rolls[r];
+  const auto add = [&](const std::string &what, const double value, const char *unit, std::vector<Check> checks) {
+    all.push_back({result_name({family::roll, roll.name, what}), value, unit, by_newton, std::move(checks)});
+  };
+  std::vector<std::pair<double, double>> reactions;  // by z
+  for (std::size_t s = 0; s < roll.supports.size(); ++s)
+    reactions.emplace_back(roll.supports[s].z, state.reactions[s]);
+  std::sort(reactions.begin(), reactions.end());
+  if (reactions.size() == 2) {
+    Stack sorted = solved.stack;
+    std::sort(sorted.rolls[r].supports.begin(), sorted.rolls[r].supports.end(),
+              [](const StackSupport &one, const StackSupport &other) { return one.z < other.z; });
+    const auto [drive, other] = reactions_by_statics(sorted, r, resultants);
+    add("reaction_drive", reactions[1].second, "N", {{by_statics, drive, ""}});
+    add("reaction_operator", reactions[0].second, "N", {{by_statics, other, ""}});
+  } else {
+    for (std::size_t s = 0; s < reactions.size(); ++s)
+      add(fmt::format("reaction_saddle{}", s + 1), reactions[s].second, "N", {});
+  }
+  const auto y_at = [&](const double z) {
+    const auto next = std::lower_bound(state.z.begin(), state.z.end(), z);
+    const auto i    = std::clamp<Eigen::Index>(next - state.z.begin(), 1, state.z.size() - 1);
+    const double t  = (z - state.z[i - 1]) / (state.z[i] - state.z[i - 1]);
+    return (1 - t) * state.y[i - 1] + t * state.y[i];
+  };
+  add("deflection",
+      y_at(roll.shift) - (y_at(roll.shift - roll.length / 2) + y_at(roll.shift + roll.length / 2)) / 2, "m", {});
+}
+}  // namespace
+
+StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved)
+{
+  StackNumbers all;
+  const auto resultants = stack_resultants(solved.stack, solved.stack.strip.force);
+  add_strip_numbers(all, solved, std::isnan(input.strip.gap));
+  for (std::size_t c = 0; c < solved.stack.contacts.size(); ++c)
+    add_pair_numbers(all, solved, c, resultants[c]);
+  for (std::size_t r = 0; r < solved.stack.rolls.size(); ++r)
+    add_roll_numbers(all, solved, r, resultants);
+  return all;
+}
+
+StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved)
+{
+  StackNumbers all;
+  const auto add = [&](const std::string &what, const double crown, const double edge_drop, const char *unit) {
+    all.push_back({result_name({family::influence, "crown", what}), crown, unit, by_factors, {}});
+    all.push_back({result_name({family::influence, "edge_drop", what}), edge_drop, unit, by_factors, {}});
+  };
+  const Stack &stack              = solved.stack;
+  const auto &engine              = solved.engine;
+  const reduce::GapShape by_force = engine.influence_of_force();
+  add("force", by_force.crown, by_force.edge_drop, "m/N");
+  for (const StackRollInput &written : input.rolls) {
+    double crown = 0, drop = 0, bend_crown = 0, bend_drop = 0;
+    for (std::size_t r = 0; r < stack.rolls.size(); ++r) {
+      const StackRoll &roll = stack.rolls[r];
+      const bool made       = roll.name == "lower_" + written.name;
+      if (roll.name != written.name && !made)
+        continue;
+      const auto parabola = [&](const double z) {  // the diameter is 1 m larger at mid-barrel than at its ends
+        return -0.5 * std::pow(2 * (z - roll.shift) / roll.length, 2);
+      };
+      const reduce::GapShape by_crown = engine.influence_of_radius(r, parabola);
+      crown += by_crown.crown;
+      drop += by_crown.edge_drop;
+      if (roll.loads.size() == 2) {
+        const double up = roll.axis[1] > 0 ? 1 : -1;
+        const reduce::GapShape by_bending =
+            engine.influence_of_loads(r, {{roll.loads[0].z, {0, up}}, {roll.loads[1].z, {0, up}}});
+        bend_crown += by_bending.crown;
+        bend_drop += by_bending.edge_drop;
+      }
+      // A saddle that moves by 1 m towards the strip pushes with its stiffness.
+      for (std::size_t s = 0; s < roll.supports.size() && written.saddles.given && !made; ++s) {
+        const double push            = (roll.axis[1] > 0 ? -1 : 1) * roll.supports[s].stiffness[1];
+        const reduce::GapShape shape = engine.influence_of_loads(r, {{roll.supports[s].z, {0, push}}});
+        add(fmt::format("{}.eccentric{}", written.name, s + 1), shape.crown, shape.edge_drop, "1");
+      }
+    }
+    add(written.name + ".crown", crown, drop, "1");
+    if (bend_crown != 0)
+      add(written.name + ".bending_force", bend_crown, bend_drop, "m/N");
+  }
+  return all;
+}
+}  // namespace mill

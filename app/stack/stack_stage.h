@@ -1,0 +1,46 @@
+#pragma once
+#include "app/run/run_context.h"
+#include "core/model/stack_input.h"
+#include "reduce/stack/beam_stack.h"
+#include <string>
+#include <vector>
+
+// Stage of kind "stack": equilibrium on two meshes and what is read from it.
+namespace mill {
+/// A result before its error is known from a second mesh.
+struct StackNumber {
+  std::string name;
+  double value = 0;  ///< SI
+  std::string unit, method;
+  std::vector<Check> checks;
+  Source source = Source::computed;
+};
+using StackNumbers = std::vector<StackNumber>;
+
+/// The solved stack.
+struct SolvedStack {
+  Stack stack;  ///< with the rolling force, where the gap was given
+  reduce::BeamStack engine;
+  reduce::StackState state;
+};
+
+/// With the rolling force, or with that at which the unloaded gap is the given one.
+/// @throws SolverError  no equilibrium
+SolvedStack solve_stack(const StackInput &input, const Stack &stack, int elements_per_width);
+
+/// S, the gap of the unloaded work rolls; NaN without an exit thickness.
+double unloaded_gap(const SolvedStack &solved);
+/// Flatness in I-units over the elements of the strip; empty without thicknesses.
+Eigen::VectorXd flatness(const SolvedStack &solved);
+
+/// Every result but the influences.
+StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved);
+
+/// Derivatives of the gap by force, bending, crowns and eccentrics.
+StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved);
+
+void write_stack_curves(const RunContext &run, const SolvedStack &solved);
+
+/// All of a run.
+void run_stack(RunContext &run, const StackInput &input, const Stack &stack);
+}  // namespace mill

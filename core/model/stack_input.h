@@ -1,0 +1,70 @@
+#pragma once
+#include "core/base/errors.h"
+#include "core/model/stack.h"
+
+// kind = "stack" as it is written; core/case/stack_resolution.cpp makes a Stack of it.
+namespace mill {
+/// [stack]
+struct StackSettings {
+  std::string lower      = "turned";  ///< mirrored | turned | listed
+  std::string bending_at = "chock";   ///< chock | window
+};
+
+/// [roll.saddles]: a backing shaft with rings between saddles.
+struct StackSaddles {
+  double shaft_diameter = 0;                 ///< m
+  std::vector<double> positions;             ///< m, in the roll's own frame
+  std::vector<double> stiffness;             ///< N/m, one for all or one of each saddle
+  std::vector<double> eccentric;             ///< m, towards the strip; empty: none
+  std::vector<std::array<double, 2>> rings;  ///< m, from and to of each; empty: the barrel
+  double ring_stiffness = not_given;         ///< Pa, of a ring per length; absent: rigid
+  bool given            = false;
+};
+
+/// [[roll]]; of Roll the barrel, the profile, neck diameter, bearing span and bending forces.
+struct StackRollInput : Roll {
+  std::string name;
+  double total_length = not_given;                          ///< m
+  std::vector<std::array<double, 3>> shaft;                 ///< m, (from, to, diameter)
+  std::vector<std::string> on;                              ///< rolls that it leans on, away from the strip
+  std::array<double, 2> position = {not_given, not_given};  ///< m, x and y of the axis
+  std::vector<double> bearing_stiffness;                    ///< N/m, a side; two: upper, lower
+  double chock_mass = 0;                                    ///< kg, a side
+  std::string material;                                     ///< of a [material.NAME]; empty: [steel]
+  StackSaddles saddles;
+  Place place;  ///< of the [[roll]] header
+  StackRollInput()
+  {
+    neck_diameter = bearing_span = not_given;
+  }
+};
+
+/// [strip] and [engine].
+struct StackStripInput : StackStrip {
+  double given_force = not_given;  ///< N
+  double gap         = not_given;  ///< m, S; replaces the force
+  std::string law    = "modulus";  ///< uniform | modulus | bite
+  StackStripInput()
+  {
+    modulus = entry_modulus = arc = entry_thickness = exit_thickness = not_given;
+  }
+};
+struct StackEngine {
+  std::string model      = "beams";
+  std::string flattening = "half-space";  ///< half-space | local
+};
+
+/// [material.NAME]
+struct StackMaterial : Material {
+  std::string name;
+};
+
+struct StackInput {
+  Material steel;
+  StackSettings settings;
+  std::vector<StackMaterial> materials;
+  std::vector<StackRollInput> rolls;
+  StackStripInput strip;
+  StackEngine engine;
+};
+}  // namespace mill

@@ -1,0 +1,141 @@
+#include "core/base/files.h"
+#include "tests/support/near.h"
+#include "tests/support/program.h"
+#include "tests/support/reference.h"
+#include <filesystem>
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+// kind = "stack" as a user meets it: cases of the tree against the independent model of
+// tests/reference/stack.json.
+namespace {
+constexpr double mm = 1e-3, um = 1e-6, kN = 1e3;
+
+struct StackRun {
+  std::string folder;
+  nlohmann::json results;
+  double value(const std::string &name) const
+  {
+    return results.at("values").at(name).at("value").get<double>();
+  }
+  // A closed form next to the result, by the beginning of its name.
+  double check(const std::string &name, const std::string &beginning) const
+  {
+    for (const auto &one : results.at("values").at(name).at("checks"))
+      if (one.at("name").get<std::string>().rfind(beginning, 0) == 0)
+        return one.at("value").get<double>();
+    ADD_FAILURE() << name << " has no check " << beginning;
+    return 0;
+  }
+};
+
+StackRun stack_run(const std::string &stand, const std::string &more = "")
+{
+  StackRun run{scratch("stack-" + stand), {}};
+  const Outcome outcome = millstand("run cases/stack-" + stand + "-high.toml -o " + run.folder + more);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.out << outcome.err;
+  run.results = nlohmann::json::parse(mill::read_text(run.folder + "/results.json"));
+  return run;
+}
+
+struct StackCommandCase {
+  const char *entry;  // of tests/reference/stack.json
+  const char *stand;
+  const char *sets = "";
+};
+
+class StackCommand : public testing::TestWithParam<StackCommandCase> {};
+}  // namespace
+
+TEST_P(StackCommand, AgreesWithTheReference)
+{
+  const StackRun run     = stack_run(GetParam().stand, GetParam().sets);
+  const Reference result = reference(GetParam().entry, "stack")["result"];
+  const auto profile     = within(0.003, "mesh error of the reference, 0.15 um of the specification", 50 * um);
+  EXPECT_TRUE(near(run.value("stack.crown"), um * double(result["crown_um"]), profile));
+  EXPECT_TRUE(near(run.value("stack.edge_drop"), um * double(result["edge_drop_um"]), profile));
+  EXPECT_TRUE(near(run.value("stack.wedge"), um * double(result["wedge_um"]), profile));
+  EXPECT_TRUE(near(run.value("stack.opening"), mm * double(result["h_minus_S_mm"]),
+                   within(1e-3, "mesh of the flattening")));
+  EXPECT_TRUE(near(run.value("stack.modulus.mid"), 1e3 * double(result["tangent"]["mid_N_per_mm"]),
+                   within(2e-3, "ends of open contacts lie within an element")));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    All, StackCommand,
+    testing::Values(
+        StackCommandCase{"two-high", "two"}, StackCommandCase{"four-high", "four"},
+        StackCommandCase{"four-high.bend", "four", R"( --set 'roll.0.bending_force=["100 kN", "100 kN"]')"},
+        StackCommandCase{"four-high.crown", "four", " --set roll.0.crown='100 um' --set roll.1.crown='150 um'"},
+        StackCommandCase{"four-high.offset", "four", " --set strip.offset='30 mm'"},
+        StackCommandCase{"four-high.local", "four", " --set engine.flattening=local"},
+        StackCommandCase{"six-high.all", "six"},
+        StackCommandCase{"six-high.tension", "six", " --set strip.tension_modulus='2e5 MPa'"},
+        StackCommandCase{"twenty-high", "twenty"}),
+    [](const auto &one) {
+      std::string name = one.param.entry;
+      for (char &c : name)
+        c = std::isalnum(static_cast<unsigned char>(c)) ? c : '_';
+      return name;
+    });
+
+// ST-1: no elasticity is in the resultants.
+TEST(StackCommandForces, FollowFromStaticsAlone)
+{
+  const StackRun six = stack_run("six"), twenty = stack_run("twenty");
+  for (const auto &[run, pairs] :
+       {std::pair{&six, std::vector<std::string>{"W-I", "I-B", "lower_W-lower_I", "lower_I-lower_B"}},
+        std::pair{&twenty,
+                  std::vector<std::string>{"S-O", "S-P", "O-I", "O-J", "I-A", "I-B", "J-B", "lower_J-lower_C"}}})
+    for (const std::string &pair : pairs)
+      EXPECT_TRUE(near(run->value("pair." + pair + ".force"), run->check("pair." + pair + ".force", "statics"),
+                       within(1e-9, "residual of Newton's method")))
+          << pair;
+  EXPECT_TRUE(near(six.value("pair.I-B.load_centre"), 10 * mm,
+                   within(1e-6, "deflections of a millimetre turn no line of force", 10 * mm)));
+  EXPECT_TRUE(near(six.check("pair.I-B.load_centre", "statics"), 10 * mm, within(1e-12, "rounding")));
+  EXPECT_TRUE(near(six.value("roll.B.reaction_drive"), six.check("roll.B.reaction_drive", "statics"),
+                   within(1e-8, "residual of Newton's method")));
+  const Reference over_force = reference("twenty-high", "stack")["resultants_over_F"];
+  for (const char *pair : {"S-O", "O-I", "O-J", "I-A", "I-B", "J-B"})
+    EXPECT_TRUE(near(twenty.value(std::string("pair.") + pair + ".force") / (1200 * kN), double(over_force[pair]),
+                     within(3e-8, "positions of the reference have nine digits")));
+}
+
+// The gap that a run with a force states gives that force back.
+TEST(StackCommandForces, TheGapGivesTheForceBack)
+{
+  const StackRun by_force = stack_run("four");
+  std::string text        = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/cases/stack-four-high.toml");
+  const std::string given = "force = \"976.2 kN\"";
+  const auto position     = text.find(given);
+  ASSERT_NE(position, std::string::npos);
+  char gap[64];
+  std::snprintf(gap, sizeof gap, "gap = \"%.15g mm\"", 1e3 * by_force.value("stack.gap"));
+  text.replace(position, given.size(), gap);
+  const std::string file = scratch("stack-gap") + ".toml", folder = scratch("stack-gap-run");
+  mill::write_atomically(file, text);
+  const Outcome outcome = millstand("run " + file + " -o " + folder);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const StackRun by_gap{folder, nlohmann::json::parse(mill::read_text(folder + "/results.json"))};
+  EXPECT_TRUE(near(by_gap.value("stack.force"), 976.2 * kN, within(1e-7, "steps end at 1e-9 of the opening")));
+  std::filesystem::remove(file);
+}
+
+TEST(StackCommandResults, InfluencesAgreeWithTheReference)
+{
+  const StackRun four = stack_run("four"), six = stack_run("six");
+  const Reference slopes = reference("influence", "stack")["result"];
+  const auto reason      = within(1e-3, "central differences of the reference and its mesh");
+  const auto per         = [&](const char *name) { return double(slopes[name]); };
+  EXPECT_TRUE(near(four.value("influence.crown.force"), per("four-high: d/dF um per kN") * um / kN, reason));
+  EXPECT_TRUE(near(four.value("influence.crown.W.bending_force"),
+                   per("four-high: d/d bending um per kN") * um / kN, reason));
+  EXPECT_TRUE(
+      near(four.value("influence.crown.W.crown"), per("four-high: d/d work-roll crown um per um"), reason));
+  EXPECT_TRUE(near(four.value("influence.crown.B.crown"), per("four-high: d/d backup crown um per um"), reason));
+  EXPECT_TRUE(
+      near(six.value("influence.crown.W.bending_force"), per("six-high.all: d/d wb um per kN") * um / kN, reason));
+  EXPECT_TRUE(
+      near(six.value("influence.crown.I.bending_force"), per("six-high.all: d/d ib um per kN") * um / kN, reason));
+}
