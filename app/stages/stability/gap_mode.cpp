@@ -38,6 +38,17 @@ std::vector<reduce::GapMotion> rolling_modes(const dynamics::ChatterStandModel &
 }
 }  // namespace
 
+namespace {
+// The stand is in its modes: the kinetic energy of one stack, by which the rule of the kinds chooses it, is not
+// known here.  From the range of the fifth octave on work rolls move against their backup rolls.
+reduce::GapKind kind_of(const reduce::GapMotion &mode)
+{
+  const reduce::GapKind kind = reduce::gap_kind(mode);
+  return kind == reduce::GapKind::first && mode.frequency >= reduce::fifth_octave[0] ? reduce::GapKind::second
+                                                                                     : kind;
+}
+}  // namespace
+
 double GapMode::damping() const
 {
   return -root.real() / std::abs(root);
@@ -47,11 +58,13 @@ GapMode gap_mode(const dynamics::ChatterStandModel &stand, const bite::LinearCoe
 {
   const auto modes = rolling_modes(stand, bite);
   GapMode mode;
-  const int k = reduce::gap_mode(modes);
-  if (k < 0)
+  for (const reduce::GapMotion &one : modes)
+    if (kind_of(one) == reduce::GapKind::first && one.gap_share > mode.share) {
+      mode.share     = one.gap_share;
+      mode.frequency = one.frequency;
+    }
+  if (mode.share == 0)
     return mode;
-  mode.share                   = modes[std::size_t(k)].gap_share;
-  mode.frequency               = modes[std::size_t(k)].frequency;
   const Eigen::VectorXcd roots = dynamics::eigenvalues(dynamics::chatter_matrix(stand, bite));
   double least                 = std::numeric_limits<double>::infinity();
   for (const std::complex<double> &root : roots)
@@ -71,7 +84,7 @@ std::string text_of_root(const dynamics::ChatterStandModel &stand, const bite::L
   const auto nearest         = std::min_element(modes.begin(), modes.end(), [&](const auto &a, const auto &b) {
     return std::abs(a.frequency - frequency) < std::abs(b.frequency - frequency);
   });
-  const reduce::GapKind kind = reduce::gap_kind(*nearest);
+  const reduce::GapKind kind = kind_of(*nearest);
   const char *name           = kind == reduce::GapKind::none    ? "mode"
                                : kind == reduce::GapKind::first ? "gap mode"
                                                                 : "gap mode of the second kind";
