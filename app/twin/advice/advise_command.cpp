@@ -3,6 +3,7 @@
 #include "app/process/console.h"
 #include "app/run/output_dir.h"
 #include "app/stages/stand/stand_components.h"
+#include "app/twin/advice/cluster_advice.h"
 #include "app/twin/advice/critical_speed_advice.h"
 #include "app/twin/advice/pass_speed_advice.h"
 #include "app/twin/advice/stand_advice.h"
@@ -90,13 +91,14 @@ int threads_for(const CommandLine &command)
 
 int advise_command(const CommandLine &command, const Case &the_case)
 {
-  const bool chatter = std::holds_alternative<ChatterCase>(the_case.spec);
-  if (!chatter && !std::holds_alternative<FourHigh>(the_case.spec) &&
-      !std::holds_alternative<Lumped>(the_case.spec))
+  const bool stack = std::holds_alternative<ClusterCase>(the_case.spec);
+  const bool speed = stack || std::holds_alternative<ChatterCase>(the_case.spec);
+  if (!speed && !std::holds_alternative<FourHigh>(the_case.spec) && !std::holds_alternative<Lumped>(the_case.spec))
     throw InputError("millstand advise has nothing to advise for kind = \"" + the_case.kind + "\" (" +
                      the_case.path +
-                     "); it takes four-high and lumped for the level of a place, chatter for the critical speed");
-  if (chatter && !command.measured.empty())
+                     "); it takes four-high and lumped for the level of a place, four-high, cluster and chatter "
+                     "for the critical speed");
+  if (speed && !command.measured.empty())
     throw InputError(
         "--measured " + command.measured +
         ": a critical speed does not follow from a measured force; leave it out, or name a case of kind "
@@ -114,7 +116,8 @@ int advise_command(const CommandLine &command, const Case &the_case)
     });
     return rolls;
   };
-  const twin::AdviceRecord record = chatter ? critical_speed_advice(the_case, threads_for(command))
+  const twin::AdviceRecord record = stack   ? cluster_advice(the_case, threads_for(command))
+                                    : speed ? critical_speed_advice(the_case, threads_for(command))
                                     : asks_critical_speed(the_case, rolled, command.measured)
                                         ? pass_speed_advice(the_case, rolled, components, threads_for(command))
                                         : stand_advice(the_case, command.measured, reading, rolled, components);

@@ -63,4 +63,18 @@ int on_its_chock(const twin::VibratingStand &stand, const std::string &roll)
   return stand.place(roll);
 }
 
+ProcessAdvice process_of(const ChatterAdvice &asked)
+{
+  ProcessAdvice process;
+  process.wanted_speed    = asked.wanted_speed;
+  process.force_rise      = asked.force_rise;
+  process.torque_rise     = asked.torque_rise;
+  process.speed           = asked.speed;
+  process.entry_thickness = asked.entry_thickness;
+  process.entry_tension   = asked.entry_tension;
+  process.exit_tension    = asked.exit_tension;
+  process.viscosity       = asked.viscosity;
+  process.friction        = {1, 1};
+  return process;
+}
 }  // namespace mill

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/errors.h"
 #include "core/model/advice.h"
+#include "core/model/process_advice.h"
 #include "twin/advice/advice.h"
 #include <string>
 #include <vector>
@@ -25,4 +26,7 @@ std::vector<twin::DamperChoice> damper_choices(const twin::VibratingStand &stand
 
 /// The chock that carries a damper of a roll, by its name in a detailed stand; another place is itself.
 int on_its_chock(const twin::VibratingStand &stand, const std::string &roll);
+
+/// What may be changed of a pass of kind chatter or cluster; its friction law only through the viscosity.
+ProcessAdvice process_of(const ChatterAdvice &asked);
 }  // namespace mill

@@ -1,5 +1,6 @@
 #include "app/twin/advice/critical_speed_advice.h"
 #include "app/chatter/chatter_question.h"
+#include "app/twin/advice/asked_choices.h"
 #include "app/twin/advice/speed_record.h"
 #include "app/twin/stand/chatter_model.h"
 #include "core/model/case.h"
@@ -58,21 +59,6 @@ void scale(ChatterCase &spec, const std::string &key, const double factor)
 std::string spring_key(const std::size_t j)
 {
   return j == 3 ? "" : fmt::format("stand.stiffnesses[{}]", j < 3 ? j : j - 1);
-}
-
-ProcessAdvice process_of(const ChatterAdvice &asked)
-{
-  ProcessAdvice process;
-  process.wanted_speed    = asked.wanted_speed;
-  process.force_rise      = asked.force_rise;
-  process.torque_rise     = asked.torque_rise;
-  process.speed           = asked.speed;
-  process.entry_thickness = asked.entry_thickness;
-  process.entry_tension   = asked.entry_tension;
-  process.exit_tension    = asked.exit_tension;
-  process.viscosity       = asked.viscosity;
-  process.friction        = {1, 1};
-  return process;
 }
 
 CriticalQuestion question_of(const ChatterCase &spec, const std::size_t condition)

@@ -409,7 +409,7 @@ TEST(Advise, Refusals)
   EXPECT_EQ(refused(cases + "two-cylinders.toml", {}, "", "out"),
             "millstand advise has nothing to advise for kind = \"two-cylinders\" (two-cylinders.toml); it takes "
             "four-high "
-            "and lumped for the level of a place, chatter for the critical speed");
+            "and lumped for the level of a place, four-high, cluster and chatter for the critical speed");
   EXPECT_EQ(refused(cases + "chatter-tandem.toml", {"advice.condition=\"9\""}, "", "out"),
             "advice.condition = \"9\" is not the name of a [[condition]]");
   EXPECT_EQ(refused(chain, few, "", "chain.toml"), "chain.toml is a file, not a folder; choose another with -o");

@@ -299,6 +299,21 @@ TEST(ClusterCommand, ChatterFindsTheModeThatBecomesUnstableAndNamesItsFlowStress
   EXPECT_LT(nearest, 0.15);
 }
 
+TEST(ClusterCommand, AdviceRatesActionsOnTheSpeedThatChatterFinds)
+{
+  const std::string folder = scratch("cluster-advice"), searched = scratch("cluster-searched");
+  const Outcome run = millstand("advise cases/six-high.toml -q -o " + folder);
+  ASSERT_EQ(run.exit_code, 0) << run.err;
+  const auto advice = nlohmann::json::parse(mill::read_text(folder + "/advice.json"));
+  ASSERT_EQ(millstand("chatter cases/six-high.toml -q -o " + searched + " --set analysis.map_points=0").exit_code,
+            0);
+  EXPECT_TRUE(near(advice.at("values").at("advice.critical_speed").at("value").get<double>(),
+                   results_in(searched).at("values").at("chatter.pass 1.critical_speed").at("value").get<double>(),
+                   within(1e-6, "both solve for the root of the growth")));
+  EXPECT_TRUE(holds(advice.at("actions").dump(), "stiffness of support housing_lower x 1.1"));
+  EXPECT_TRUE(holds(advice.at("what_ifs").dump(), "damping of the stack x 2"));
+}
+
 TEST(ClusterCommand, APassWithoutSpeedSaysSo)
 {
   std::string text       = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/cases/six-high.toml");
