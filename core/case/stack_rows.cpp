@@ -130,7 +130,7 @@ const std::vector<Field<StackSaddles>> &stack_saddle_rows()
        "kN/mm",
        {1, 1e7},
        required,
-       "2000 kN/mm",
+       R"(["2000 kN/mm"])",
        "from the axis to the ground, along x and y alike; one for all or one of each saddle"},
       {"eccentric",
        &T::eccentric,
@@ -195,7 +195,8 @@ const std::vector<Field<StackStripInput>> &stack_strip_rows()
        {0, 1e8},
        0,
        "2e5 MPa",
-       "feedback of the tension, |d(line load)/d(tension)| Young's modulus / exit thickness"},
+       "feedback of the tension: fall of the line load with the tension times Young's modulus over the exit "
+       "thickness"},
       {"contact_length",
        &T::arc,
        "mm",
