@@ -6,8 +6,11 @@ namespace mill {
 /// object ends is removed.
 class ScratchFolder {
 public:
-  /// @param prefix  of the name, "millstand-export"
-  explicit ScratchFolder(const std::string &prefix);
+  /// @param prefix     of the name, "millstand-export"
+  /// @param in_memory  small files that are written often: in the folder of the system that is memory, where there
+  /// is
+  ///                   one, since each file of a run waits for the disk
+  explicit ScratchFolder(const std::string &prefix, bool in_memory = false);
   ~ScratchFolder();
   ScratchFolder(const ScratchFolder &)            = delete;
   ScratchFolder &operator=(const ScratchFolder &) = delete;

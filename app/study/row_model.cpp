@@ -135,7 +135,7 @@ struct RowModel::Implementation {
 
   NamedResults full(const Case &row)
   {
-    const ScratchFolder scratch("millstand-row");
+    const ScratchFolder scratch("millstand-row", true);
     const OutputDir out(scratch.path(), row, true, "row");
     RunContext run{row, out, settings.cache, settings.fresh};
     run.made    = made;
