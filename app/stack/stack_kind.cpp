@@ -1,9 +1,37 @@
 #include "app/run/run_kind.h"
 #include "app/stack/stack_stage.h"
+#include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
 #include <nlohmann/json.hpp>
+#include <utility>
+#include <vector>
 
 namespace mill {
+namespace {
+// The engine itself is quick enough to be followed.
+std::vector<ClosedFormResult> traced(const Case &the_case)
+{
+  const auto &spec   = std::get<StackCase>(the_case.spec);
+  const KeyList keys = keys_of_stack(the_case);
+  std::vector<ClosedFormResult> all;
+  for (const StackNumber &number : traced_stack(*spec.input, *spec.stack)) {
+    ClosedFormResult result;
+    result.name             = number.name;
+    result.parameter.value  = number.value;
+    result.parameter.unit   = number.unit;
+    result.parameter.method = number.method;
+    result.parameter.inputs = keys;
+    result.closed           = keys;
+    result.own_keys         = keys;
+    result.relation         = "equilibrium of rolls as beams, on the coarser mesh";
+    result.file             = "reduce/stack/beam_stack";
+    result.equation         = "(51.9)";
+    all.push_back(std::move(result));
+  }
+  return all;
+}
+}  // namespace
+
 const RunKind &run_kind(const StackCase &)
 {
   static const RunKind kind = [] {
@@ -22,6 +50,9 @@ const RunKind &run_kind(const StackCase &)
     k.inputs = [](const Case &, const Results &results, const std::string &name) -> std::optional<KeyList> {
       const Parameter *made = results.find(name);
       return made ? std::optional<KeyList>(made->inputs) : std::nullopt;
+    };
+    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+      return traced(the_case);
     };
     return k;
   }();

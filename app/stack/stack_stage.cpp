@@ -51,10 +51,7 @@ SolvedStack solve_for_gap(const StackInput &input, Stack stack, const int elemen
 
 void add_results(RunContext &run, const StackNumbers &fine, const StackNumbers &coarse, const double force)
 {
-  std::vector<std::string> inputs;
-  for (const auto &place : run.the_case.places)
-    if (place.first.find('.') != std::string::npos)  // not the title
-      inputs.push_back(place.first);
+  const std::vector<std::string> inputs = keys_of_stack(run.the_case);
   for (std::size_t i = 0; i < fine.size(); ++i) {
     const StackNumber &number = fine[i];
     Parameter p;
@@ -183,6 +180,20 @@ void write_stack_curves(const RunContext &run, const SolvedStack &solved)
     table.add("z", "m", roll.z).add("x", "m", roll.x).add("y", "m", roll.y);
     write_curve(run, curve::stack_roll, solved.stack.rolls[r].name, table);
   }
+}
+
+StackNumbers traced_stack(const StackInput &input, const Stack &stack)
+{
+  return stack_numbers(input, solve_stack(input, stack, elements_over_width / 2));
+}
+
+std::vector<std::string> keys_of_stack(const Case &the_case)
+{
+  std::vector<std::string> keys;
+  for (const auto &place : the_case.places)
+    if (place.first.find('.') != std::string::npos)  // not the title
+      keys.push_back(place.first);
+  return keys;
 }
 
 void run_stack(RunContext &run, const StackInput &input, const Stack &stack)

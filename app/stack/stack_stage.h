@@ -7,6 +7,8 @@
 
 // Stage of kind "stack": equilibrium on two meshes and what is read from it.
 namespace mill {
+struct Case;
+
 /// A result before its error is known from a second mesh.
 struct StackNumber {
   std::string name;
@@ -40,6 +42,12 @@ StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved);
 StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved);
 
 void write_stack_curves(const RunContext &run, const SolvedStack &solved);
+
+/// What a trace follows: the run's own engine on its coarser mesh, which takes some 10 ms.
+StackNumbers traced_stack(const StackInput &input, const Stack &stack);
+
+/// Keys of the case behind every result: all of them.
+std::vector<std::string> keys_of_stack(const Case &the_case);
 
 /// All of a run.
 void run_stack(RunContext &run, const StackInput &input, const Stack &stack);

@@ -14,10 +14,10 @@ double relative_error(const SpeedVerdict &v)
   return std::max(v.critical - low, high - v.critical) / v.critical;
 }
 
-// Digits of the ends of an interval: two of its width.
+// Digits of the ends of an interval: those that half its width allows.
 std::string end_text(const double end, const double width)
 {
-  return number_within(end, 0.3 * width / end, 3);
+  return number_within(end, 0.5 * width / end, 3);
 }
 
 std::string critical_text(const SpeedVerdict &v)

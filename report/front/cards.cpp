@@ -73,6 +73,8 @@ std::string speed_state(const SpeedVerdict &v)
 
 std::string speed_card(const SpeedVerdict &v, const std::string &of_pass)
 {
+  if (v.finding == SpeedFinding::not_searched)
+    return "";
   if (std::isnan(v.critical))
     return std::isnan(v.growth)
                ? ""

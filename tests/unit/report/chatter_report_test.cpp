@@ -208,8 +208,8 @@ TEST(ChatterReport, TilesGroupsAndNames)
   EXPECT_EQ(groups[0].results.size(), 3u) << "variants have a table of their own";
   EXPECT_EQ(groups[1].title, "Bite, condition 2");
   const std::string html = html_page(run);
-  EXPECT_TRUE(says(html, "<span>condition 2, critical speed</span><b>18.00</b> m/s"));
-  EXPECT_TRUE(says(html, "<span>condition 2, chatter frequency</span><b>128.0</b> Hz"));
+  EXPECT_TRUE(says(html, "<span>critical speed</span><b>18")) << "the only condition";
+  EXPECT_TRUE(says(html, "128 Hz")) << "in the verdict";
   EXPECT_TRUE(says(html, "<code>chatter.2.variant.C.critical_speed</code>"));
   EXPECT_EQ(meaning_of("chatter.2.critical_speed"), "chatter, 2, roll speed at which vibration begins to grow");
   EXPECT_EQ(meaning_of("chatter.2.frequency"), "chatter, 2, frequency of the critical mode");

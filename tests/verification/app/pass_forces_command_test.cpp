@@ -93,10 +93,10 @@ TEST(PassForcesCommand, RefusesWithThePlaceOfThePass)
                 "must be positive\n"),
             std::string::npos)
       << friction;
-  const std::string none = refused({{"load = \"1302 kN\"\n", ""},
-                                    {"law = \"power\"", "law = \"constant\""},
-                                    {"k = \"1604 MPa\"\nn = 0.290", "k = \"2000 MPa\""},
-                                    {"at_unit_speed = 0.066723", "at_unit_speed = 0.114037"}});
+  const std::string none =
+      refused({{"load = \"1302 kN\"\n", ""},
+               {"law = \"power\"\nk = \"1604 MPa\"\nn = 0.290", "law = \"constant\"\nk = \"2000 MPa\""},
+               {"at_unit_speed = 0.066723", "at_unit_speed = 0.114037"}});
   EXPECT_NE(none.find(": error: pass \"pass 5\": roll bite: no flattened radius: R'/R = "), std::string::npos)
       << none;
   EXPECT_NE(none.find("a smaller work roll, less friction, more tension, or a thicker strip.exit_thickness"),
