@@ -26,9 +26,16 @@ std::string critical_text(const SpeedVerdict &v)
   return speed_digits(v) + " m/s" + (interval.empty() ? "" : " (" + interval + ")");
 }
 
+// "16.0 m/s"; a record without its speed says so in words.
 std::string speed_text(const double speed)
 {
-  return number_within(speed, 0.005, 3);
+  return std::isnan(speed) ? "the working speed" : number_within(speed, 0.005, 3) + " m/s";
+}
+
+// "15 % " before "below" or "above".
+std::string apart_text(const SpeedVerdict &v)
+{
+  return std::isnan(v.speed) ? "" : margin_text(v) + " ";
 }
 
 std::string range_text(const SpeedVerdict &v)
@@ -48,11 +55,11 @@ std::string keys_text(const std::vector<std::string> &keys)
 
 std::string unstable_sentence(const SpeedVerdict &v)
 {
-  if (!(v.speed >= v.critical))
-    return fmt::format("Unstable: the {} grows at {} m/s; no speed {} is critical.", v.mode, speed_text(v.speed),
+  if (v.speed < v.critical || std::isnan(v.critical))
+    return fmt::format("Unstable: the {} grows at {}; no speed {} is critical.", v.mode, speed_text(v.speed),
                        range_text(v));
-  return fmt::format("Unstable: {} m/s is {} above the critical speed of {}; the {} becomes unstable first.",
-                     speed_text(v.speed), margin_text(v), critical_text(v), v.mode);
+  return fmt::format("Unstable: {} is {}above the critical speed of {}; the {} becomes unstable first.",
+                     speed_text(v.speed), apart_text(v), critical_text(v), v.mode);
 }
 }  // namespace
 
@@ -114,16 +121,16 @@ std::string sentence_of(const SpeedVerdict &v)
 {
   switch (v.finding) {
   case SpeedFinding::below:
-    return fmt::format("At {} m/s, {} below the critical speed of {}; the {} becomes unstable first.",
-                       speed_text(v.speed), margin_text(v), critical_text(v), v.mode);
+    return fmt::format("At {}, {}below the critical speed of {}; the {} becomes unstable first.",
+                       speed_text(v.speed), apart_text(v), critical_text(v), v.mode);
   case SpeedFinding::unstable:
     return unstable_sentence(v);
   case SpeedFinding::stable:
     if (!std::isnan(v.critical))
-      return fmt::format("At {} m/s, stable again above the critical speed of {}; the {} becomes unstable there.",
+      return fmt::format("At {}, stable again above the critical speed of {}; the {} becomes unstable there.",
                          speed_text(v.speed), critical_text(v), v.mode);
-    return fmt::format("At {} m/s, without a critical speed {}; the {} has the least damping.",
-                       speed_text(v.speed), range_text(v), v.mode);
+    return fmt::format("At {}, without a critical speed {}; the {} has the least damping.", speed_text(v.speed),
+                       range_text(v), v.mode);
   case SpeedFinding::not_searched:
     break;
   }

@@ -82,7 +82,8 @@ std::string speed_card(const SpeedVerdict &v, const std::string &of_pass)
                       "no critical speed in the range", "", speed_state(v));
   std::string below          = interval_text(v);
   const std::string relation = v.speed > v.critical ? "margin \u2212" : "margin ";
-  below += (below.empty() ? "" : "; ") + relation + margin_text(v) + " at " + fixed(v.speed, 1) + " m/s";
+  if (std::isfinite(v.speed))
+    below += (below.empty() ? "" : "; ") + relation + margin_text(v) + " at " + fixed(v.speed, 1) + " m/s";
   return tile("critical speed" + of_pass, speed_digits(v), "m/s", below, "95 % interval", speed_state(v));
 }
 

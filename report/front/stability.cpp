@@ -28,9 +28,9 @@ SpeedVerdict of_condition(const Run &run, const std::string &condition, const Re
   v.growth    = growth.value;
   v.frequency = value("frequency");
   v.mode      = std::isfinite(v.frequency) ? "mode at " + fixed(v.frequency, 0) + " Hz" : "least damped mode";
-  v.finding   = growth.value > 0       ? SpeedFinding::unstable
-                : v.speed < v.critical ? SpeedFinding::below
-                                       : SpeedFinding::stable;
+  v.finding   = growth.value > 0 ? SpeedFinding::unstable
+                : v.speed < v.critical || (std::isnan(v.speed) && std::isfinite(v.critical)) ? SpeedFinding::below
+                                                                                             : SpeedFinding::stable;
   return v;
 }
 }  // namespace
