@@ -125,6 +125,20 @@ ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t cond
   return q;
 }
 
+RollingCondition condition_of(const Pass &pass, const Strip &strip)
+{
+  RollingCondition c;
+  c.name            = pass.name;
+  c.place           = pass.place;
+  c.entry_thickness = strip.entry_thickness;
+  c.exit_thickness  = strip.exit_thickness;
+  c.entry_tension   = strip.entry_tension;
+  c.exit_tension    = strip.exit_tension;
+  c.width           = strip.width;
+  c.speed           = pass.speed;
+  return c;
+}
+
 StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const reduce::LumpedStand &chain,
                                const StandModels &models)
 {
@@ -133,15 +147,8 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   q.bite              = mill::bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
   const Strip &strip  = q.bite.strip;
   RollingCondition &c = q.condition;
-  c.name              = pass.name;
+  c                   = condition_of(pass, strip);
   q.label             = pass.name;
-  c.place             = pass.place;
-  c.entry_thickness   = strip.entry_thickness;
-  c.exit_thickness    = strip.exit_thickness;
-  c.entry_tension     = strip.entry_tension;
-  c.exit_tension      = strip.exit_tension;
-  c.width             = strip.width;
-  c.speed             = pass.speed;
   q.analysis          = stand.analysis;
   q.scheme            = linearisation_of(stand.analysis);
   if (std::isnan(c.speed)) {

@@ -3,6 +3,7 @@
 #include "app/stages/stability/stability_question.h"
 #include "app/stages/stand/model_stage.h"
 #include "core/model/pass.h"
+#include "core/model/strip.h"
 #include "reduce/stand/lumped_stand.h"
 
 // From a case to what is asked about chatter.
@@ -12,7 +13,10 @@ struct FourHigh;
 
 ChatterQuestion chatter_question(const ChatterCase &spec, std::size_t condition);
 
-/// A pass of a four-high stand as a working condition.
+/// A pass of any stand as a working condition; thicknesses and tensions are those of its bite.
+RollingCondition condition_of(const Pass &pass, const Strip &strip);
+
+/// A pass of a four-high stand, asked.
 struct StandQuestion {
   ChatterQuestion question;
   std::vector<std::string> assumed;  ///< what the case does not say, one sentence each

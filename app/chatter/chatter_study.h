@@ -32,7 +32,8 @@ struct ChatterQuestion {
   std::array<double, 2> film_range = {not_given, not_given};  ///< m
   std::vector<dynamics::StructureNumber> numbers;             ///< of the stand's structure
   std::vector<NamedStand> variants;                           ///< other readings of the same stand
-  /// Models of the same stand.  With more than one the first, the most detailed one, becomes `stand` in study_chatter().
+  /// Models of the same stand.  With more than one the first, the most detailed one, becomes `stand` in
+  /// study_chatter().
   std::vector<NamedStand> structures;
   std::vector<std::string> inputs;  ///< keys behind the results
 };

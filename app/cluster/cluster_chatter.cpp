@@ -82,22 +82,6 @@ Eigen::Index leading_mode(const Eigen::VectorXd &w, const Eigen::VectorXd &gap)
   gap.cwiseQuotient(w).cwiseAbs().maxCoeff(&leading);
   return leading;
 }
-
-// What a pass of a four-high is asked; thicknesses and tensions are those of the bite.
-RollingCondition condition_of(const ClusterPass &pass, const Strip &strip)
-{
-  RollingCondition c;
-  c.name            = pass.name;
-  c.place           = pass.place;
-  c.entry_thickness = strip.entry_thickness;
-  c.exit_thickness  = strip.exit_thickness;
-  c.entry_tension   = strip.entry_tension;
-  c.exit_tension    = strip.exit_tension;
-  c.width           = strip.width;
-  c.speed           = pass.speed;
-  return c;
-}
-
 }  // namespace
 
 StripRolls strip_rolls(const ClusterStand &stand)

@@ -42,13 +42,13 @@
 #include <vector>
 
 namespace mill {
-namespace {
-void add_model(RunContext &run, const LumpedModel &model, const std::string &prefix)
+void add_chain_results(RunContext &run, const LumpedModel &model, const std::string &prefix)
 {
   reduce::each_number(
       [&](const std::string &name, const Parameter &number) { run.results.add(prefix + name, number); }, model);
 }
 
+namespace {
 // Adds the published values of the case to the computed ones as checks, under the plain name and for tangent or
 // plastic slope.
 void add_published_checks(RunContext &run, const GivenValues &published)
@@ -285,7 +285,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
   }
   const StandInState &driven_one = states.driven(stand.dynamics);
   const StandModels &models      = driven_one.models;
-  add_model(run, chain.model, first ? "" : pass.name + ".");
+  add_chain_results(run, chain.model, first ? "" : pass.name + ".");
   if (first) {
     run.results.add("K_ZW", chain.K_ZW);
     run.results.add("K_Zy", chain.K_Zy_upper);
@@ -374,87 +374,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
              "identify only this product");
 }
 
-namespace {
-void add_turning_and_response(RunContext &run, const Lumped &lumped, const LumpedModel &model,
-                              const reduce::StandWithModes &rolling, const reduce::StandWithModes &chain)
-{
-  const bool measured = driven_state(lumped.dynamics) == GapState::open;
-  RespondingStand responding;
-  responding.models     = {&chain};
-  responding.named      = &chain == &rolling ? GapState::rolling : GapState::open;
-  responding.uncertain  = reduce::modal_sensitivities(chain, model);
-  responding.gap_damper = measured || std::isnan(model.C.value) ? 0 : model.C.value;
-  responding.inputs     = joined(chain_mode_keys(model, lumped.dynamics, Half::upper),
-                                 chain_mode_keys(model, lumped.dynamics, Half::lower));
-  add_frequency_responses(run, lumped.frequency_response, lumped.dynamics, responding);
-  add_campbell(run, lumped.campbell, {&rolling, turning_rolls(lumped), lumped.passes, lumped.drive});
-}
-
-// mode.* of the chain, open.mode.* of the open one, frequency response and Campbell diagram.
-void add_modes_and_response(RunContext &run, const Lumped &lumped, const LumpedModel &model)
-{
-  const auto open = chain_with_modes(model, in_state(lumped.dynamics, GapState::open));
-  const auto add  = [&](const GapState named, const GapState state, const reduce::StandWithModes &chain) {
-    const auto uncertain = reduce::modal_sensitivities(chain, model);
-    NamedModes modes{named, {&chain}, uncertain};
-    modes.of_gap = gap_compliance_keys(model, in_state(lumped.dynamics, state));
-    add_named_modes(run, modes);
-  };
-  if (!knows_strip(model)) {
-    assume_open(run, "given.K4");
-    add(GapState::rolling, GapState::open, open);
-    return add_turning_and_response(run, lumped, model, open, open);
-  }
-  const auto rolling = chain_with_modes(model, in_state(lumped.dynamics, GapState::rolling));
-  add(GapState::rolling, GapState::rolling, rolling);
-  add(GapState::open, GapState::open, open);
-  const bool measured = driven_state(lumped.dynamics) == GapState::open;
-  add_turning_and_response(run, lumped, model, rolling, measured ? open : rolling);
-}
-}  // namespace
-
-namespace {
-// The chain as it is given, or at the load of the pass on its curves.
-void simulate_lumped_pass(RunContext &run, const LumpedModel &given, const Lumped &lumped, const Pass &pass,
-                          const ForceRecord &force)
-{
-  if (lumped.dynamics.contact != "curve")
-    return simulate_pass(run, pass_model(given, lumped.dynamics), lumped.dynamics, pass, force);
-  const double load       = working_load(pass, force);
-  const LumpedModel model = at_load(run, given, lumped.curves, lumped.dynamics, pass, load);
-  PassModel driven        = pass_model(model, lumped.dynamics);
-  driven.curves = std::make_shared<CurveDrive>(curve_drive(lumped.curves, lumped.dynamics, given, model, load));
-  simulate_pass(run, driven, lumped.dynamics, pass, force);
-}
-}  // namespace
-
-void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::string &force_file)
-{
-  if (lumped.detailed)
-    return run_detailed_model(run, lumped, goal, force_file);
-  LumpedModel model = lumped_model_of(run.the_case);
-  set_given_inputs(model);
-  add_model(run, model, "");
-  run.out.write("lumped_model.toml",
-                lumped_model_toml(model, run.the_case, run.out.path()) + chain_curves_toml(lumped.curves));
-  if (goal >= Goal::modes)
-    add_modes(run, model, lumped.dynamics, not_given, {0, 0});
-  if (goal >= Goal::modes)
-    add_modes_and_response(run, lumped, model);
-  if (goal < Goal::simulate)
-    return;
-  for (std::size_t p = 0; p < lumped.passes.size(); ++p) {
-    Pass &pass = lumped.passes[p];
-    if (!force_file.empty())
-      pass.force_file = force_file;
-    if (has_force(pass))
-      simulate_lumped_pass(run, model, lumped, pass, force_of(pass));
-    run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
-  }
-}
-
-namespace {
-std::size_t place_of(const std::vector<Pass> &passes, const std::string &wanted)
+std::size_t place_of_pass(const std::vector<Pass> &passes, const std::string &wanted)
 {
   std::string names;
   for (std::size_t p = 0; p < passes.size(); ++p) {
@@ -465,11 +385,9 @@ std::size_t place_of(const std::vector<Pass> &passes, const std::string &wanted)
   throw InputError("--pass \"" + wanted + "\": the case has no pass of this name; it has " +
                    (names.empty() ? "none" : names));
 }
-}  // namespace
-
 DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string &pass)
 {
-  const std::size_t p     = place_of(stand.passes, pass);
+  const std::size_t p     = place_of_pass(stand.passes, pass);
   const PassForces forces = forces_of(run, stand, "");
   set_given_inputs(stand.given);
   resolve_frame(run, stand);
@@ -509,31 +427,6 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   driven_stand.pass     = stand.passes[p];
   driven_stand.force    = forces.records[p];
   driven_stand.load     = forces.loads[p];
-  return driven_stand;
-}
-
-DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::string &pass)
-{
-  DrivenStand driven_stand;
-  driven_stand.dynamics = lumped.dynamics;
-  if (lumped.detailed)
-    drive_files(driven_stand, lumped.model);
-  else
-    driven_stand.chain = lumped_model_of(run.the_case);
-  if (!lumped.passes.empty() || !pass.empty()) {
-    driven_stand.pass = lumped.passes[place_of(lumped.passes, pass)];
-    if (has_force(driven_stand.pass))
-      driven_stand.force = force_of(driven_stand.pass);
-    if (driven_stand.force.force.size() > 0 || !std::isnan(driven_stand.pass.load))
-      driven_stand.load = working_load(driven_stand.pass, driven_stand.force);
-    if (lumped.dynamics.contact == "curve" && !lumped.detailed) {
-      const LumpedModel given = driven_stand.chain;
-      driven_stand.chain =
-          at_load(run, given, lumped.curves, lumped.dynamics, driven_stand.pass, driven_stand.load);
-      driven_stand.curves = std::make_shared<CurveDrive>(
-          curve_drive(lumped.curves, lumped.dynamics, given, driven_stand.chain, driven_stand.load));
-    }
-  }
   return driven_stand;
 }
 

@@ -2,10 +2,13 @@
 #include "app/run/driven_stand.h"
 #include "app/run/run_context.h"
 #include <string>
+#include <vector>
 
 namespace mill {
 struct FourHigh;
 struct Lumped;
+struct LumpedModel;
+struct Pass;
 
 /// Those of kind "four-high" and of kind "lumped", from the stages that are needed for it.
 /// @param pass  its name; empty: the first
@@ -21,4 +24,9 @@ void run_stages(RunContext &run, Goal goal, const std::string &force_file = "");
 /// Those of kind "four-high" and of kind "lumped".
 void run_four_high(RunContext &run, FourHigh stand, Goal goal, const std::string &force_file);
 void run_lumped(RunContext &run, Lumped lumped, Goal goal, const std::string &force_file);
+
+/// M1..M6, K1..K7, C of a chain as results.  @param prefix  "pass 2." of a later pass
+void add_chain_results(RunContext &run, const LumpedModel &model, const std::string &prefix);
+/// Place of a pass by its name; the first where none is named.  @throws InputError  there is no such pass
+std::size_t place_of_pass(const std::vector<Pass> &passes, const std::string &wanted);
 }  // namespace mill

@@ -22,13 +22,13 @@ void flush();
 /// Text for standard error, control characters written out; a standard error that accepts nothing is ignored.
 void say(const std::string &text);
 
-/// Progress of one command.  A command that shows several bars one after the other names the share of its work that is
-/// done with the next one; without that the next bar is the last.
+/// Progress of one command.  A command that shows several bars one after the other names the share of its work
+/// that is done with the next one; without that the next bar is the last.
 void begin_progress();
 void next_bar_ends_at(double share);
 
-/// What the user sees while a run works: a bar with stage and time left on a terminal, percent lines elsewhere.  What
-/// is shown never falls, also from one bar to the next.
+/// What the user sees while a run works: a bar with stage and time left on a terminal, percent lines elsewhere.
+/// What is shown never falls, also from one bar to the next.
 class ProgressBar {
 public:
   /// @param stages  expected stages and their share of the time, in order; shares need not sum to one

@@ -6,8 +6,8 @@ struct Case;
 
 /// The model of the stand that export, live, analyse and calibrate take: "six-mass", "beam" or "craig-bampton".
 /// --model, else dynamics.model where the case gives it, else the leading model of `run`.
-/// Empty: the case is no drawing, and has one model.
-/// @throws InputError  --model with a case that is no drawing
+/// Empty: the case has no drawing, and one model.
+/// @throws InputError  --model with a case without a drawing
 std::string leading_model(const Case &the_case, const CommandLine &command);
 
 /// The case with that model.

@@ -27,7 +27,7 @@ double quantity_of(const std::string &flag, const std::string &text, const char 
   constexpr double infinity = std::numeric_limits<double>::infinity();
   if (const std::string remedy = quantity_remedy(text, like, {-infinity, infinity}); !remedy.empty())
     throw InputError(written + " " + remedy);
-  const std::string needs   = fmt::format("; it takes a number with one of {}", units_like(unit(like)));
+  const std::string needs = fmt::format("; it takes a number with one of {}", units_like(unit(like)));
   if (q.fault == ParsedQuantity::Fault::no_number)
     throw InputError(written + " does not begin with a number" + needs);
   if (q.fault == ParsedQuantity::Fault::no_unit)

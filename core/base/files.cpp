@@ -1,7 +1,7 @@
 #include "core/base/files.h"
-#include "core/base/name_part.h"
 #include "core/base/errors.h"
 #include "core/base/input_file.h"
+#include "core/base/name_part.h"
 #include "core/base/uninterrupted.h"
 #include <algorithm>
 #include <cctype>

@@ -23,8 +23,8 @@ std::vector<std::string> with_decimal_point(const std::string &text);
 /// Is the one comma of its number a decimal comma, whatever the locale: "1450,5 mm", "1.450,5 mm", not "1,450 mm"?
 bool has_decimal_comma(const std::string &text);
 
-/// Both readings of a number whose point stands before three digits, "1.230 mm": with a point, "1.230 mm", and with
-/// thousands, "1230 mm".  Empty where there is one reading.
+/// Both readings of a number whose point stands before three digits, "1.230 mm": with a point, "1.230 mm", and
+/// with thousands, "1230 mm".  Empty where there is one reading.
 std::vector<std::string> readings_of_point(const std::string &text);
 
 /// The remedy for a text that is not a quantity of the wanted unit: "has a decimal comma; write \"1450.5 mm\"",

@@ -34,9 +34,9 @@ struct BarrelProfile {
 
 /// Force record of a pass.
 struct ForceRecord {
-  Eigen::VectorXd time;            ///< (n) s, increasing
-  Eigen::VectorXd force;           ///< (n) N
-  std::vector<std::string> notes;  ///< what was repaired on reading, one sentence each, for the report
+  Eigen::VectorXd time;              ///< (n) s, increasing
+  Eigen::VectorXd force;             ///< (n) N
+  std::vector<std::string> notes;    ///< what was repaired on reading, one sentence each, for the report
   std::optional<double> start = {};  ///< s since 1970-01-01 UTC of time 0; none: the record has no date
 };
 

@@ -12,7 +12,6 @@ namespace mill {
 /// Note of the check of bite.PASS.force where that force is too far from the one of the pass: what to do.
 constexpr const char *force_remedy = "bite.fit = [\"force\"] fits the flow stress to it";
 
-
 // Results ------------------------------------------------------------------------------------------------------
 
 /// First part of the names of results of one subject: "contact.upper.half_width", "bite.pass 1.force".

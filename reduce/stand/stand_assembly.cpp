@@ -141,8 +141,7 @@ void add_path(Assembly &a, Eigen::VectorXd start, const Eigen::VectorXd &end,
       continue;
     }
     const Eigen::VectorXd here = last ? end : a.add_mass(stops[i].part, stops[i].mass);
-    const SpringAndDamper k =
-        last ? film.joined(1 / compliance) : SpringAndDamper{1 / compliance};
+    const SpringAndDamper k    = last ? film.joined(1 / compliance) : SpringAndDamper{1 / compliance};
     a.add_spring(name, k.stiffness, here - start, k.damper);
     for (const auto &[point, part] : waiting)
       a.s.points.push_back({point, start + part / compliance * (here - start)});

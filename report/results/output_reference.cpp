@@ -212,7 +212,8 @@ std::string output_reference(const std::vector<Run> &runs)
   std::string text =
       "# Results\n\nEvery name in `results.json`, printed by `tests/bench/output-reference` from the runs "
       "of `cases/`. Words in capitals and N stand for the names and numbers of a case: PASS, BEARING, "
-      "MODE, MODEL, ROLL, PAIR, CONTACT, VARIANT, EXCITED, PLACE. A name that holds `.` or `/` has `%2E` or `%2F` in "
+      "MODE, MODEL, ROLL, PAIR, CONTACT, VARIANT, EXCITED, PLACE. A name that holds `.` or `/` has `%2E` or `%2F` "
+      "in "
       "its "
       "place. Each result carries its value in SI units, source, "
       "load, error estimate, "

@@ -19,16 +19,16 @@
 namespace mill::twin {
 /// What a case says about the stand whose record is analysed.
 struct CaseModel {
-  std::string name;                  ///< of the case
-  std::string source;                ///< "six masses as given", "six masses by closed forms at 976.2 kN"
-  std::vector<std::string> places;   ///< (m) "upper_work_roll"
-  std::vector<std::string> springs;  ///< (s) "K3"
-  Eigen::VectorXd spring_error;      ///< (s) -, relative standard deviation of each; NaN: not stated
-  Eigen::VectorXd frequency_error;   ///< (k) -, relative, as a run states it; empty, NaN: from the springs
-  Eigen::VectorXd frequency;         ///< (k) Hz
-  Eigen::MatrixXd shape;             ///< (m, k) displacement of each place
-  Eigen::MatrixXd strain_share;      ///< (k, s) -
-  Eigen::MatrixXd kinetic_share;     ///< (k, b) -
+  std::string name;                      ///< of the case
+  std::string source;                    ///< "six masses as given", "six masses by closed forms at 976.2 kN"
+  std::vector<std::string> places;       ///< (m) "upper_work_roll"
+  std::vector<std::string> springs;      ///< (s) "K3"
+  Eigen::VectorXd spring_error;          ///< (s) -, relative standard deviation of each; NaN: not stated
+  Eigen::VectorXd frequency_error;       ///< (k) -, relative, as a run states it; empty, NaN: from the springs
+  Eigen::VectorXd frequency;             ///< (k) Hz
+  Eigen::MatrixXd shape;                 ///< (m, k) displacement of each place
+  Eigen::MatrixXd strain_share;          ///< (k, s) -
+  Eigen::MatrixXd kinetic_share;         ///< (k, b) -
   std::vector<std::string> bodies = {};  ///< (b) of kinetic_share; empty: the places
   std::vector<TurningRoll> rolls;
   std::vector<TurningBearing> bearings;

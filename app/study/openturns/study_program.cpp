@@ -8,7 +8,7 @@
 #include <nlohmann/json.hpp>
 
 // millstand-study FOLDER: carries out FOLDER/request.json with OpenTURNS and writes FOLDER/answer.json.  millstand
-// starts it (app/study/analysis_program.h); nobody types it.  It links no finite elements.
+// starts it (app/study/analysis_program.h); users do not type it.  It links no finite elements.
 namespace {
 using nlohmann::json;
 using namespace mill;

@@ -22,7 +22,7 @@ public:
 
 private:
   std::string path_, aside_;  // aside_: written there until finish(); empty: in the file itself
-  bool replaces_ = false;
+  bool replaces_   = false;
   std::FILE *file_ = nullptr;
   bool begun_      = false;
 };

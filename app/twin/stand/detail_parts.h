@@ -23,7 +23,7 @@ DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain);
 reduce::StandWithModes closed_form_beams(const FourHigh &drawn, const CaseChain &chain);
 
 /// Where six masses are used for a drawing: a sentence if they put a mode of the gap more than 5 % from that of
-/// the beams; else empty, also for a case that is no drawing.
+/// the beams; else empty, also for a case without a drawing.
 /// @param verb  as case_chain()
 std::string warning_of_six_masses(const Case &the_case, const std::string &verb);
 }  // namespace mill

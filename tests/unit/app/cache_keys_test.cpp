@@ -334,9 +334,9 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsListedAsNotEntering)
   const auto rolls = vibration + std::vector<std::string>{"housing.*"} +
                      of("work_roll", "axial_shift bending_force" + profile + seat) +
                      of("backup_roll", profile + seat);
-  const auto housing =
-      vibration + std::vector<std::string>{"work_roll.*", "backup_roll.*"} + of("dynamics", "elements_per_radius") +
-      of("housing", "stiffness");  // stands in place of a drawing, which this case has
+  const auto housing = vibration + std::vector<std::string>{"work_roll.*", "backup_roll.*"} +
+                       of("dynamics", "elements_per_radius") +
+                       of("housing", "stiffness");  // stands in place of a drawing, which this case has
   expect_followed(base, {{"rolls", roll_mesh},
                          {"Fourier solver", second},
                          {"rollers", bearing + of("bearing.trb", beside_a_roller)},

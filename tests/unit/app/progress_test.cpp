@@ -1,4 +1,4 @@
-// What a user sees of the progress of a command, in the percent lines of a standard error that is no terminal.
+// What a user sees of the progress of a command, in the percent lines of a standard error that is not a terminal.
 #include "app/process/console.h"
 #include <gtest/gtest.h>
 #include <random>

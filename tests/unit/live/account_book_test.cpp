@@ -107,7 +107,7 @@ TEST(Account, BalancesAtEveryStepForAnyOrderOfArrival)
       held.push_back(sent);  // comes later
       continue;
     }
-    if (chance(2)) {  // cut: nobody can tell whose samples these were
+    if (chance(2)) {  // cut: the owner of these samples cannot be identified
       run.engine().take(*session.take(sent.line.substr(0, random() % sent.line.size() * 9 / 10 + 1)).message);
       ++refused;
     } else if (chance(2)) {  // a channel that the head does not know: refused with its samples

@@ -137,7 +137,7 @@ TEST(Mqtt, UnderstandsItsAddress)
     }
 }
 
-// TW-33: what a broker drops while nobody reads is counted from the numbers, exactly; a new start of the broker
+// TW-33: what a broker drops while no client reads is counted from the numbers, exactly; a new start of the broker
 // and of the connection loses nothing that the broker kept.
 TEST(Mqtt, CountsExactlyTheSamplesThatWereLost)
 {

@@ -243,7 +243,7 @@ TEST(Calibration, AlignsTwoClocksWhenTheDelayIsAnUnknown)
 }
 
 namespace {
-/// Accelerations some samples late, which nobody asked to be aligned.
+/// Accelerations some samples late, which the caller did not ask to be aligned.
 Calibration with_late_clock(const Eigen::Index samples)
 {
   Small late({{"zeta", 0.7}});

@@ -1,4 +1,4 @@
-// Accelerations whose force nobody recorded: slopes and curvature of their likelihood, what they tell beside what
+// Accelerations without a recorded force: slopes and curvature of their likelihood, what they tell beside what
 // a plan foretold, and the verdict on a stand.
 #include "dynamics/response/response_slopes.h"
 #include "tests/support/calibration_record.h"

@@ -110,8 +110,9 @@ TEST(ExportCommand, SaysWhatItCannotExport)
 {
   const auto bearing = millstand("export fmu cases/bearing-266.toml -o /nowhere/b.fmu");
   EXPECT_EQ(bearing.exit_code, 2);
-  EXPECT_EQ(bearing.err, "error: millstand export fmu: kind = \"bearing\" has no stand that a force can drive "
-                         "(cases/bearing-266.toml); it exports cases of kind four-high, lumped, cluster and chatter\n");
+  EXPECT_EQ(bearing.err,
+            "error: millstand export fmu: kind = \"bearing\" has no stand that a force can drive "
+            "(cases/bearing-266.toml); it exports cases of kind four-high, lumped, cluster and chatter\n");
   const auto pass = exported("--pass 'pass 7' -o p.fmu");
   EXPECT_EQ(pass.exit_code, 2);
   EXPECT_EQ(pass.err,

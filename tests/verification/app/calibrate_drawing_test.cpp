@@ -50,8 +50,8 @@ std::string case_of(const TrueStand &stand)
   for (std::size_t i = 0; i < 7; ++i)
     text += fmt::format("K{} = \"{:.15g} N/m\"\n", i + 1, stand.model.K[i].value);
   return text + fmt::format("[[pass]]\nname = \"1\"\nforce = \"force.csv\"\n[dynamics]\nforce_meaning = "
-                            "\"measured\"\nmodal_damping = \"{:.12g} %\"\n",
-                            100 * stand.damping);
+                            "\"measured\"\nmodal_damping = \"{:.12g} %\"\noutput_rate = \"{:.15g} Hz\"\n",
+                            100 * stand.damping, rate);
 }
 
 std::string force_of(const double mean)
@@ -67,7 +67,8 @@ std::string force_of(const double mean)
 std::string recorded(const Table &response)
 {
   constexpr double gravity = 9.80665, density = 0.005;  // m/s2 per root Hz
-  std::string text            = "time [s],force [kN],upper_work_roll [m/s2],lower_work_roll [m/s2]\n";
+  std::string text = "time [s],force [kN],upper_work_roll [m/s2],lower_work_roll [m/s2]\n";
+  EXPECT_EQ(response.column("force")->size(), samples) << "the response has another rate than the record";
   const Eigen::VectorXd upper = gravity * *response.column("upper_work_roll") +
                                 synthetic::white(51, samples, rate, density),
                         lower = gravity * *response.column("lower_work_roll") +
