@@ -4,6 +4,12 @@
 #include <cmath>
 
 namespace mill::twin {
+double sinc_of(const double w, const double step)
+{
+  const double half = 0.5 * w * step;
+  return half > 0 ? std::sin(half) / half : 1;
+}
+
 BandRecord band_record(const Eigen::VectorXd &force, const Eigen::MatrixXd &acceleration, const double rate,
                        const double low, const double high, Fourier &fourier, const BetweenSamples between)
 {
@@ -35,11 +41,13 @@ BandRecord band_record(const Eigen::VectorXd &force, const Eigen::MatrixXd &acce
   };
   if (force.size())
     band.force = transform(force);
-  if (force.size() && between == BetweenSamples::lines)
+  if (force.size() && between == BetweenSamples::lines) {
+    band.line_step = 1 / rate;
     for (Eigen::Index i = 0; i < k; ++i) {
-      const double half = 0.5 * band.angular[i] / rate, sinc = std::sin(half) / half;
+      const double sinc = sinc_of(band.angular[i], band.line_step);
       band.force[i] *= sinc * sinc;
     }
+  }
   band.acceleration.resize(k, acceleration.cols());
   for (Eigen::Index j = 0; j < acceleration.cols(); ++j)
     band.acceleration.col(j) = transform(acceleration.col(j));

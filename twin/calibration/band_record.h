@@ -11,6 +11,10 @@ struct BandRecord {
   Eigen::VectorXd angular;        ///< (k) rad/s
   Eigen::VectorXcd force;         ///< (k) N / sqrt(Hz); empty: not recorded
   Eigen::MatrixXcd acceleration;  ///< (k, m) m/s2 / sqrt(Hz)
+  /// s, between samples of a force that goes in straight lines between them; 0: the force is smooth.  What such a
+  /// force holds above half the rate moves the stand too, and the samples fold it back into the band:
+  /// modal_columns().
+  double line_step = 0;
 };
 
 /// How the force went between its samples.
@@ -18,6 +22,9 @@ enum class BetweenSamples {
   smooth,  ///< it has nothing above half the rate: a measured force
   lines    ///< straight lines: a force that a simulation was driven with, F sinc^2(f/rate)
 };
+
+/// sin(x)/x of half the angle w step: what straight lines between samples leave of a harmonic is its square.
+double sinc_of(double w, double step);
 
 /// No window, no averaging: what the piece carries over from before is taken off by the fit (44.5).
 /// Of n samples the first 2^a 3^b 5^c, even, are used (at least 98 % of a long piece), since the transform of a

@@ -37,17 +37,22 @@ struct Walk {
 Walk walked(const Scan &scan, const Eigen::Index spring, const Eigen::VectorXd &grid, const bool upward)
 {
   Walk walk{std::vector<Eigen::VectorXd>(std::size_t(steps)), Eigen::VectorXd(steps)};
-  Eigen::VectorXd theta   = scan.fit.estimate;
-  Scan quick              = scan;  // a hundredth of the deviance is enough for the shape of the valley
+  Eigen::VectorXd theta = scan.fit.estimate;
+  FitProblem thin       = scan.problem;  // fewer bins and a hundredth of the deviance show the shape of the cost
+  if (thin.quick)
+    thin.likelihood = thin.quick;
+  Scan quick              = {thin, scan.fit, scan.settings};
   quick.settings.decrease = 5e-3;
   quick.settings.steps    = 25;
+  const double above =
+      scan.fit.cost - thin.likelihood(scan.fit.estimate, scan.fit.noise, Wanted::cost, scan.settings.threads).cost;
   for (Eigen::Index i = 0; i < steps; ++i) {
     const Eigen::Index k       = upward ? i : steps - 1 - i;
     theta[spring]              = grid[k];
     const Fit found            = quick.at(theta, spring);
     theta                      = found.estimate;
     walk.theta[std::size_t(k)] = theta;
-    walk.cost[k]               = found.cost;
+    walk.cost[k]               = found.cost + above;
   }
   return walk;
 }

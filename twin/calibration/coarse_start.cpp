@@ -1,69 +1,68 @@
 #include "twin/calibration/coarse_start.h"
 #include "twin/calibration/fit.h"
-#include "twin/calibration/hann_window.h"
-#include "twin/calibration/modal_columns.h"
+#include "twin/calibration/windowed_fit.h"
 #include <algorithm>
+#include <boost/math/distributions/normal.hpp>
+#include <boost/random/sobol.hpp>
 #include <cmath>
 #include <complex>
 
 namespace mill::twin {
 namespace {
-/// H1 of one length of segment with its variance.
-struct Estimate {
-  Eigen::Index first = 0;    ///< bin
-  double bin         = 0;    ///< rad/s
-  Eigen::MatrixXcd H;        ///< (k, m) 1/kg
-  Eigen::MatrixXd variance;  ///< (k, m) 1/kg^2
-};
-
-Estimate h1_of(const CrossSpectra &s, const double low, const double high)
+/// Samples, a power of two, whose bins are nearest to `bin` Hz.
+Eigen::Index length_of_bin(const double bin, const double rate)
 {
-  const double df          = s.rate / double(s.L);
-  const Eigen::Index first = std::max<Eigen::Index>(2, Eigen::Index(std::ceil(low / df))),
-                     last  = std::min<Eigen::Index>(s.L / 2 - 1, Eigen::Index(std::floor(high / df)));
-  const Eigen::Index k = std::max<Eigen::Index>(0, last - first + 1), m = s.response.cols();
-  Estimate e{first, 2 * M_PI * df, Eigen::MatrixXcd(k, m), Eigen::MatrixXd(k, m)};
-  for (Eigen::Index b = 0; b < k; ++b)
-    for (Eigen::Index j = 0; j < m; ++j) {
-      const double FF = std::max(s.force[first + b], 1e-300), YY = s.response(first + b, j);
-      const auto FY = s.cross(first + b, j);
-      e.H(b, j)     = FY / FF;
-      // what one force does not explain, never less than 1e-6 of it: rounding is not a measurement
-      const double left = std::max(YY - std::norm(FY) / FF, 1e-6 * YY);
-      e.variance(b, j)  = std::max(left / (FF * std::max(1.0, s.averages() - 1)), 1e-300);
-    }
-  return e;
+  return Eigen::Index(1) << std::max(3, int(std::lround(std::log2(rate / bin))));
 }
 
-Likelihood windowed_cost(const FittedStand &stand, const std::vector<Unknown> &unknowns,
-                         const Eigen::VectorXd &theta, const Estimate &e, const BandRecord &fine,
-                         const Eigen::VectorXd &weights, const std::vector<Eigen::Index> &places)
+/// Draws of the unknowns from their priors, spread evenly (a Sobol sequence through the normal quantile).
+std::vector<Eigen::VectorXd> spread_draws(const std::vector<Unknown> &unknowns, const int number)
 {
-  const StandAt at     = stand_at(stand, unknowns, theta);
-  const Eigen::Index p = theta.size(), k = e.H.rows(), n = at.frequency.size();
-  const Block whole{0, fine.angular.size()};
-  ModalColumns c = modal_columns(at, fine, whole);
-  add_derivatives(c, at, unknowns, fine, whole, Eigen::VectorXd::Zero(2 * n));
-  Likelihood sum;
-  sum.slope       = Eigen::VectorXd::Zero(p);
-  sum.information = Eigen::MatrixXd::Zero(p, p);
-  for (std::size_t j = 0; j < places.size(); ++j) {
-    const Eigen::VectorXd shape = at.shape.row(places[j]).transpose();
-    const Eigen::ArrayXd w      = e.variance.col(Eigen::Index(j)).array().rsqrt();
-    Eigen::VectorXcd r          = e.H.col(Eigen::Index(j)) - seen_through(c.driven.matrix() * shape, weights, k);
-    r.array() *= w;
-    Eigen::MatrixXcd J(k, p);
-    for (Eigen::Index q = 0; q < p; ++q) {
-      J.col(q) = seen_through(c.derivative[std::size_t(q)].matrix() * shape, weights, k);
-      J.col(q).array() *= w;
+  const boost::math::normal normal;
+  boost::random::sobol sequence(unknowns.size());
+  const double range = double(boost::random::sobol::max()) + 1;
+  sequence.discard(unknowns.size());  // its first point is the medians
+  std::vector<Eigen::VectorXd> draws(std::size_t(number), Eigen::VectorXd(Eigen::Index(unknowns.size())));
+  for (Eigen::VectorXd &draw : draws)
+    for (std::size_t i = 0; i < unknowns.size(); ++i) {
+      const double u        = (double(sequence()) + 0.5) / range;
+      draw[Eigen::Index(i)] = unknowns[i].prior + unknowns[i].prior_sd * boost::math::quantile(normal, u);
     }
-    sum.residual += r.squaredNorm();
-    sum.slope -= 2 * (J.adjoint() * r).real();
-    sum.information += 2 * (J.adjoint() * J).real();
+  return draws;
+}
+
+/// Where widened resonances agree best in their logarithms: many draws are ranked, the first ones descend, and
+/// those that end lowest descend in squares.  (44.8)
+std::vector<Eigen::VectorXd> spread_minima(const WindowedFit &fit)
+{
+  constexpr int drawn = 1000, first = 24, kept = 6;
+  struct Start {
+    Eigen::VectorXd theta;
+    double cost;
+  };
+  const auto lower = [](const Start &a, const Start &b) { return a.cost < b.cost; };
+  std::vector<Start> starts;
+  for (Eigen::VectorXd &theta : spread_draws(fit.unknowns, drawn)) {
+    const double cost = fit.logarithms(theta, Wanted::cost).residual;
+    starts.push_back({std::move(theta), cost});
   }
-  sum.cost = sum.residual;
-  add_prior(sum, unknowns, theta);
-  return sum;
+  std::sort(starts.begin(), starts.end(), lower);
+  starts.resize(first);
+  const Objective logarithms = [&](const Eigen::VectorXd &theta, const Wanted wanted) {
+    return fit.logarithms(theta, wanted);
+  };
+  for (Start &start : starts) {
+    const Descent end = descend(logarithms, fit.unknowns, start.theta, 40, 1e-2);
+    start             = {end.theta, end.at.cost};
+    if (getenv("TRACE"))
+      fprintf(stderr, "log %g\n", start.cost);
+  }
+  std::sort(starts.begin(), starts.end(), lower);
+  starts.resize(kept);
+  std::vector<Eigen::VectorXd> minima;
+  for (const Start &start : starts)
+    minima.push_back(start.theta);
+  return minima;
 }
 
 /// The lowest of the minima that are reached from `theta` and from steps along each unknown with a wide prior:
@@ -135,25 +134,40 @@ Eigen::VectorXd coarse_start(const FittedStand &stand, const std::vector<Unknown
                              const std::vector<ForcedSamples> &pieces, const std::vector<Eigen::Index> &places,
                              const double rate, const double low, const double high)
 {
-  Eigen::VectorXd theta(Eigen::Index(unknowns.size()));
+  Eigen::VectorXd prior(Eigen::Index(unknowns.size()));
   for (std::size_t i = 0; i < unknowns.size(); ++i)
-    theta[Eigen::Index(i)] = unknowns[i].prior;
-  const Eigen::VectorXd weights        = hann_weights();
-  constexpr Eigen::Index search_length = 1 << 12;  // 5 Hz at 20 kHz: resonances are still wide
-  for (Eigen::Index L = 1 << 11; L <= 1 << 15; L *= 2) {
+    prior[Eigen::Index(i)] = unknowns[i].prior;
+  std::vector<Eigen::VectorXd> candidates{prior};
+  // Bins from some 10 Hz down to 0.6 Hz at any rate.
+  const Eigen::Index widest = length_of_bin(10, rate);
+  for (Eigen::Index L = widest; L <= 16 * widest; L *= 2) {
     const CrossSpectra s = cross_spectra(pieces, rate, L);
     if (s.n < 4)  // fewer say no coherence
       break;
-    const Estimate e = h1_of(s, low, high);
-    if (e.H.rows() < 4)
+    const AveragedResponse measured = averaged_response(s, low, high);
+    if (measured.H.rows() < 4)
       continue;
-    const BandRecord fine = fine_grid(e.bin, e.first, e.H.rows());
-    const Objective cost  = [&](const Eigen::VectorXd &at, Wanted) {
-      return windowed_cost(stand, unknowns, at, e, fine, weights, places);
+    const WindowedFit fit = windowed_fit(stand, unknowns, places, measured);
+    if (L == widest)
+      for (Eigen::VectorXd &theta : spread_minima(fit))
+        candidates.push_back(std::move(theta));
+    const Objective squares = [&](const Eigen::VectorXd &theta, const Wanted wanted) {
+      return fit.squares(theta, wanted);
     };
-    theta = L == search_length ? lowest_minimum(cost, unknowns, theta)
-                               : descend(cost, unknowns, theta, 60, 1e-3).theta;
+    std::vector<Descent> ends;
+    for (const Eigen::VectorXd &theta : candidates)
+      ends.push_back(descend(squares, unknowns, theta, 60, 1e-3));
+    std::sort(ends.begin(), ends.end(), [](const Descent &a, const Descent &b) { return a.at.cost < b.at.cost; });
+    if (getenv("TRACE"))
+      for (auto &e : ends)
+        fprintf(stderr, "L %ld cost %g steps %d\n", long(L), e.at.cost, e.steps);
+    // half of them go on: what is far behind in wide bins is not the lowest in narrow ones
+    candidates.clear();
+    for (std::size_t i = 0; i < std::max<std::size_t>(1, ends.size() / 2); ++i)
+      candidates.push_back(ends[i].theta);
+    if (L == 2 * widest)  // resonances are still wide at 5 Hz
+      candidates = {lowest_minimum(squares, unknowns, candidates.front())};
   }
-  return theta;
+  return candidates.front();
 }
 }  // namespace mill::twin

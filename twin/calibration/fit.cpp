@@ -1,4 +1,5 @@
 #include "twin/calibration/fit.h"
+#include "twin/calibration/thinned_response.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -107,6 +108,14 @@ FitProblem recorded_force(const FittedStand &stand, const std::vector<Unknown> &
   problem.likelihood = [&stand, &data, unknowns](const Eigen::VectorXd &theta, const NoiseDensity &noise,
                                                  const Wanted wanted, const int threads) {
     return likelihood(stand, unknowns, theta, data, noise, wanted, threads);
+  };
+  double damping = 1;
+  for (const double zeta : stand.damping)
+    damping = std::min(damping, zeta);
+  problem.quick = [&stand, unknowns, thin = thinned(data, damping)](const Eigen::VectorXd &theta,
+                                                                    const NoiseDensity &noise, const Wanted wanted,
+                                                                    const int threads) {
+    return likelihood(stand, unknowns, theta, thin.data, thinned(noise, thin), wanted, threads);
   };
   problem.renewed = [&stand, &data, unknowns](const Eigen::VectorXd &theta, const NoiseDensity &noise) {
     return noise_of(residuals(stand, unknowns, theta, data, noise));

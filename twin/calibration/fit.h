@@ -49,6 +49,9 @@ struct FitProblem {
   std::function<bool(const std::string &unknown)> is_spring;  ///< whose minima are looked for
   std::function<Likelihood(const Eigen::VectorXd &theta, const NoiseDensity &noise, Wanted wanted, int threads)>
       likelihood;
+  /// The same of fewer bins (thinned_response.h), for walks; empty: `likelihood` serves.
+  std::function<Likelihood(const Eigen::VectorXd &theta, const NoiseDensity &noise, Wanted wanted, int threads)>
+      quick;
   /// Noise that what is left at theta shows, weighed with `noise` until then.
   std::function<NoiseDensity(const Eigen::VectorXd &theta, const NoiseDensity &noise)> renewed;
   NoiseDensity before;  ///< noise for the first renewal

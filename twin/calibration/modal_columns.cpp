@@ -3,6 +3,49 @@
 #include <complex>
 
 namespace mill::twin {
+namespace {
+using Complex = std::complex<double>;
+
+/// Share of the static response in a mode, (w_i^2 + 2 i zeta w_i w)/d_i, under a force in straight lines between
+/// its samples: the transfer function of the samples, exact (first-order hold).  (44.9)
+class HeldMode {
+public:
+  HeldMode(const double w, const double zeta, const double step)
+  {
+    // partial fractions r/(s - p) + r'/(s - p'); apart also where the mode is critically damped
+    const Complex root = std::sqrt(Complex(zeta * zeta - 1 + 1e-12, 0)) * w;
+    const Complex p[]  = {-zeta * w + root, -zeta * w - root};
+    for (int k = 0; k < 2; ++k) {
+      const Complex residue = (w * w + 2 * zeta * w * p[k]) / (p[k] - p[1 - k]), x = p[k] * step;
+      forth[k]            = std::exp(x);
+      const Complex scale = residue * step / (x * x);
+      ahead[k]            = scale * (forth[k] - 1.0 - x);
+      behind[k]           = scale * (1.0 - forth[k] + x * forth[k]);
+    }
+  }
+  Complex operator()(const Complex z) const
+  {
+    return (ahead[0] * z + behind[0]) / (z - forth[0]) + (ahead[1] * z + behind[1]) / (z - forth[1]);
+  }
+
+private:
+  Complex forth[2], ahead[2], behind[2];
+};
+
+/// The whole acceleration of the modes in the samples: the force on the masses less what springs and dampers take.
+void hold_lines(ModalColumns &c, const StandAt &at, const BandRecord &band, const Block &block)
+{
+  for (Eigen::Index i = 0; i < at.frequency.size(); ++i) {
+    const HeldMode held(at.frequency[i], at.damping[i], band.line_step);
+    for (Eigen::Index b = 0; b < block.size; ++b) {
+      const double w = band.angular[block.first + b], sinc = sinc_of(w, band.line_step);
+      const Complex sampled =
+          band.force[block.first + b] / (sinc * sinc) * std::polar(1.0, -w * at.delay) * at.force[i];
+      c.driven(b, i) = sampled * (1.0 - held(std::polar(1.0, w * band.line_step)));
+    }
+  }
+}
+}  // namespace
 
 ModalColumns modal_columns(const StandAt &at, const BandRecord &band, const Block &block)
 {
@@ -20,6 +63,8 @@ ModalColumns modal_columns(const StandAt &at, const BandRecord &band, const Bloc
       c.driven(b, i)     = up * at.force[i] * c.admittance(b, i);
     }
   }
+  if (band.line_step > 0)
+    hold_lines(c, at, band, block);
   return c;
 }
 
@@ -27,7 +72,17 @@ void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unkno
                      const BandRecord &band, const Block &block, const Eigen::VectorXd &transient)
 {
   const auto w            = band.angular.segment(block.first, block.size).array();
-  Eigen::ArrayXXcd motion = c.driven;
+  const Eigen::Index n    = at.frequency.size();
+  Eigen::ArrayXXcd motion = c.driven, folded;
+  if (band.line_step > 0) {
+    for (Eigen::Index b = 0; b < block.size; ++b) {
+      const double wb  = w[b];
+      const Complex up = -wb * wb * band.force[block.first + b] * std::polar(1.0, -wb * at.delay);
+      for (Eigen::Index i = 0; i < n; ++i)
+        motion(b, i) = up * at.force[i] * c.admittance(b, i);
+    }
+    folded = c.driven - motion;  // next to g F (1 - sinc^2)
+  }
   for (Eigen::Index i = 0; i < at.frequency.size(); ++i) {
     // beta is scaled by 1/w_i, so that both numbers of a mode have the same size
     const double alpha = transient[2 * i], beta = transient[2 * i + 1] / at.frequency[i];
@@ -53,6 +108,8 @@ void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unkno
         for (Eigen::Index i = 0; i < heavy.cols(); ++i)
           for (Eigen::Index b = 0; b < block.size; ++b)
             d(b, i) += w[b] * w[b] * heavy(b, i) * c.admittance(b, i);
+        if (folded.size())
+          d -= (folded.matrix() * at.mass[p]).array();
       }
     }
     c.derivative.push_back(std::move(d));
