@@ -1,6 +1,7 @@
 #include "reduce/bite/fit/fit.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
+#include <boost/math/distributions/chi_squared.hpp>
 #include <cmath>
 #include <functional>
 
@@ -148,8 +149,6 @@ Eigen::MatrixXd confidence_region(const FitProblem &problem, const FitPoint &bes
 
 double largest_likely_misfit(const int freedom)
 {
-  // Wilson and Hilferty: the cube root of chi-square over its freedom is nearly normal; below 1 % off.
-  const double n = freedom, part = 2 / (9 * n);
-  return n * std::pow(1 - part + 2.3263478740408408 * std::sqrt(part), 3);
+  return boost::math::quantile(boost::math::chi_squared(freedom), 0.99);
 }
 }  // namespace mill::bite
