@@ -135,7 +135,7 @@ void add_analyse(CLI::App &app, CommandLine &c)
 {
   auto *analyse = app.add_subcommand(
       "analyse", "records of a mill: spectra, modes, what follows the speed, source of each peak");
-  analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .uff or .mat")->required();
+  analyse->add_option("RECORD", c.names, "CSV, .npy with .json, .npz, .uff, .mat, .wav or .lvm")->required();
   analyse->add_option("--case", c.case_file, "stand of the record, kind four-high or lumped");
   add_model(analyse, c, {"six-mass", "beam"}, "of a case of kind four-high: six-mass or beam (default)");
   add_record_options(analyse, c);

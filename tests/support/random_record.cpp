@@ -79,6 +79,18 @@ void add_mode(Eigen::VectorXd &x, const Content::Mode &mode, const double rate, 
   }
 }
 
+// a sin(w k + phase): the phasor is stepped, and set right every block.
+void add_line(Eigen::VectorXd &x, const double a, const double w, const double phase)
+{
+  constexpr Eigen::Index block    = 1024;
+  const std::complex<double> step = std::polar(1.0, w);
+  for (Eigen::Index first = 0; first < x.size(); first += block) {
+    std::complex<double> phasor = std::polar(a, w * double(first) + phase);
+    for (Eigen::Index k = first; k < std::min(first + block, x.size()); ++k, phasor *= step)
+      x[k] += phasor.imag();
+  }
+}
+
 double segment_bandwidth(const Eigen::Index n, const double rate)
 {
   Eigen::Index L = 2;
@@ -174,8 +186,10 @@ Record make(const std::uint64_t seed, const Wish &wish)
         content.side_bands.push_back(line.frequency + side * beat);
     const double w = 2 * M_PI * line.frequency / rate, wb = 2 * M_PI * beat / rate;
     const bool in_frequency = draw.uniform() < 0.5;
-    for (Eigen::Index k = 0; k < n; ++k) {
-      const double m = line.modulated ? depth * std::sin(wb * double(k)) : 0;
+    if (!line.modulated)
+      add_line(x[std::size_t(line.channel)], a, w, phase);
+    for (Eigen::Index k = 0; line.modulated && k < n; ++k) {
+      const double m = depth * std::sin(wb * double(k));
       x[std::size_t(line.channel)][k] +=
           a * (in_frequency ? 1 : 1 + m) * std::sin(w * double(k) + phase + (in_frequency ? m : 0));
     }

@@ -7,9 +7,10 @@
 
 namespace mill::twin {
 namespace {
-constexpr double least_kept       = 0.3;  // correlation left at the second lag
-constexpr double band_of_envelope = 40;   // Hz, that the low-pass lets through to one side
-constexpr double enough_time      = 60;   // s, below it an interval about zero says nothing
+constexpr double least_kept       = 0.3;                   // correlation left at the second lag
+constexpr double band_of_envelope = 2 * widest_half_band;  // Hz, that the low-pass lets through to one side
+constexpr double enough_time      = 60;                    // s, below it an interval about zero says nothing
+constexpr double usual_damping    = 0.001;                 // of critical: modes of steady machines have more
 constexpr int most_alarms         = 20;
 
 // The mode that a recorded force drives, if the finding is one; its decay then needs no noise to be read from.
@@ -42,33 +43,81 @@ std::string sentence_of(const GrowthStretch &stretch)
       stretch.sigma, stretch.deviation, stretch.from, stretch.to, std::exp(stretch.gain));
 }
 
+// Half band of the envelope in which the mode is alone: at twice of it nothing passes, neither the next peak nor
+// the image of the mode at minus its frequency.
+double lonely_half_band(const Analysis &analysis, const Finding &of_mode)
+{
+  double half_band = std::min(widest_half_band, of_mode.frequency);
+  for (const Finding &other : analysis.findings) {
+    const double apart = std::abs(other.frequency - of_mode.frequency);
+    if ((other.kind == "mode" || other.kind == "resonance") && apart > of_mode.high - of_mode.low)
+      half_band = std::min(half_band, apart / 2);
+  }
+  return half_band;
+}
+
+// Nepers between the levels of the first and the last third.
+double rise_of(const ComplexEnvelope &envelope)
+{
+  double power[3] = {}, values[3] = {}, all = 0, passed = 0;
+  for (const auto &z : envelope.z)
+    all += double(z.size());
+  for (const auto &z : envelope.z)
+    for (const std::complex<double> value : z) {
+      const int third = std::min(2, int(3 * passed++ / all));
+      power[third] += std::norm(value);
+      ++values[third];
+    }
+  return 0.5 * std::log((power[2] / values[2]) / (power[0] / values[0]));
+}
+
+// A mean rate above zero is one only where the level follows it: over two thirds of the record, half of what the
+// lower end of the interval asks.  Else two peaks beat in the band.
+bool is_contradicted(const GrowthRate &growth, const ComplexEnvelope &envelope)
+{
+  return growth.lower() > 0 && !(rise_of(envelope) > 0.5 * growth.lower() * growth.duration * 2 / 3);
+}
+
 // Rate of the whole record, while the mode is calm.
-void say_mean_rate(Finding &of_mode, const GrowthRate &growth)
+void say_mean_rate(Finding &of_mode, const GrowthRate &growth, const ComplexEnvelope &envelope)
 {
   if (std::isnan(growth.sigma))
     return;
-  of_mode.evidence.push_back(
-      growth.kept < least_kept
-          ? std::string("decays within 0.1 s: far from instability")
-          : fmt::format("growth rate {:+.2g} 1/s, 95 % between {:+.2g} and {:+.2g} 1/s, over {:.0f} s",
-                        growth.sigma, growth.lower(), growth.upper(), growth.duration));
+  if (growth.kept < least_kept)
+    of_mode.evidence.push_back(fmt::format("decays within {:.2g} s{}", filter_length_of(envelope.half_band),
+                                           envelope.half_band < widest_half_band
+                                               ? ", the length of a filter that shuts the next peak out"
+                                               : ": far from instability"));
+  else if (is_contradicted(growth, envelope))
+    of_mode.evidence.push_back("growth rate not determined: more than one peak in the band of the envelope");
+  else
+    of_mode.evidence.push_back(
+        fmt::format("growth rate {:+.2g} 1/s, 95 % between {:+.2g} and {:+.2g} 1/s, over {:.0f} s", growth.sigma,
+                    growth.lower(), growth.upper(), growth.duration));
+}
+
+// The mean rate leaves open whether the mode decays: the interval holds zero, or the level rises with it, and it
+// shows less damping than a steady machine has, (41.31).
+bool is_undecided(const GrowthRate &growth, const ComplexEnvelope &envelope, const double frequency)
+{
+  const double least = std::max(near_instability_from, -usual_damping * 2 * M_PI * frequency);
+  return !std::isnan(growth.sigma) && growth.kept >= least_kept && growth.tone == 0 &&
+         growth.duration >= enough_time && growth.lower() > least && growth.upper() > 0 &&
+         !is_contradicted(growth, envelope);
 }
 
 // Growth that is seen over time, or a mean rate that cannot be separated from zero, (41.31).
-void add_growth(Analysis &analysis, Finding &of_mode, const ComplexEnvelope &envelope,
+void add_growth(Analysis &analysis, Finding &of_mode, const ComplexEnvelope &lonely,
                 const std::optional<GrowthStretch> &stretch)
 {
-  const GrowthRate growth = growth_rate(envelope);
-  say_mean_rate(of_mode, growth);
+  const GrowthRate growth = growth_rate(lonely);
+  say_mean_rate(of_mode, growth, lonely);
   if (stretch) {
     of_mode.evidence.push_back(sentence_of(*stretch));
     add_near_instability(analysis, of_mode, sentence_of(*stretch));
     return;
   }
-  const bool undecided = !std::isnan(growth.sigma) && growth.kept >= least_kept && growth.tone == 0 &&
-                         growth.duration >= enough_time && growth.lower() > near_instability_from &&
-                         growth.upper() > 0;
-  if (!undecided)
+  if (!is_undecided(growth, lonely, of_mode.frequency))
     return;
   if (const ForcedMode *forced = forced_of(analysis, of_mode);
       forced && upper_of(*forced) < near_instability_from) {
@@ -80,9 +129,9 @@ void add_growth(Analysis &analysis, Finding &of_mode, const ComplexEnvelope &env
   }
   add_near_instability(
       analysis, of_mode,
-      fmt::format("growth rate {:+.2g} 1/s, 95 % between {:+.2g} and {:+.2g} 1/s: not separable from zero "
-                  "over {:.0f} s",
-                  growth.sigma, growth.lower(), growth.upper(), growth.duration));
+      fmt::format("growth rate {:+.2g} 1/s, 95 % between {:+.2g} and {:+.2g} 1/s: {} zero over {:.0f} s",
+                  growth.sigma, growth.lower(), growth.upper(),
+                  growth.lower() > 0 ? "above" : "not separable from", growth.duration));
 }
 
 // A level that jumps, as from one impact to the next, is not growth: five baselines are left behind in the time of
@@ -135,9 +184,14 @@ void add_onset_findings(Analysis &analysis, const CleanRecord &record, const std
       continue;
     const ComplexEnvelope envelope =
         complex_envelope(channel->value, channel->pieces, record.rate, analysis.findings[i].frequency);
-    const auto stretch = growth_stretch(envelope);
-    Finding of_mode    = analysis.findings[i];
-    add_growth(analysis, of_mode, envelope, stretch);
+    const auto stretch     = growth_stretch(envelope);
+    Finding of_mode        = analysis.findings[i];
+    const double half_band = lonely_half_band(analysis, of_mode);
+    add_growth(analysis, of_mode,
+               half_band < widest_half_band
+                   ? complex_envelope(channel->value, channel->pieces, record.rate, of_mode.frequency, half_band)
+                   : envelope,
+               stretch);
     analysis.findings[i] = of_mode;
     add_alarms(analysis, of_mode, envelope, stretch, settings);
   }

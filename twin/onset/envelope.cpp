@@ -3,12 +3,12 @@
 
 namespace mill::twin {
 namespace {
-constexpr double half_band = 20, values_per_second = 50;  // Hz, 1/s
+constexpr double values_per_second = 50;  // 1/s
 
 // Symmetric, odd, sums to one; Hamming's window.
-std::vector<double> low_pass(const double rate)
+std::vector<double> low_pass(const double rate, const double half_band)
 {
-  const auto half = int(std::lround(0.5 * envelope_filter_length * rate));
+  const auto half = int(std::lround(0.5 * filter_length_of(half_band) * rate));
   std::vector<double> taps;
   double sum = 0;
   for (int i = -half; i <= half; ++i) {
@@ -28,9 +28,9 @@ std::complex<double> EnvelopeFilter::turned_back(const std::int64_t first) const
   return std::polar(1.0, -2 * M_PI * std::fmod(turns * double(first + real.size() / 2), 1.0));
 }
 
-EnvelopeFilter envelope_filter(const double rate, const double frequency)
+EnvelopeFilter envelope_filter(const double rate, const double frequency, const double half_band)
 {
-  const auto taps = low_pass(rate);
+  const auto taps = low_pass(rate, half_band);
   const auto n = Eigen::Index(taps.size()), half = n / 2;
   const double w = 2 * M_PI * frequency / rate;
   EnvelopeFilter filter;
@@ -46,11 +46,11 @@ EnvelopeFilter envelope_filter(const double rate, const double frequency)
 }
 
 ComplexEnvelope complex_envelope(const Eigen::VectorXd &value, const std::vector<Span> &pieces, const double rate,
-                                 const double frequency)
+                                 const double frequency, const double half_band)
 {
-  const EnvelopeFilter filter = envelope_filter(rate, frequency);
+  const EnvelopeFilter filter = envelope_filter(rate, frequency, half_band);
   const Eigen::Index n = filter.real.size(), step = filter.step;
-  ComplexEnvelope result{frequency, rate / double(step), {}, {}};
+  ComplexEnvelope result{frequency, rate / double(step), {}, {}, half_band};
   for (const Span &piece : pieces) {
     if (piece.size() < n + step)
       continue;

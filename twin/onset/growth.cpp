@@ -14,7 +14,7 @@ constexpr double scatter_over_law = 1.6;                               // -
 // First lag beyond the length of the low-pass: below it are noise and filter.
 int first_lag_of(const ComplexEnvelope &envelope)
 {
-  return std::max(2, int(std::ceil(envelope_filter_length * envelope.rate - 1e-9)));
+  return std::max(2, int(std::ceil(filter_length_of(envelope.half_band) * envelope.rate - 1e-9)));
 }
 
 // Sum of z(k + lag) z(k)* over the same k for every lag, so that growth and decay have their sign.
@@ -49,7 +49,7 @@ GrowthRate growth_of_all(const ComplexEnvelope &envelope)
   std::vector<Complex> R;
   for (int m = 0; m <= most + 1; ++m)
     R.push_back(correlation(envelope, m, most + 1));
-  if (!(std::abs(R[0]) > 0) || growth.duration < 4 * longest)
+  if (!(std::abs(R[0]) > 0) || growth.duration < 4 * longest || first >= most)
     return growth;
   growth.kept  = std::abs(R[std::size_t(first)]) / std::abs(R[0]);
   double sigma = -1 / longest;

@@ -25,6 +25,14 @@ bool holds(const std::vector<std::string> &names, const std::string &name)
   return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// time_ms is the time, with its unit behind the name.
+std::string without_unit(const std::string &name)
+{
+  const auto position = name.rfind('_');
+  return position != std::string::npos && seconds_per(name.substr(position + 1)) > 0 ? name.substr(0, position)
+                                                                                     : name;
+}
+
 // Infinite values and those that no instrument measures become missing ones.
 Eigen::Index remove_impossible(Eigen::VectorXd &values)
 {
@@ -65,19 +73,24 @@ ColumnHead head_of(const std::string_view text)
       if (unit_of_column(unit, "").known || seconds_per(unit) > 0)
         return {trimmed_cell(std::string_view(all).substr(0, position)), unit};
     }
+  if (const auto position = all.rfind('_'); position != std::string::npos) {  // timestamp_ms, but not chock_ms
+    const std::string unit = all.substr(position + 1);
+    if (seconds_per(unit) > 0 && time_name(all.substr(0, position)) == TimeName::strong)
+      return {all, unit};
+  }
   return {all, ""};
 }
 
 TimeName time_name(const std::string &name)
 {
-  const std::string small = lower(trimmed_cell(name));
+  const std::string small = without_unit(lower(trimmed_cell(name)));
   if (is_one_of(small, {"x", "x-axis", "x axis", "x_value", "x-value", "x value"}))
     return TimeName::weak;
   const bool strong = is_one_of(
       small, {"time",     "zeit",      "t",         "timestamp",    "time stamp",    "time_stamp", "zeitstempel",
               "datetime", "date/time", "date time", "datum/zeit",   "datum uhrzeit", "temps",      "tiempo",
               "tempo",    "uhrzeit",   "zeitpunkt", "elapsed time", "elapsed",       "rel. time",  "relative time",
-              "time_s",   "time_ms",   "time_sec",  "t_s",          "t_ms"});
+              "unixtime", "unix time", "unix_time", "epoch",        "posix time"});
   return strong ? TimeName::strong : TimeName::none;
 }
 

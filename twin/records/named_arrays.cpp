@@ -79,8 +79,10 @@ private:
   std::string unit_of(const std::string &name) const
   {
     const auto given = options.units.find(name);
-    const auto of    = units.find(name);
-    return given != options.units.end() ? given->second : of != units.end() ? of->second : "";
+    const auto noted = units.find(name);
+    return given != options.units.end() ? given->second
+           : noted != units.end()       ? noted->second
+                                        : head_of(name).unit;  // t_ms
   }
 
   double per_unit(const std::string &name) const
@@ -98,6 +100,11 @@ private:
       std::vector<std::string> names = all.others;
       for (const NamedArray &array : all.arrays)
         names.push_back(shape_text(array));
+      constexpr std::size_t most_names = 20;
+      if (names.size() > most_names) {
+        names.resize(most_names);
+        names.push_back("..");
+      }
       throw InputError(
           fmt::format("{} holds no numeric vector; it holds {}; save the channels as vectors of numbers",
                       record.file, names.empty() ? "nothing" : fmt::format("{}", fmt::join(names, ", "))));

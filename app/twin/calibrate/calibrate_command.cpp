@@ -188,8 +188,8 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   for (const twin::Unknown &unknown : input.unknowns)
     if (unknown.name.size() > 4 && unknown.name.compare(0, 4, "zeta") == 0)
       facts.notes.push_back(unknown.name +
-                            ": a case has one damping ratio for all modes, so this ratio is only in the "
-                            "report and in the head of calibrated.toml");
+                            ": a case has one damping ratio for all modes; calibrated.toml takes the geometric "
+                            "mean of the ratios of the modes, and each is in the report and in its head");
   const twin::Calibration result = twin::calibrate(input, progress);
   const bool refused             = !result.refusals.empty();
   if (result.delay && result.delay->significant() && !result.delay->too_large())

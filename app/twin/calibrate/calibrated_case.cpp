@@ -134,10 +134,12 @@ DynamicsSettings &dynamics_of(Case &the_case)
 
 Case with_damping(const Case &origin, const twin::Calibration &result)
 {
-  Case changed = origin;
+  Case changed  = origin;
+  double change = 0;  // ln of the geometric mean over all modes; the ratio of a mode that is not freed stays
   for (const twin::Calibrated &u : result.unknowns)
-    if (u.name == "zeta" && u.taken)
-      dynamics_of(changed).modal_damping *= std::exp(u.kept);
+    if (u.taken && u.name.compare(0, 4, "zeta") == 0)
+      change += u.name == "zeta" ? u.kept : u.kept / double(std::max<std::size_t>(1, result.modes.size()));
+  dynamics_of(changed).modal_damping *= std::exp(change);
   return changed;
 }
 

@@ -50,7 +50,7 @@ std::string calibration_comment(const Case &origin, const twin::Calibration &res
                                 const std::vector<std::string> &files, bool accepted);
 /// Of a case of kind four-high or lumped.
 DynamicsSettings &dynamics_of(Case &the_case);
-/// The case with the damping that is identified.
+/// The case with the damping that is identified; of ratios of single modes the geometric mean.
 Case with_damping(const Case &origin, const twin::Calibration &result);
 
 /// calibrated.toml: a case of kind lumped with what is identified, and with what would contradict the records as

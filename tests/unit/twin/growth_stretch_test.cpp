@@ -56,6 +56,26 @@ TEST(GrowthRate, OfAFastModeIsNotPulledByTheFilter)
       near(sum / runs, -4.4, within_absolute(0.1, "three deviations of the mean of 120 records, each 0.03 1/s")));
 }
 
+// Two peaks in one band beat, and the slope of their correlation is that of neither; the image of a slow mode at
+// minus its frequency does the same.
+TEST(GrowthRate, IsThatOfOneModeWhereTheBandHoldsNoOther)
+{
+  constexpr double rate = 500, slow = -1.1, fast = -3;
+  constexpr Eigen::Index n = 100 * Eigen::Index(rate);
+  for (std::uint64_t seed = 1; seed <= 6; ++seed) {
+    const Eigen::VectorXd both = synthetic::onset(7000 * seed, n, rate, 26.5, 0.05, 0.001, {slow}).signal +
+                                 synthetic::onset(9000 * seed, n, rate, 41.9, 0.05, 0.001, {fast}).signal;
+    const GrowthRate lonely = growth_rate(complex_envelope(both, {{0, n}}, rate, 26.5, 7.7));
+    EXPECT_LT(lonely.lower(), slow + 0.3) << seed;
+    EXPECT_GT(lonely.upper(), slow - 0.3) << seed;
+    RawRecord raw;
+    raw.rate = rate;
+    raw.channels.push_back({"chock", "chock", "m/s2", Quantity::acceleration, true, {}, both});
+    for (const Finding &finding : analyse(clean_record(std::move(raw)), nullptr, {}, {}).findings)
+      EXPECT_NE(finding.kind, "near instability") << seed << ": " << finding.evidence.front();
+  }
+}
+
 TEST(GrowthStretch, CalmThenGrowingIsFoundWithBothSigns)
 {
   int found = 0;

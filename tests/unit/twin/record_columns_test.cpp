@@ -63,6 +63,17 @@ TEST_F(RecordColumns, AxesOfASensorAreChannelsAndTheTimeIsFoundByItsUnit)
   EXPECT_EQ(read("s.csv", table("x [g];y [g]", {swing_cell, swing_cell}), at_rate).channels.size(), 2u);
 }
 
+TEST_F(RecordColumns, AUnitBehindTheNameOfTheTimeIsItsUnit)
+{
+  const Cell milliseconds = [](const int i) { return number(i, 0); };
+  for (const char *name : {"time_ms", "timestamp_ms", "T_ms"}) {
+    const auto record = read("r.csv", table(std::string(name) + ";a [g]", {milliseconds, swing_cell}));
+    ASSERT_EQ(record.time.size(), n) << name;
+    EXPECT_TRUE(near(record.time[n - 1], (n - 1) / 1000.0, within(1e-12, digits))) << name;
+  }
+  EXPECT_EQ(read("s.csv", table("time [s];chock_ms [g]", {time_cell, swing_cell})).channels[0].name, "chock_ms");
+}
+
 TEST_F(RecordColumns, AnAxisInSecondsOfAnOscilloscopeIsTheTime)
 {
   const auto record = read("r.csv", table("x-axis [s];1 [V]", {time_cell, swing_cell}));

@@ -206,6 +206,18 @@ TEST_F(RecordFormats, ArchivesOfNumpyAreRead)
             "t.npz is not a whole zip archive; it was cut off while it was written or copied");
 }
 
+// t_ms of 0, 1, 2 .. once gave a rate of 1 Hz.
+TEST_F(RecordFormats, AUnitBehindTheNameOfATimeIsItsUnit)
+{
+  std::vector<double> milliseconds(3000);
+  for (std::size_t i = 0; i < milliseconds.size(); ++i)
+    milliseconds[i] = double(i);
+  const auto record =
+      read("r.npz", zip({{"a.npy", npy(swings(), "(3000,)")}, {"t_ms.npy", npy(milliseconds, "(3000,)")}}),
+           in_g({"a"}));
+  EXPECT_TRUE(near(record.time[2999], 2.999, within(1e-12, "whole milliseconds, rounded once")));
+}
+
 TEST_F(RecordFormats, SoundFilesHaveAScale)
 {
   std::vector<int> samples(n);

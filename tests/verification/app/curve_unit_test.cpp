@@ -122,7 +122,8 @@ TEST(CurveUnit, ConvergesToTheErrorControlledRunWithTheSquareOfItsStep)
     const double now = difference(played(client, force, 1), rows_of(run.response, 1));
     EXPECT_LT(now, 1e-2);
     if (halvings > 0)
-      EXPECT_TRUE(near(before / now, 4, within(0.1, "second order")));
+      EXPECT_TRUE(
+          near(before / now, 4, within(0.1, "second order; the next term of the error is below a tenth of it")));
     before = now;
   }
 }

@@ -137,7 +137,8 @@ TEST(ContactCurves, AreTheLinearModelAtSmallAmplitude)
   const Response small_linear = mill_response(driven_model(chain.modal), tenth, 20e3),
                  small        = curve_response(chain.stand, chain.modal, tenth, 20e3).response;
   EXPECT_TRUE(near(furthest(small.acceleration, small_linear.acceleration),
-                   0.1 * furthest(run.response.acceleration, linear.acceleration), within(0.05, "second order")));
+                   0.1 * furthest(run.response.acceleration, linear.acceleration),
+                   within(0.05, "second order in the force; the next order is less than a twentieth of it")));
   for (const int roll : {int(upper_work_roll), int(lower_work_roll)})
     EXPECT_TRUE(near(level(small.acceleration.col(roll)).peak, level(small_linear.acceleration.col(roll)).peak,
                      within(3e-5, "a tenth of the amplitude, not of the tolerance of a step")));
@@ -234,7 +235,8 @@ TEST(ContactCurves, FixedStepsConvergeToTheAdaptiveRunWithTheSquareOfTheStep)
       const double error =
           furthest(fixed_step_response(chain.stand, chain.modal, force, 5e3, parts).response.acceleration, whole);
       if (before > 0) {
-        EXPECT_TRUE(near(before / error, 4, within(0.1, "order 2")));
+        EXPECT_TRUE(near(before / error, 4,
+                         within(0.1, "second order; the next term of the error is below a tenth of it")));
       }
       before = error;
     }
