@@ -17,6 +17,7 @@ using reduce::PairState;
 using reduce::StackState;
 
 constexpr double settled = 1e-11;  // change of the forces in a step over their largest
+constexpr double current = 1e-7;   // the same, between factors that give exact derivatives and the solution
 constexpr int most_steps = 60;
 
 // A station that no two stations of a roll resolve would have the same flexibility as its neighbour.
@@ -239,7 +240,7 @@ struct CondensedStack::Implementation {
         for (Index k = 0; k < lengths.size(); ++k) {
           const double q = contact.force[k] / lengths[k];
           if (contact.touching[std::size_t(k)])
-            r[i].contact[c][k] += contact.closing_of(q) - contact.slope_of(q) * q;
+            r[i].contact[c][k] += contact.closing_of(q) - contact.slope[k] * q;
         }
       }
     return r;
@@ -254,8 +255,13 @@ struct CondensedStack::Implementation {
   int solve()
   {
     const VectorXd constant = law_constant();
+    bool outdated           = true;
+    double since            = 0;  // change of the forces since the factors
     for (int step = 1; step <= most_steps; ++step) {
-      factorise();
+      if (outdated) {
+        factorise();
+        since = 0;
+      }
       const Change next = linear(linearised(), constant, stack.strip.force);
       bool exchanged    = false;
       double change     = (next.force - force).cwiseAbs().maxCoeff() / next.force.cwiseAbs().maxCoeff();
@@ -271,10 +277,14 @@ struct CondensedStack::Implementation {
           exchanged = true;
         }
       }
+      since += change;
       if (!exchanged && change < settled) {
-        factorise();  // for the derivatives
+        if (since > current)
+          factorise();  // for the derivatives
         return step;
       }
+      // The slopes of the contacts change with the logarithm of the load: factors serve until a contact changes.
+      outdated = exchanged || change > 0.1;
     }
     throw SolverError({"roll stack: no equilibrium of the condensed rolls after 60 steps", "",
                        "contacts that open and close, by crowns or bending forces that part the rolls",

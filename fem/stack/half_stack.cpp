@@ -135,80 +135,101 @@ void HalfStack::make_blocks()
 void HalfStack::list_unknowns(Block &block) const
 {
   block.unknowns.clear();
-  for (const std::size_t c : block.contacts)
+  block.size     = 0;
+  const auto add = [&](Unknowns unknowns) {
+    unknowns.first = block.size;
+    block.size += unknowns.size();
+    block.unknowns.push_back(std::move(unknowns));
+  };
+  for (const std::size_t c : block.contacts) {
+    Unknowns forces{true, c, {}, 0};
     for (std::size_t k = 0; k < contacts[c].touching.size(); ++k)
       if (contacts[c].touching[k])
-        block.unknowns.push_back({true, c, Index(k)});
-  for (const std::size_t r : block.rolls)
+        forces.entry.push_back(Index(k));
+    add(std::move(forces));
+  }
+  for (const std::size_t r : block.rolls) {
+    Unknowns motions{false, r, {}, 0};
     for (Index m = 0; m < stacked[r].motions(); ++m)
-      block.unknowns.push_back({false, r, m});
+      motions.entry.push_back(m);
+    add(std::move(motions));
+  }
 }
 
-// Factors of one unknown in the equation of another, over the scale; symmetric.  (51.16)
-double HalfStack::coupling(const Unknown &one, const Unknown &other) const
+// Factors of some unknowns in the equations of others, over the scale; empty where there are none.  (51.16)
+MatrixXd HalfStack::coupling(const Unknowns &one, const Unknowns &other) const
 {
-  if (!one.is_force && !other.is_force)
-    return 0;
   if (!one.is_force)
-    return coupling(other, one);
+    return other.is_force ? MatrixXd(coupling(other, one).transpose()) : MatrixXd();
   const StationedContact &c = contacts[one.item];
-  if (!other.is_force)
-    return other.item == c.a   ? -stacked[c.a].motion(c.line_a)(one.entry, other.entry)
-           : other.item == c.b ? -stacked[c.b].motion(c.line_b)(one.entry, other.entry)
-                               : 0;
+  if (!other.is_force) {
+    if (other.item == c.a)
+      return -stacked[c.a].motion(c.line_a)(one.entry, other.entry);
+    return other.item == c.b ? MatrixXd(-stacked[c.b].motion(c.line_b)(one.entry, other.entry)) : MatrixXd();
+  }
   const StationedContact &d = contacts[other.item];
-  double sum                = 0;
+  MatrixXd sum;
   for (const auto &[roll, line] : {std::pair(c.a, c.line_a), std::pair(c.b, c.line_b)})
     for (const auto &[with, its] : {std::pair(d.a, d.line_a), std::pair(d.b, d.line_b)})
-      if (roll == with)
-        sum += stacked[roll].flexibility(line, its)(one.entry, other.entry);
-  if (one.item == other.item && one.entry == other.entry) {
-    const double length = c.stations.to[one.entry] - c.stations.from[one.entry];
-    sum += c.slope_of(c.force[one.entry] / length) / length;
-  }
-  return sum / scale;
+      if (roll == with) {
+        if (sum.size() == 0)
+          sum = MatrixXd::Zero(one.size(), other.size());
+        sum += stacked[roll].flexibility(line, its)(one.entry, other.entry) / scale;
+      }
+  if (one.item == other.item)
+    for (Index i = 0; i < one.size(); ++i) {
+      const Index k = one.entry[std::size_t(i)];
+      sum(i, i) += c.slope[k] / (c.stations.to[k] - c.stations.from[k]) / scale;
+    }
+  return sum;
 }
 
-MatrixXd HalfStack::coupling_with(const Block &block, const std::vector<Unknown> &others) const
+MatrixXd HalfStack::coupling_with(const Block &block, const Block &other) const
 {
-  MatrixXd A(Index(block.unknowns.size()), Index(others.size()));
-  for (Index j = 0; j < A.cols(); ++j)
-    for (Index i = 0; i < A.rows(); ++i)
-      A(i, j) = coupling(block.unknowns[std::size_t(i)], others[std::size_t(j)]);
+  MatrixXd A = MatrixXd::Zero(block.size, other.size);
+  for (const Unknowns &one : block.unknowns)
+    for (const Unknowns &with : other.unknowns)
+      if (const MatrixXd part = coupling(one, with); part.size() > 0)
+        A.block(one.first, with.first, one.size(), with.size()) = part;
+  return A;
+}
+
+MatrixXd HalfStack::coupling_with_strip(const Block &block) const
+{
+  const StackedRoll &work = stacked[work_roll];
+  MatrixXd A              = MatrixXd::Zero(block.size, by_strip.cols());
+  for (const Unknowns &one : block.unknowns) {
+    auto rows = A.middleRows(one.first, one.size());
+    if (!one.is_force) {
+      if (one.item == work_roll)
+        rows = -work.motion(strip_line).transpose();
+      continue;
+    }
+    const StationedContact &c = contacts[one.item];
+    for (const auto &[roll, line] : {std::pair(c.a, c.line_a), std::pair(c.b, c.line_b)})
+      if (roll == work_roll)
+        rows += work.flexibility(line, strip_line)(one.entry, Eigen::all) / scale;
+  }
   return A;
 }
 
 void HalfStack::factorise()
 {
-  const StackedRoll &work = stacked[work_roll];
-  const auto n            = work.flexibility(strip_line, strip_line).rows();
-  by_strip                = work.flexibility(strip_line, strip_line) / scale;
+  by_strip = stacked[work_roll].flexibility(strip_line, strip_line) / scale;
+  for (StationedContact &c : contacts) {
+    const VectorXd length = c.stations.length();
+    c.slope =
+        VectorXd::NullaryExpr(length.size(), [&](const Index k) { return c.slope_of(c.force[k] / length[k]); });
+  }
   for (Block &block : blocks)
     list_unknowns(block);
   MatrixXd carried;
   for (std::size_t b = 0; b < blocks.size(); ++b) {
     Block &block = blocks[b];
-    MatrixXd D   = coupling_with(block, block.unknowns);
+    MatrixXd D   = coupling_with(block, block);
     if (b > 0)
       D -= carried;
-    if (b + 1 < blocks.size())
-      block.next = coupling_with(block, blocks[b + 1].unknowns);
-    else {
-      block.next = MatrixXd::Zero(Index(block.unknowns.size()), n);
-      for (std::size_t i = 0; i < block.unknowns.size(); ++i) {
-        const Unknown &u = block.unknowns[i];
-        if (!u.is_force) {
-          if (u.item == work_roll)
-            block.next.row(Index(i)) = -work.motion(strip_line).col(u.entry).transpose();
-          continue;
-        }
-        const StationedContact &c = contacts[u.item];
-        if (c.a == work_roll)
-          block.next.row(Index(i)) += work.flexibility(c.line_a, strip_line).row(u.entry) / scale;
-        if (c.b == work_roll)
-          block.next.row(Index(i)) += work.flexibility(c.line_b, strip_line).row(u.entry) / scale;
-      }
-    }
+    block.next = b + 1 < blocks.size() ? coupling_with(block, blocks[b + 1]) : coupling_with_strip(block);
     block.factor.compute(D);
     if (!(block.factor.rcond() > 1e-13))
       not_held(stack.rolls[names[block.rolls.empty() ? work_roll : block.rolls.front()]].name);
@@ -222,20 +243,22 @@ void HalfStack::factorise()
 
 VectorXd HalfStack::taken(const Block &block, const HalfVector &from) const
 {
-  VectorXd r(Index(block.unknowns.size()));
-  for (std::size_t i = 0; i < block.unknowns.size(); ++i) {
-    const Unknown &u = block.unknowns[i];
-    r[Index(i)]      = u.is_force ? -from.contact[u.item][u.entry] / scale : -from.motion[u.item][u.entry];
-  }
+  VectorXd r(block.size);
+  for (const Unknowns &u : block.unknowns)
+    if (u.is_force)
+      r.segment(u.first, u.size()) = -from.contact[u.item](u.entry) / scale;
+    else
+      r.segment(u.first, u.size()) = -from.motion[u.item];
   return r;
 }
 
 void HalfStack::put(const Block &block, const VectorXd &x, HalfVector &to) const
 {
-  for (std::size_t i = 0; i < block.unknowns.size(); ++i) {
-    const Unknown &u = block.unknowns[i];
-    (u.is_force ? to.contact[u.item] : to.motion[u.item])[u.entry] += (u.is_force ? 1 : scale) * x[Index(i)];
-  }
+  for (const Unknowns &u : block.unknowns)
+    if (u.is_force)
+      to.contact[u.item](u.entry) += x.segment(u.first, u.size());
+    else
+      to.motion[u.item] += scale * x.segment(u.first, u.size());
 }
 
 HalfVector HalfStack::zero() const

@@ -17,6 +17,7 @@ struct StationedContact {
   std::array<double, 2> reach = {0, 0};  ///< m, c_i of (51.17)
   double least_width          = 0;       ///< m, of a station with hardly any load
   Eigen::VectorXd force;                 ///< (N) N
+  Eigen::VectorXd slope;                 ///< (N) 1/Pa, of closing_of() at the last factors
   std::vector<char> touching;
 
   double closing_of(double line_load) const;  ///< m
@@ -41,7 +42,7 @@ public:
 
   std::vector<StationedContact> contacts;
 
-  /// At the present contacts.  @throws SolverError  a roll is not held
+  /// At the present forces of the contacts.  @throws SolverError  a roll is not held
   void factorise();
   /// (n, n) m/N, of the strip's line with everything behind it.
   const Eigen::MatrixXd &at_strip() const
@@ -77,14 +78,21 @@ public:
   }
 
 private:
-  struct Unknown {
+  // The forces of a contact's touching stations, or the motions of a roll, one after another from `first` on.
+  struct Unknowns {
     bool is_force;
-    std::size_t item;    // contact, or roll of the half
-    Eigen::Index entry;  // station or motion
+    std::size_t item;                 // contact, or roll of the half
+    std::vector<Eigen::Index> entry;  // stations or motions
+    Eigen::Index first;
+    Eigen::Index size() const
+    {
+      return Eigen::Index(entry.size());
+    }
   };
   struct Block {
     std::vector<std::size_t> contacts, rolls;
-    std::vector<Unknown> unknowns;
+    std::vector<Unknowns> unknowns;
+    Eigen::Index size = 0;
     Eigen::MatrixXd next, by_next;  // coupling with the following block or the strip, and its solution
     Eigen::PartialPivLU<Eigen::MatrixXd> factor;
   };
@@ -92,8 +100,9 @@ private:
   void make_contacts(double longest);
   void make_blocks();
   void list_unknowns(Block &block) const;
-  double coupling(const Unknown &one, const Unknown &other) const;
-  Eigen::MatrixXd coupling_with(const Block &block, const std::vector<Unknown> &others) const;
+  Eigen::MatrixXd coupling(const Unknowns &one, const Unknowns &other) const;
+  Eigen::MatrixXd coupling_with(const Block &block, const Block &other) const;
+  Eigen::MatrixXd coupling_with_strip(const Block &block) const;
   std::vector<std::pair<std::size_t, std::size_t>> lines_on(std::size_t roll) const;  // contact, line
   Eigen::VectorXd taken(const Block &block, const HalfVector &from) const;
   void put(const Block &block, const Eigen::VectorXd &x, HalfVector &to) const;
