@@ -18,12 +18,13 @@ template <class Io> void each_member(Io &&io, const CondenseOptions &record)
 
 template <class Io> void each_member(Io &&io, const FourierOptions &record)
 {
-  const auto &[all_orders, ratio, half_width, both_sides, slab] = record;
+  const auto &[all_orders, ratio, half_width, both_sides, slab, points] = record;
   io("all_orders", all_orders);
   io("ratio", ratio);
   io("half_width", half_width);
   io("both_sides", both_sides);
   io("slab", slab);
+  io("points", points);
 }
 
 template <class Io> void each_member(Io &&io, const RollComponentOptions &record)

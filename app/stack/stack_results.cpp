@@ -9,12 +9,10 @@
 
 namespace mill {
 namespace {
-const char *const by_newton     = "Timoshenko beams and line contacts, equilibrium by Newton's method (51.9)";
-const char *const by_factors    = "exact derivative at the solved state, by the factors of (51.9)";
-const char *const by_statics    = "statics of rigid rolls (51.11)";
-constexpr int frequencies_shown = 6;
+const char *const by_factors = "exact derivative at the solved state, by the factors of Newton's last step";
+const char *const by_statics = "statics of rigid rolls (51.11)";
 
-void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool given_force)
+void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool given_force, const char *by_newton)
 {
   const reduce::StripState &strip = solved.state.strip;
   const std::string profile       = std::string(by_newton) + ", opening (51.2)";
@@ -39,14 +37,13 @@ void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool 
     add("flatness.min", I.minCoeff(), "1", "I-units, no lateral flow (51.12)");
     add("flatness.max", I.maxCoeff(), "1", "I-units, no lateral flow (51.12)");
   }
-  const Eigen::VectorXd f = solved.engine.frequencies(frequencies_shown);
-  for (Eigen::Index k = 0; k < f.size(); ++k)
-    add(fmt::format("f{}", k + 1).c_str(), f[k], "Hz",
+  for (Eigen::Index k = 0; k < solved.frequencies.size(); ++k)
+    add(fmt::format("f{}", k + 1).c_str(), solved.frequencies[k], "Hz",
         "beams with their masses about the solved state, rolling force imposed");
 }
 
 void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t c,
-                      const StackResultant &resultant)
+                      const StackResultant &resultant, const char *by_newton)
 {
   const StackContact &contact = solved.stack.contacts[c];
   const StackRoll &a = solved.stack.rolls[contact.a], &b = solved.stack.rolls[contact.b];
@@ -100,7 +97,7 @@ std::array<double, 2> reactions_by_statics(const Stack &stack, const std::size_t
 }
 
 void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t r,
-                      const std::vector<StackResultant> &resultants)
+                      const std::vector<StackResultant> &resultants, const char *by_newton)
 {
   const StackRoll &roll          = solved.stack.rolls[r];
   const reduce::RollState &state = solved.state.rolls[r];
@@ -133,15 +130,15 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
 }
 }  // namespace
 
-StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved)
+StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, const char *method)
 {
   StackNumbers all;
   const auto resultants = stack_resultants(solved.stack, solved.stack.strip.force);
-  add_strip_numbers(all, solved, std::isnan(input.strip.gap));
+  add_strip_numbers(all, solved, std::isnan(input.strip.gap), method);
   for (std::size_t c = 0; c < solved.stack.contacts.size(); ++c)
-    add_pair_numbers(all, solved, c, resultants[c]);
+    add_pair_numbers(all, solved, c, resultants[c], method);
   for (std::size_t r = 0; r < solved.stack.rolls.size(); ++r)
-    add_roll_numbers(all, solved, r, resultants);
+    add_roll_numbers(all, solved, r, resultants, method);
   return all;
 }
 
@@ -153,7 +150,7 @@ StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved
     all.push_back({result_name({family::influence, "edge_drop", what}), edge_drop, unit, by_factors, {}});
   };
   const Stack &stack              = solved.stack;
-  const auto &engine              = solved.engine;
+  const auto &engine              = *solved.engine;
   const reduce::GapShape by_force = engine.influence_of_force();
   add("force", by_force.crown, by_force.edge_drop, "m/N");
   for (const StackRollInput &written : input.rolls) {

@@ -3,13 +3,23 @@
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/stack_names.h"
+#include "fem/stack/condensed_stack.h"
+#include "reduce/stack/beam_stack.h"
 #include "reduce/stack/line_law.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
+#include <utility>
 
 namespace mill {
 namespace {
-constexpr int elements_over_width = 60;  // errors of the reference cases: docs/theory/51, "Measured"
+// Errors of the reference cases: docs/theory/51, "Measured".
+constexpr int elements_over_width = 60;
+constexpr int stations_over_width = 40;  // the meshes of the condensed rolls resolve no more
+constexpr int frequencies_shown   = 6;
+const char *const by_beams        = "Timoshenko beams and line contacts, equilibrium by Newton's method (51.9)";
+const char *const by_condensed = "condensed rolls whose contacts feel each other, equilibrium by Newton's method "
+                                 "(51.16)";
 
 reduce::BeamStackSettings settings_of(const StackInput &input, const int elements_per_width)
 {
@@ -28,17 +38,17 @@ double mean_opening(const reduce::StripState &strip)
 }
 
 // The mean of the exit thickness is S plus the mean opening, which grows with the force.
-SolvedStack solve_for_gap(const StackInput &input, Stack stack, const int elements_per_width)
+SolvedStack solve_for_gap(const StackInput &input, Stack stack, const MakeStackEngine &make)
 {
   const double wanted      = input.strip.exit_thickness - input.strip.gap;
   constexpr int most_steps = 20;
   stack.strip.force        = 1e3 * stack.strip.width * 1e3;  // N, 1 kN per mm of width to begin with
   for (int step = 0; step < most_steps; ++step) {
-    reduce::BeamStack engine(stack, settings_of(input, elements_per_width));
-    reduce::StackState state = engine.solve();
+    auto engine              = make(stack);
+    reduce::StackState state = engine->solve();
     const double missing     = wanted - mean_opening(state.strip);
     if (std::abs(missing) < 1e-9 * wanted)
-      return {stack, std::move(engine), std::move(state)};
+      return {stack, std::move(engine), std::move(state), {}};
     // Contacts are softer under less load: no step goes below a tenth of the force.
     stack.strip.force = std::max(0.1 * stack.strip.force, stack.strip.force + state.modulus.mean * missing);
   }
@@ -49,9 +59,19 @@ SolvedStack solve_for_gap(const StackInput &input, Stack stack, const int elemen
                      "give strip.force, and compare stack.gap of that run with strip.gap", ""});
 }
 
-void add_results(RunContext &run, const StackNumbers &fine, const StackNumbers &coarse, const double force)
+// The engine that gives the results, on two meshes, and the other.
+struct StackNumberSets {
+  StackNumbers fine, coarse, other;
+  const char *other_method;
+};
+
+void add_results(RunContext &run, const StackNumberSets &sets, const double force)
 {
-  const std::vector<std::string> inputs = keys_of_stack(run.the_case);
+  const auto &[fine, coarse, other, other_method] = sets;
+  const std::vector<std::string> inputs           = keys_of_stack(run.the_case);
+  std::map<std::string, double> checks;
+  for (const StackNumber &number : other)
+    checks[number.name] = number.value;
   for (std::size_t i = 0; i < fine.size(); ++i) {
     const StackNumber &number = fine[i];
     Parameter p;
@@ -62,6 +82,11 @@ void add_results(RunContext &run, const StackNumbers &fine, const StackNumbers &
     p.inputs = inputs;
     p.checks = number.checks;
     p.source = number.source;
+    if (const auto check = checks.find(number.name);
+        check != checks.end() && number.source != Source::given && number.unit != "Hz")
+      p.checks.push_back({other_method, check->second,
+                          "shoulders, the surface of the rolls around their contacts and the flattening at the "
+                          "edges of the strip are in the condensed rolls only"});
     // Zero by symmetry differs between two meshes by rounding alone.
     const double rounding = number.unit == "m" ? 1e-12 : 0;
     p.error_estimate      = std::abs(number.value) <= rounding || number.value == coarse[i].value
@@ -114,13 +139,33 @@ void say_what_is_assumed_of(RunContext &run, const StackInput &input)
 }
 }  // namespace
 
-SolvedStack solve_stack(const StackInput &input, const Stack &stack, const int elements_per_width)
+MakeStackEngine beams_of(const StackInput &input, const int elements_per_width)
 {
+  return [settings = settings_of(input, elements_per_width)](const Stack &stack) {
+    return std::make_unique<reduce::BeamStack>(stack, settings);
+  };
+}
+
+MakeStackEngine condensed_of(const StackKernels &kernels, const int stations_per_width)
+{
+  return [kernels, stations_per_width](const Stack &stack) {
+    return std::make_unique<fem::CondensedStack>(stack, kernels, fem::CondensedStackSettings{stations_per_width});
+  };
+}
+
+SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeStackEngine &make)
+{
+  SolvedStack solved;
   if (!std::isnan(input.strip.gap))
-    return solve_for_gap(input, stack, elements_per_width);
-  reduce::BeamStack engine(stack, settings_of(input, elements_per_width));
-  reduce::StackState state = engine.solve();
-  return {stack, std::move(engine), std::move(state)};
+    solved = solve_for_gap(input, stack, make);
+  else {
+    solved.stack  = stack;
+    solved.engine = make(stack);
+    solved.state  = solved.engine->solve();
+  }
+  if (const auto *beams = dynamic_cast<const reduce::BeamStack *>(solved.engine.get()))
+    solved.frequencies = beams->frequencies(frequencies_shown);
+  return solved;
 }
 
 double unloaded_gap(const SolvedStack &solved)
@@ -184,7 +229,7 @@ void write_stack_curves(const RunContext &run, const SolvedStack &solved)
 
 StackNumbers traced_stack(const StackInput &input, const Stack &stack)
 {
-  return stack_numbers(input, solve_stack(input, stack, elements_over_width / 2));
+  return stack_numbers(input, solve_stack(input, stack, beams_of(input, elements_over_width / 2)), by_beams);
 }
 
 std::vector<std::string> keys_of_stack(const Case &the_case)
@@ -199,11 +244,31 @@ std::vector<std::string> keys_of_stack(const Case &the_case)
 void run_stack(RunContext &run, const StackInput &input, const Stack &stack)
 {
   StageTimer timer(run, "stack");
-  const SolvedStack fine   = solve_stack(input, stack, elements_over_width),
-                    coarse = solve_stack(input, stack, elements_over_width / 2);
+  const StackKernels kernels = stack_kernels(run, stack);
+  const bool is_condensed    = input.engine.model == "condensed";
+  const auto engine          = [&](const bool condensed, const int coarser) {
+    return condensed ? condensed_of(kernels, stations_over_width / coarser)
+                              : beams_of(input, elements_over_width / coarser);
+  };
+  SolvedStack fine        = solve_stack(input, stack, engine(is_condensed, 1)),
+              coarse      = solve_stack(input, stack, engine(is_condensed, 2));
+  const SolvedStack other = solve_stack(input, stack, engine(!is_condensed, 1));
+  if (is_condensed) {  // condensed rolls have no masses
+    fine.frequencies   = other.frequencies;
+    coarse.frequencies = solve_stack(input, stack, engine(false, 2)).frequencies;
+  }
   const double force       = fine.stack.strip.force;
-  add_results(run, stack_numbers(input, fine), stack_numbers(input, coarse), force);
-  add_results(run, stack_influences(input, fine), stack_influences(input, coarse), force);
+  const char *method       = is_condensed ? by_condensed : by_beams,
+             *other_method = is_condensed ? by_beams : by_condensed;
+  StackNumberSets sets{stack_numbers(input, fine, method), stack_numbers(input, coarse, method),
+                       stack_numbers(input, other, other_method), other_method};
+  for (const auto &[numbers, solved] : {std::pair<StackNumbers *, const SolvedStack *>(&sets.fine, &fine),
+                                        {&sets.coarse, &coarse},
+                                        {&sets.other, &other}}) {
+    const StackNumbers influences = stack_influences(input, *solved);
+    numbers->insert(numbers->end(), influences.begin(), influences.end());
+  }
+  add_results(run, sets, force);
   write_stack_curves(run, fine);
   warn_of_state(run, fine);
   say_what_is_assumed_of(run, input);

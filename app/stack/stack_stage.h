@@ -1,7 +1,10 @@
 #pragma once
 #include "app/run/run_context.h"
+#include "app/stack/stack_kernels.h"
 #include "core/model/stack_input.h"
-#include "reduce/stack/beam_stack.h"
+#include "reduce/stack/stack_engine.h"
+#include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -22,13 +25,17 @@ using StackNumbers = std::vector<StackNumber>;
 /// The solved stack.
 struct SolvedStack {
   Stack stack;  ///< with the rolling force, where the gap was given
-  reduce::BeamStack engine;
+  std::unique_ptr<reduce::StackEngine> engine;
   reduce::StackState state;
+  Eigen::VectorXd frequencies;  ///< Hz, of beams; empty for condensed rolls
 };
+using MakeStackEngine = std::function<std::unique_ptr<reduce::StackEngine>(const Stack &)>;
+MakeStackEngine beams_of(const StackInput &input, int elements_per_width);
+MakeStackEngine condensed_of(const StackKernels &kernels, int stations_per_width);
 
 /// With the rolling force, or with that at which the unloaded gap is the given one.
 /// @throws SolverError  no equilibrium
-SolvedStack solve_stack(const StackInput &input, const Stack &stack, int elements_per_width);
+SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeStackEngine &make);
 
 /// S, the gap of the unloaded work rolls; NaN without an exit thickness.
 double unloaded_gap(const SolvedStack &solved);
@@ -36,14 +43,15 @@ double unloaded_gap(const SolvedStack &solved);
 Eigen::VectorXd flatness(const SolvedStack &solved);
 
 /// Every result but the influences.
-StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved);
+/// @param method  how they were computed
+StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, const char *method);
 
 /// Derivatives of the gap by force, bending, crowns and eccentrics.
 StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved);
 
 void write_stack_curves(const RunContext &run, const SolvedStack &solved);
 
-/// What a trace follows: the run's own engine on its coarser mesh, which takes some 10 ms.
+/// What a trace follows: the beams on their coarser mesh, which takes some 10 ms.
 StackNumbers traced_stack(const StackInput &input, const Stack &stack);
 
 /// Keys of the case behind every result: all of them.

@@ -235,10 +235,12 @@ const std::vector<Field<StackEngine>> &stack_engine_rows()
 {
   using T = StackEngine;
   static const std::vector<Field<T>> rows{
-      {"model", &T::model, "beams", any, "beams", "beams",
-       "Timoshenko beams, the only model of a stack that this version has"},
+      {"model", &T::model, "condensed | beams", any, "condensed", "condensed",
+       "which of the two engines gives the results; the other is the check next to each of them. condensed: "
+       "elastic "
+       "solids of revolution whose contact lines feel each other; beams: Timoshenko beams"},
       {"flattening", &T::flattening, "half-space | local", any, "half-space", "half-space",
-       "of the work rolls at the strip: half-space: each place feels the load "
+       "of the beams at the strip: half-space: each place feels the load "
        "on its neighbours; local: only its own, which loses a quarter of the edge drop"},
   };
   return rows;

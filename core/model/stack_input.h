@@ -50,7 +50,7 @@ struct StackStripInput : StackStrip {
   }
 };
 struct StackEngine {
-  std::string model      = "beams";
+  std::string model      = "condensed";   ///< condensed | beams
   std::string flattening = "half-space";  ///< half-space | local
 };
 

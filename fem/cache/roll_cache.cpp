@@ -4,7 +4,7 @@
 
 namespace mill::fem {
 namespace {
-constexpr char roll_kind[] = "millstand condensed roll 2";
+constexpr char roll_kind[] = "millstand condensed roll 3";
 
 // The same list of members is run through in both directions.  A structured binding takes apart the whole struct:
 // a member that is added to it does not compile until it is named here.
@@ -47,22 +47,24 @@ template <class Archive> void members(Archive &a, CondensedRoll &r)
 
 template <class Archive> void members(Archive &a, HarmonicResponse &h)
 {
-  auto &[surface, axis, seat_surface, seat_axis] = h;
+  auto &[surface, axis, seat_surface, seat_axis, point_surface, point_axis, point_point] = h;
   members(a, surface);
-  a.array(axis);
+  for (Eigen::MatrixXd *m : {&axis, &point_surface, &point_axis, &point_point})
+    a.array(*m);
   for (Eigen::VectorXd *v : {&seat_surface, &seat_axis})
     a.array(*v);
 }
 
 template <class Archive> void members(Archive &a, FourierRoll &r)
 {
-  auto &[geometry, material, edge, order, even, odd, half_width, seat_lever, n_unknowns] = r;
+  auto &[geometry, material, edge, order, even, odd, half_width, seat_lever, points, n_unknowns] = r;
   numbers(a, geometry);
   numbers(a, material);
   for (double *value : {&half_width, &seat_lever})
     a.number(*value);
   a.count(n_unknowns);
   a.array(edge);
+  a.array(points);
   Eigen::VectorXd orders(Eigen::Index(order.size()));
   for (Eigen::Index i = 0; i < orders.size(); ++i)
     orders[i] = order[std::size_t(i)];

@@ -42,12 +42,30 @@ Eigen::MatrixXd spread(const Surface &surface, const Eigen::VectorXd &edge)
   return out;
 }
 
-// Bearing load along the neck: a cosine squared around the bearing's centre, so that no edge falls between nodes.
-double seat_density(const RollGeometry &g, const double z)
+// Part of the generator along which a force on neck or barrel is spread.
+struct Stretch {
+  double centre, reach;
+};
+
+// Load along the neck: a cosine squared around its centre, so that no edge falls between nodes.
+double seat_density(const Stretch &stretch, const double z)
 {
-  const double reach = std::min(0.5 * g.neck_length, g.half_length + g.neck_length - g.seat_centre);
-  const double s     = (z - g.seat_centre) / reach;
+  const double s = (z - stretch.centre) / stretch.reach;
   return std::abs(s) < 1 ? 0.5 * (1 + std::cos(M_PI * s)) : 0;
+}
+
+Stretch seat_of(const RollGeometry &g)
+{
+  return {g.seat_centre, std::min(0.5 * g.neck_length, g.half_length + g.neck_length - g.seat_centre)};
+}
+
+// The cylinder that a point lies on, without its ends.
+Stretch stretch_at(const RollGeometry &g, const double z)
+{
+  const bool on_neck = g.neck_length > 0 && z > g.half_length;
+  const double from  = on_neck ? g.half_length : -g.half_length,
+               to = g.half_length + (on_neck ? g.neck_length : 0.), radius = on_neck ? g.neck_radius : g.radius;
+  return {z, std::min({radius, z - from, to - z})};
 }
 
 struct Seat {
@@ -56,24 +74,51 @@ struct Seat {
   double lever;
 };
 
-Seat seat_load(const SectionBody &body, const RollGeometry &g)
+Seat seat_load(const SectionBody &body, const std::vector<const char *> &groups, const Stretch &stretch)
 {
-  const Surface neck    = body.surface("neck");
   const GaussRule gauss = gauss_legendre(4);
-  const auto last       = neck.faces.cols() - 1;
-  Seat seat{neck.node, Eigen::VectorXd::Zero(neck.points.rows()), 0};
-  for (Eigen::Index f = 0; f < neck.faces.rows(); ++f) {
-    const double from = neck.points(neck.faces(f, 0), 1), to = neck.points(neck.faces(f, last), 1);
-    for (int q = 0; q < 4; ++q) {
-      const double s          = 0.5 * (1 + gauss.node[q]);
-      const double w          = gauss.weight[q] * std::abs(to - from) * seat_density(g, from + s * (to - from));
-      const Eigen::VectorXd N = line_shape(last + 1, s);
-      for (Eigen::Index a = 0; a <= last; ++a)
-        seat.share[neck.faces(f, a)] += w * N[a];
+  Seat seat{{}, Eigen::VectorXd(0), 0};
+  std::vector<double> share;
+  double sum = 0;
+  for (const char *group : groups) {
+    const Surface neck       = body.surface(group);
+    const auto last          = neck.faces.cols() - 1;
+    Eigen::VectorXd of_group = Eigen::VectorXd::Zero(neck.points.rows());
+    for (Eigen::Index f = 0; f < neck.faces.rows(); ++f) {
+      const double from = neck.points(neck.faces(f, 0), 1), to = neck.points(neck.faces(f, last), 1);
+      for (int q = 0; q < 4; ++q) {
+        const double s = 0.5 * (1 + gauss.node[q]);
+        const double w = gauss.weight[q] * std::abs(to - from) * seat_density(stretch, from + s * (to - from));
+        const Eigen::VectorXd N = line_shape(last + 1, s);
+        for (Eigen::Index a = 0; a <= last; ++a)
+          of_group[neck.faces(f, a)] += w * N[a];
+      }
     }
+    for (Eigen::Index i = 0; i < of_group.size(); ++i)
+      if (of_group[i] != 0) {
+        seat.node.push_back(neck.node[std::size_t(i)]);
+        share.push_back(of_group[i]);
+        sum += of_group[i];
+        seat.lever += of_group[i] * neck.points(i, 1);
+      }
   }
-  seat.share /= seat.share.sum();
-  seat.lever = seat.share.dot(neck.points.col(1));
+  if (!(sum > 0))
+    throw InputError("a force on a roll lies outside its neck and its barrel");
+  seat.share = Eigen::Map<Eigen::VectorXd>(share.data(), Eigen::Index(share.size())) / sum;
+  seat.lever /= sum;
+  return seat;
+}
+
+// The same resultant exactly at z: statics must not depend on a mesh.
+Seat moved_to(const double z, const SectionBody &body, Seat seat)
+{
+  double spread = 0;
+  for (std::size_t i = 0; i < seat.node.size(); ++i)
+    spread += seat.share[Eigen::Index(i)] * std::pow(body.nodes()(seat.node[i], 1) - seat.lever, 2);
+  const double tilt = (z - seat.lever) / spread;
+  for (std::size_t i = 0; i < seat.node.size(); ++i)
+    seat.share[Eigen::Index(i)] *= 1 + tilt * (body.nodes()(seat.node[i], 1) - seat.lever);
+  seat.lever = z;
   return seat;
 }
 
@@ -182,8 +227,8 @@ Eigen::MatrixXd half_solved(const Eigen::MatrixXd &lower, const Eigen::MatrixXd 
 class Condenser {
 public:
   Condenser(const SectionBody &section_body, const RollGeometry &geometry, const Eigen::VectorXd &edge,
-            const bool is_slab)
-      : body(section_body), slab(is_slab), axis(axis_nodes(section_body)),
+            const FourierOptions &options)
+      : body(section_body), slab(options.slab), axis(axis_nodes(section_body)),
         hollow(body.nodes()(axis.front(), 0) > 0)
   {
     const Surface contact = body.surface("contact");
@@ -192,8 +237,15 @@ public:
     Surface line          = body.surface("axis");
     on_axis               = line.node;
     axis_mean             = spread(line, edge);
+    if (geometry.neck_length > 0 && geometry.seat_centre > 0)
+      seat = seat_load(body, {"neck"}, seat_of(geometry));
+    std::vector<const char *> groups{"contact"};
+    if (geometry.contact_half_length > 0 && geometry.half_length - geometry.contact_half_length > 1e-9)
+      groups.push_back("barrel");
     if (geometry.neck_length > 0)
-      seat = seat_load(body, geometry);
+      groups.push_back("neck");
+    for (const double z : options.points)
+      points.push_back(moved_to(z, body, seat_load(body, groups, stretch_at(geometry, z))));
   }
   double seat_lever() const
   {
@@ -236,30 +288,62 @@ public:
       response.axis = half.rightCols(n).transpose() * half.leftCols(n);
       if (!seat.node.empty())
         add_seat(response, f, factor, retained, loads);
+      if (!points.empty())
+        add_points(response, f, factor, retained, loads);
     }
     return int(f.node.size());
   }
 
 private:
   // 1 N along theta = 0, the same all around the neck: cos(theta) in u_r, -sin(theta) in u_theta, half each.
-  void add_seat(HarmonicResponse &response, const Free &f, const CondensingFactor &factor,
-                const std::vector<int> &retained, const Eigen::MatrixXd &means) const
+  static Eigen::VectorXd force_around(const Seat &neck, const Free &f)
   {
     Eigen::VectorXd load = Eigen::VectorXd::Zero(f.K.rows());
-    for (std::size_t i = 0; i < seat.node.size(); ++i) {
-      const double part = 0.5 * seat.share[Eigen::Index(i)];
-      if (const int place = f.place[3 * seat.node[i] + u_r]; place >= 0)
+    for (std::size_t i = 0; i < neck.node.size(); ++i) {
+      const double part = 0.5 * neck.share[Eigen::Index(i)];
+      if (const int place = f.place[3 * neck.node[i] + u_r]; place >= 0)
         load[place] += part;
-      if (const int place = f.place[3 * seat.node[i] + u_theta]; place >= 0)
+      if (const int place = f.place[3 * neck.node[i] + u_theta]; place >= 0)
         load[place] -= part;
     }
-    const Eigen::VectorXd u = factor.solve(load);
+    return load;
+  }
+
+  // Means of the stations, on the surface and on the axis.
+  static Eigen::VectorXd station_means(const Eigen::VectorXd &u, const std::vector<int> &retained,
+                                       const Eigen::MatrixXd &means)
+  {
     Eigen::VectorXd kept(Eigen::Index(retained.size()));
     for (std::size_t i = 0; i < retained.size(); ++i)
       kept[Eigen::Index(i)] = u[retained[i]];
-    const Eigen::VectorXd mean = means.transpose() * kept;
+    return means.transpose() * kept;
+  }
+
+  void add_seat(HarmonicResponse &response, const Free &f, const CondensingFactor &factor,
+                const std::vector<int> &retained, const Eigen::MatrixXd &means) const
+  {
+    const Eigen::VectorXd mean = station_means(factor.solve(force_around(seat, f)), retained, means);
     response.seat_surface      = mean.head(mean.size() / 2);
     response.seat_axis         = mean.tail(mean.size() / 2);
+  }
+
+  void add_points(HarmonicResponse &response, const Free &f, const CondensingFactor &factor,
+                  const std::vector<int> &retained, const Eigen::MatrixXd &means) const
+  {
+    const auto n = means.cols() / 2, p = Eigen::Index(points.size());
+    Eigen::MatrixXd load(f.K.rows(), p);
+    for (Eigen::Index i = 0; i < p; ++i)
+      load.col(i) = force_around(points[std::size_t(i)], f);
+    response.point_surface.resize(n, p);
+    response.point_axis.resize(n, p);
+    response.point_point.resize(p, p);
+    for (Eigen::Index i = 0; i < p; ++i) {
+      const Eigen::VectorXd u       = factor.solve(load.col(i));
+      const Eigen::VectorXd mean    = station_means(u, retained, means);
+      response.point_surface.col(i) = mean.head(n);
+      response.point_axis.col(i)    = mean.tail(n);
+      response.point_point.col(i)   = load.transpose() * u;
+    }
   }
 
   const SectionBody &body;
@@ -268,6 +352,7 @@ private:
   bool hollow;
   Eigen::MatrixXd station_load, axis_mean;
   Seat seat;
+  std::vector<Seat> points;
 };
 }  // namespace
 
@@ -310,8 +395,9 @@ FourierRoll fourier_roll(const SectionBody &body, const RollGeometry &geometry, 
   roll.edge       = edge;
   roll.order      = orders(options, geometry.radius);
   roll.half_width = options.half_width;
-  const Condenser condenser(body, geometry, edge, options.slab);
+  const Condenser condenser(body, geometry, edge, options);
   roll.seat_lever = condenser.seat_lever();
+  roll.points     = options.points;
   for (std::size_t i = 0; i < roll.order.size(); ++i) {
     roll.n_unknowns = condenser.add(roll.even, roll.order[i], false);
     if (options.both_sides)

@@ -13,9 +13,12 @@ namespace mill::fem {
 /// z < 0.
 struct HarmonicResponse {
   std::vector<Eigen::MatrixXd> surface;  ///< (n, n) m/N, one per computed order
-  Eigen::MatrixXd axis;          ///< (n, n) m/N, order 1: displacement of the axis along the load at theta = 0
-  Eigen::VectorXd seat_surface;  ///< (n) m/N, order 1, under 1 N on the bearing seat in the same direction
-  Eigen::VectorXd seat_axis;     ///< (n) m/N
+  Eigen::MatrixXd axis;           ///< (n, n) m/N, order 1: displacement of the axis along the load at theta = 0
+  Eigen::VectorXd seat_surface;   ///< (n) m/N, order 1, under 1 N on the bearing seat in the same direction
+  Eigen::VectorXd seat_axis;      ///< (n) m/N
+  Eigen::MatrixXd point_surface;  ///< (n, p) m/N, order 1, under 1 N across the axis at each of the points
+  Eigen::MatrixXd point_axis;     ///< (n, p) m/N
+  Eigen::MatrixXd point_point;    ///< (p, p) m/N, of the points themselves
 };
 
 /// A roll of revolution condensed to its contact line by a Fourier series around it.  theory.md 11
@@ -29,7 +32,8 @@ struct FourierRoll {
   HarmonicResponse odd;    ///< opposite loads; empty unless asked for
   double half_width = 0;   ///< m, contact that the series was made for
   double seat_lever = 0;   ///< m, from mid-length to the resultant of the load on the bearing seat
-  int n_unknowns    = 0;   ///< of one harmonic and symmetry case
+  Eigen::VectorXd points;  ///< (p) m, distances from mid-length to the resultants of the forces on points
+  int n_unknowns = 0;      ///< of one harmonic and symmetry case
   bool both_sides() const
   {
     return !odd.surface.empty();
@@ -40,8 +44,9 @@ struct FourierOptions {
   int all_orders    = 16;   ///< harmonics up to this one are computed each
   double ratio      = 1.5;  ///< -, of the orders that follow
   double half_width = 0;  ///< m, contact the series must resolve: the last order is at least 2 radius / half_width
-  bool both_sides   = false;  ///< the odd symmetry case too, for loads that differ between the two sides
-  bool slab         = false;  ///< plane strain: the end is held along z like the plane of symmetry
+  bool both_sides   = false;    ///< the odd symmetry case too, for loads that differ between the two sides
+  bool slab         = false;    ///< plane strain: the end is held along z like the plane of symmetry
+  Eigen::VectorXd points = {};  ///< m, distances from mid-length of forces on neck or barrel, each all around it
 };
 
 /// Condenses a roll.  Cost: one sparse factorisation of about 1e4 unknowns, some 10 ms, per harmonic and symmetry

@@ -35,13 +35,13 @@ Eigen::VectorXd order_weights(const std::vector<int> &order, const double m)
 struct SeriesPoint {
   double m, weight;
 };
-std::vector<SeriesPoint> series_rule(const FourierSide &side)
+std::vector<SeriesPoint> series_rule(const double radius, const double half_width, const bool mirrored)
 {
   constexpr int each     = 64;    // runs are shorter than one before this
   constexpr double share = 0.02;  // length of a run over its order: midpoint error 2e-5 of the run
   // The semi-ellipse damps as m^-3 beyond m b / R = 1; a twentieth of the half width is still resolved.
-  const double last = 400 * side.radius / side.half_width;
-  const int stride  = side.mirrored ? 2 : 1;
+  const double last = 400 * radius / half_width;
+  const int stride  = mirrored ? 2 : 1;
   std::vector<SeriesPoint> rule;
   int m = 0;
   for (; m <= each; m += stride)
@@ -73,7 +73,7 @@ Amplitude amplitude(const double x, const double b)
 StationFlexibility flexibility(const FourierSide &side, const Eigen::VectorXd &half_width)
 {
   const Eigen::Index n = half_width.size(), n_orders = Eigen::Index(side.order.size());
-  const auto rule     = series_rule(side);
+  const auto rule     = series_rule(side.radius, side.half_width, side.mirrored);
   const auto n_points = Eigen::Index(rule.size());
   Eigen::MatrixXd shape(n_points, n), slope(n_points, n), weight(n_points, n_orders);
   for (Eigen::Index p = 0; p < n_points; ++p) {
@@ -101,6 +101,33 @@ StationFlexibility flexibility(const FourierSide &side, const Eigen::VectorXd &h
     out.row_slope.array() += (slope(run, Eigen::all).transpose() * weighted).array() * G.array();
   }
   return out;
+}
+
+Eigen::VectorXd own_weights(const std::vector<int> &order, const double radius, const double half_width,
+                            const PatchPressure pressure)
+{
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(Eigen::Index(order.size()));
+  for (const SeriesPoint &point : series_rule(radius, half_width, false)) {
+    const double x = point.m * half_width / radius;
+    const double j =
+        pressure == PatchPressure::uniform ? (x > 0 ? std::sin(x) / x : 1) : amplitude(x, half_width).value;
+    weights += point.weight * j * j * order_weights(order, point.m);
+  }
+  weights[1] = 0;
+  return weights;
+}
+
+Eigen::VectorXd angle_weights(const std::vector<int> &order, const double angle)
+{
+  constexpr double width  = 0.04;  // of the radius
+  constexpr int last      = 1000;  // j_m^2 / m below 1e-7
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(Eigen::Index(order.size()));
+  for (int m = 0; m <= last; ++m) {
+    const double j = amplitude(m * width, width).value;
+    weights += j * j * std::cos(m * angle) * order_weights(order, m);
+  }
+  weights[1] = 0;
+  return weights;
 }
 
 Eigen::MatrixXd opposite(const std::vector<int> &order, const std::vector<Eigen::MatrixXd> &surface)

@@ -13,7 +13,7 @@ namespace {
 std::vector<double> radial_places(const RollGeometry &g, const MeridianSize &size)
 {
   const double core    = g.neck_radius > 0 ? g.neck_radius : 0.5 * g.radius;
-  const double largest = std::max(size.surface_element, 4 * g.radius * size.largest_share);
+  const double largest = std::max(size.surface_element, g.radius * size.core_share);
   const int n_core     = std::max(2, int(std::ceil(core / largest)));
   std::vector<double> r;
   for (int i = 0; i <= n_core; ++i)
@@ -54,6 +54,13 @@ MeridianSize meridian_size(const double half_width)
   return size;
 }
 
+MeridianSize even_meridian_size(const double half_width)
+{
+  MeridianSize size  = meridian_size(half_width);
+  size.largest_share = 0.012;
+  return size;
+}
+
 MeridianSize refined(const MeridianSize &size)
 {
   // Two elements for one: half the first, the square root of the ratio.
@@ -63,6 +70,7 @@ MeridianSize refined(const MeridianSize &size)
   fine.end_layer       = size.end_layer / (1 + std::sqrt(size.layer_growth));
   fine.layer_growth    = std::sqrt(size.layer_growth);
   fine.largest_share   = 0.5 * size.largest_share;
+  fine.core_share      = 0.5 * size.core_share;
   return fine;
 }
 

@@ -11,10 +11,13 @@ struct MeridianSize {
   double end_layer       = 0;     ///< m, length of the last element before the end of the contact
   double layer_growth    = 1.8;   ///< -, ratio of neighbouring elements towards mid-length
   double largest_share   = 0.03;  ///< -, longest element over the length of the contact on one side
+  double core_share      = 0.12;  ///< -, thickest element over the radius
 };
 
 /// Sizes for a contact whose half width at the largest load is `half_width` (m).
 MeridianSize meridian_size(double half_width);
+/// The same for a roll of a stack: contacts and strip may end anywhere along its barrel.
+MeridianSize even_meridian_size(double half_width);
 /// The same grid with elements of half the size everywhere.
 MeridianSize refined(const MeridianSize &size);
 

@@ -9,7 +9,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 namespace mill::reduce {
@@ -22,32 +21,6 @@ constexpr double balanced = 1e-12;  // forces out of balance over the rolling fo
 constexpr double rounding = 1e-10;  // the same, where another step no longer halves it
 constexpr int most_steps  = 60;
 
-// Rolls that touch, directly or by others.
-std::vector<std::vector<std::size_t>> groups_of(const Stack &stack)
-{
-  std::vector<std::size_t> group(stack.rolls.size());
-  std::iota(group.begin(), group.end(), std::size_t(0));
-  for (std::size_t round = 0; round < stack.rolls.size(); ++round)
-    for (const StackContact &c : stack.contacts)
-      group[c.a] = group[c.b] = std::min(group[c.a], group[c.b]);
-  std::vector<std::vector<std::size_t>> groups;
-  for (std::size_t g = 0; g < group.size(); ++g) {
-    std::vector<std::size_t> rolls;
-    for (std::size_t r = 0; r < group.size(); ++r)
-      if (group[r] == g)
-        rolls.push_back(r);
-    if (!rolls.empty())
-      groups.push_back(rolls);
-  }
-  return groups;
-}
-
-bool has_inclined_contact(const Stack &stack)
-{
-  return std::any_of(stack.contacts.begin(), stack.contacts.end(),
-                     [&](const StackContact &c) { return std::abs(direction_of(stack, c)[0]) > 1e-9; });
-}
-
 VectorXd strip_edges(const Stack &stack, const Stations &stations)
 {
   std::vector<double> edges;
@@ -55,20 +28,6 @@ VectorXd strip_edges(const Stack &stack, const Stations &stations)
     if (std::abs(z - stack.strip.offset) < stack.strip.width / 2 + 1e-6)
       edges.push_back(z - stack.strip.offset);
   return Eigen::Map<VectorXd>(edges.data(), Index(edges.size()));
-}
-
-double value_at(const std::vector<std::array<double, 2>> &table, const double z)
-{
-  if (table.empty())
-    return 0;
-  if (z <= table.front()[0])
-    return table.front()[1];
-  for (std::size_t i = 1; i < table.size(); ++i)
-    if (z <= table[i][0]) {
-      const double t = (z - table[i - 1][0]) / (table[i][0] - table[i - 1][0]);
-      return table[i - 1][1] + t * (table[i][1] - table[i - 1][1]);
-    }
-  return table.back()[1];
 }
 
 [[noreturn]] void not_held()
@@ -156,7 +115,7 @@ struct BeamStack::Implementation {
       : stack(std::move(s)), stations(stations_of(stack, stack.strip.width / settings.elements_per_width))
   {
     const bool both_planes = has_inclined_contact(stack);
-    for (auto &rolls : groups_of(stack))
+    for (auto &rolls : touching_groups(stack))
       groups.emplace_back(stack, stations, rolls, both_planes);
     edges  = strip_edges(stack, stations);
     length = edges.tail(edges.size() - 1) - edges.head(edges.size() - 1);
@@ -164,8 +123,7 @@ struct BeamStack::Implementation {
     sides.emplace_back(stack, group_of(stack.lower), stack.lower, -1, edges, settings.flattening);
     flattening = sides[0].flattening + sides[1].flattening;
     entry      = VectorXd::NullaryExpr(length.size(), [&](const Index i) {
-      return 0.5 *
-             (value_at(stack.strip.entry_profile, edges[i]) + value_at(stack.strip.entry_profile, edges[i + 1]));
+      return 0.5 * (entry_departure(stack.strip, edges[i]) + entry_departure(stack.strip, edges[i + 1]));
     });
     entry.array() -= entry.dot(length) / length.sum();
   }
@@ -177,13 +135,11 @@ struct BeamStack::Implementation {
 
   double opening_factor() const
   {
-    return stack.strip.modulus + stack.strip.tension_modulus;
+    return reduce::opening_factor(stack.strip);
   }
   double entry_factor() const
   {
-    const StackStrip &s = stack.strip;
-    return s.entry_modulus +
-           (s.tension_modulus > 0 ? s.tension_modulus * s.exit_thickness / s.entry_thickness : 0);
+    return reduce::entry_factor(stack.strip);
   }
 
   VectorXd opening() const

@@ -2,6 +2,7 @@
 #include "reduce/chain/roll_profile.h"
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace mill::reduce {
 namespace {
@@ -104,6 +105,57 @@ std::array<double, 2> direction_of(const Stack &stack, const StackContact &conta
   const auto &a = stack.rolls[contact.a].axis, &b = stack.rolls[contact.b].axis;
   const double x = b[0] - a[0], y = b[1] - a[1], distance = std::hypot(x, y);
   return {x / distance, y / distance};
+}
+
+bool has_inclined_contact(const Stack &stack)
+{
+  return std::any_of(stack.contacts.begin(), stack.contacts.end(),
+                     [&](const StackContact &c) { return std::abs(direction_of(stack, c)[0]) > 1e-9; });
+}
+
+std::vector<std::vector<std::size_t>> touching_groups(const Stack &stack)
+{
+  std::vector<std::size_t> group(stack.rolls.size());
+  std::iota(group.begin(), group.end(), std::size_t(0));
+  for (std::size_t round = 0; round < stack.rolls.size(); ++round)
+    for (const StackContact &c : stack.contacts)
+      group[c.a] = group[c.b] = std::min(group[c.a], group[c.b]);
+  std::vector<std::vector<std::size_t>> groups;
+  for (std::size_t g = 0; g < group.size(); ++g) {
+    std::vector<std::size_t> rolls;
+    for (std::size_t r = 0; r < group.size(); ++r)
+      if (group[r] == g)
+        rolls.push_back(r);
+    if (!rolls.empty())
+      groups.push_back(rolls);
+  }
+  return groups;
+}
+
+double entry_departure(const StackStrip &strip, const double z)
+{
+  const auto &table = strip.entry_profile;
+  if (table.empty())
+    return 0;
+  if (z <= table.front()[0])
+    return table.front()[1];
+  for (std::size_t i = 1; i < table.size(); ++i)
+    if (z <= table[i][0]) {
+      const double t = (z - table[i - 1][0]) / (table[i][0] - table[i - 1][0]);
+      return table[i - 1][1] + t * (table[i][1] - table[i - 1][1]);
+    }
+  return table.back()[1];
+}
+
+double opening_factor(const StackStrip &strip)
+{
+  return strip.modulus + strip.tension_modulus;
+}
+
+double entry_factor(const StackStrip &strip)
+{
+  return strip.entry_modulus +
+         (strip.tension_modulus > 0 ? strip.tension_modulus * strip.exit_thickness / strip.entry_thickness : 0);
 }
 
 double radius_departure(const StackRoll &roll, const double z)

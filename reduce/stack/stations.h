@@ -22,6 +22,19 @@ std::vector<std::array<double, 2>> contact_zones(const Stack &stack, const Stack
 /// From the axis of a to that of b.
 std::array<double, 2> direction_of(const Stack &stack, const StackContact &contact);
 
+/// Whether a contact has a part along x, so that rolls move in both planes.
+bool has_inclined_contact(const Stack &stack);
+
+/// Rolls that touch, directly or by others.
+std::vector<std::vector<std::size_t>> touching_groups(const Stack &stack);
+
+/// H of theory.md (51.5) at z (m, from the middle of the strip) as the case gives it.
+double entry_departure(const StackStrip &strip, double z);
+/// Slopes of (51.5), Pa: of the line load over the exit thickness, with its sign changed, and over the entry
+/// thickness.
+double opening_factor(const StackStrip &strip);
+double entry_factor(const StackStrip &strip);
+
 /// r of theory.md (51.1): how much larger the radius is at z (m, mill frame) than at mid-barrel.
 double radius_departure(const StackRoll &roll, double z);
 }  // namespace mill::reduce

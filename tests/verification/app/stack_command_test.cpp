@@ -11,6 +11,8 @@
 namespace {
 constexpr double mm = 1e-3, um = 1e-6, kN = 1e3;
 
+const std::string by_beams = " --set engine.model=beams";  // the engine of the reference
+
 struct StackRun {
   std::string folder;
   nlohmann::json results;
@@ -49,7 +51,7 @@ class StackCommand : public testing::TestWithParam<StackCommandCase> {};
 
 TEST_P(StackCommand, AgreesWithTheReference)
 {
-  const StackRun run     = stack_run(GetParam().stand, GetParam().sets);
+  const StackRun run     = stack_run(GetParam().stand, by_beams + GetParam().sets);
   const Reference result = reference(GetParam().entry, "stack")["result"];
   const auto profile     = within(0.003, "mesh error of the reference, 0.15 um of the specification", 50 * um);
   EXPECT_TRUE(near(run.value("stack.crown"), um * double(result["crown_um"]), profile));
@@ -124,7 +126,7 @@ TEST(StackCommandForces, TheGapGivesTheForceBack)
 
 TEST(StackCommandResults, InfluencesAgreeWithTheReference)
 {
-  const StackRun four = stack_run("four"), six = stack_run("six");
+  const StackRun four = stack_run("four", by_beams), six = stack_run("six", by_beams);
   const Reference slopes = reference("influence", "stack")["result"];
   const auto reason      = within(1e-3, "central differences of the reference and its mesh");
   const auto per         = [&](const char *name) { return double(slopes[name]); };
@@ -138,4 +140,20 @@ TEST(StackCommandResults, InfluencesAgreeWithTheReference)
       near(six.value("influence.crown.W.bending_force"), per("six-high.all: d/d wb um per kN") * um / kN, reason));
   EXPECT_TRUE(
       near(six.value("influence.crown.I.bending_force"), per("six-high.all: d/d ib um per kN") * um / kN, reason));
+}
+
+// Condensed rolls give the results, with the beams next to each.
+TEST(StackCommandResults, BothEnginesRunAndCheckEachOther)
+{
+  const StackRun condensed = stack_run("four"), beams = stack_run("four", by_beams);
+  for (const char *name :
+       {"stack.crown", "stack.modulus.mid", "pair.W-B.q_max", "influence.crown.W.bending_force"}) {
+    EXPECT_TRUE(near(condensed.check(name, "Timoshenko"), beams.value(name), within(1e-12, "the same number")))
+        << name;
+    EXPECT_TRUE(near(beams.check(name, "condensed"), condensed.value(name), within(1e-12, "the same number")))
+        << name;
+    EXPECT_TRUE(near(condensed.value(name), beams.value(name), within(0.06, "shoulders, cross influence")))
+        << name;
+    EXPECT_NE(condensed.value(name), beams.value(name));
+  }
 }

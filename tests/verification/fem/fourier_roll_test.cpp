@@ -72,6 +72,7 @@ meshes::MeridianSize coarse_size()
 {
   auto size          = meshes::meridian_size(half_width(F1));
   size.largest_share = 0.1;
+  size.core_share    = 0.4;
   size.radial_growth = 2.5;
   return size;
 }
@@ -362,6 +363,7 @@ TEST(FourierContact, TenTimesTheSizeIsTheSameContact)
   };
   auto size          = meshes::meridian_size(10 * half_width(F1));
   size.largest_share = 0.1;
+  size.core_share    = 0.4;
   size.radial_growth = 2.5;
   auto options       = options_at(F1, true);
   options.half_width *= 10;

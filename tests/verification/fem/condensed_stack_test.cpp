@@ -1,0 +1,287 @@
+#include "core/model/stack_statics.h"
+#include "fem/stack/condensed_stack.h"
+#include "reduce/stack/beam_stack.h"
+#include "tests/support/condensed_rolls.h"
+#include "tests/support/near.h"
+#include "tests/support/reference_stack.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+// The engine of condensed rolls against the beams, statics and the independent values of
+// tests/reference/stack.json.
+using namespace mill;
+
+namespace {
+constexpr double um = 1e-6, mm = 1e-3;
+
+Stack stack_named(const std::string &name)
+{
+  return reference_stack(reference(name, "stack"));
+}
+
+struct Condensed {
+  Stack stack;
+  fem::CondensedStack engine;
+  reduce::StackState state;
+  explicit Condensed(const Stack &of, const CondensedMesh mesh = CondensedMesh::as_run)
+      : stack(of), engine(stack, condensed_rolls(stack, mesh)), state(engine.solve())
+  {
+  }
+};
+
+double load_between(const reduce::PairState &pair, const double z)
+{
+  const auto next = std::upper_bound(pair.z.begin(), pair.z.end(), z);
+  const auto i    = std::clamp<Eigen::Index>(next - pair.z.begin(), 1, pair.z.size() - 1);
+  const double t  = (z - pair.z[i - 1]) / (pair.z[i] - pair.z[i - 1]);
+  return (1 - t) * pair.load[i - 1] + t * pair.load[i];
+}
+
+// Line loads away from the ends of contact, where the beams know no end.
+void expect_line_loads(const Condensed &condensed, const reduce::StackState &beams, const double reach = 0.9)
+{
+  for (std::size_t c = 0; c < beams.pairs.size(); ++c) {
+    const reduce::PairState &pair = beams.pairs[c];
+    for (const double share : {-reach, -0.5, 0., 0.5, reach}) {
+      const double z = share * std::min(pair.z.maxCoeff(), -pair.z.minCoeff());
+      EXPECT_TRUE(near(load_between(condensed.state.pairs[c], z), load_between(pair, z),
+                       within(0.05, "shoulders and cross influence", pair.peak_load)))
+          << "contact " << c << " at " << z;
+    }
+  }
+}
+}  // namespace
+
+// Values of docs/theory/51: beams with the shear coefficient of the surface, the exact cylinder at the strip,
+// one-sided flattening between the rolls and opposite contacts.
+TEST(CondensedStack, SolidRollsWithoutShouldersFollowTheirPrediction)
+{
+  const Condensed plain(stack_named("four-high.plain"));
+  const reduce::StripState &strip = plain.state.strip;
+  EXPECT_TRUE(near(strip.crown, 23.75 * um, within(0.03, "plane cross terms, ends, seats")));
+  EXPECT_TRUE(near(strip.edge_drop, 8.16 * um, within(0.04, "plane cross terms, ends, seats")));
+  EXPECT_TRUE(near(strip.middle, 0.1006 * mm, within(0.05, "plane cross terms, ends, seats")));
+  const reduce::PairState &pair = plain.state.pairs[0];
+  EXPECT_TRUE(near(load_between(pair, 0), 871 * 1e3, within(0.02, "plane cross terms, ends, seats")));
+  EXPECT_TRUE(near(load_between(pair, 0.95 * 0.7), 447 * 1e3, within(0.04, "plane cross terms, ends, seats")));
+}
+
+TEST(CondensedStack, AgreesWithTheBeamsOnAFourHigh)
+{
+  const Stack four = stack_named("four-high");
+  const Condensed condensed(four);
+  const reduce::StackState beams = reduce::BeamStack(four).solve();
+  EXPECT_TRUE(near(condensed.state.strip.crown, beams.strip.crown, within(0.06, "shoulders, cross influence")));
+  EXPECT_TRUE(near(condensed.state.modulus.mid, beams.modulus.mid, within(0.05, "shoulders, cross influence")));
+  expect_line_loads(condensed, beams);
+}
+
+// The work roll of the six-high flattens by 0.1 mm: there the half space of the beams has its largest error.
+TEST(CondensedStack, AgreesWithTheBeamsOnASixHigh)
+{
+  const Stack six = stack_named("six-high.all");
+  const Condensed condensed(six);
+  const reduce::StackState beams = reduce::BeamStack(six).solve();
+  EXPECT_TRUE(near(condensed.state.modulus.mid, beams.modulus.mid, within(0.05, "shoulders, cross influence")));
+  // Next to an end that lies on the barrel of the other roll the load is up to 7 % larger than that of the beams.
+  expect_line_loads(condensed, beams, 0.75);
+  const Stack unbent = stack_named("six-high");
+  const Condensed plain(unbent);
+  const double plain_crown = reduce::BeamStack(unbent).solve().strip.crown;  // 149 um
+  EXPECT_TRUE(near(plain.state.strip.crown, plain_crown, within(0.06, "shoulders, cross influence")));
+  // Known deviation.  Shift and bending take away all but 11 um of it, and 6 % of that is asked: the engines
+  // differ by 9 um.  With the work rolls alone as beams, flattened as half spaces, they agree five times better.
+  auto kernels = condensed_rolls(six, CondensedMesh::as_run);
+  for (const std::size_t r : {six.upper, six.lower})
+    kernels[r] = std::make_shared<const fem::RollKernel>(fem::beam_kernel(six.rolls[r], 0.01));
+  fem::CondensedStack half_spaces(six, kernels);
+  EXPECT_TRUE(near(half_spaces.solve().strip.crown, beams.strip.crown,
+                   within(0.015, "shoulders, cross influence", plain_crown)));
+  EXPECT_TRUE(near(condensed.state.strip.crown, beams.strip.crown,
+                   within(0.065, "flattening of the half space at the edges", plain_crown)));
+  EXPECT_GT(condensed.state.strip.crown, 1.5 * beams.strip.crown) << "the deviation is gone";
+}
+
+TEST(CondensedStack, AgreesWithTheBeamsOnATwentyHigh)
+{
+  const Stack twenty = stack_named("twenty-high");
+  const Condensed condensed(twenty);
+  const reduce::StackState beams = reduce::BeamStack(twenty).solve();
+  EXPECT_TRUE(near(condensed.state.strip.crown, beams.strip.crown, within(0.06, "shoulders, cross influence")));
+  EXPECT_TRUE(near(condensed.state.modulus.mid, beams.modulus.mid, within(0.05, "shoulders, cross influence")));
+  expect_line_loads(condensed, beams);
+  const auto resultants = stack_resultants(twenty, twenty.strip.force);
+  for (std::size_t c = 0; c < resultants.size(); ++c)
+    EXPECT_TRUE(near(condensed.state.pairs[c].force, resultants[c].force, within(1e-9, "no elasticity in it")));
+}
+
+// Rolls as beams are the other engine, with stations, unknowns and solver of this one.
+TEST(CondensedStack, WithBeamsForRollsIsTheEngineOfBeams)
+{
+  for (const char *name : {"two-high", "four-high.offset", "six-high.all", "twenty-high.asu"}) {
+    const Stack stack = stack_named(name);
+    std::vector<std::shared_ptr<const fem::RollKernel>> kernels;
+    for (const StackRoll &roll : stack.rolls)
+      kernels.push_back(std::make_shared<const fem::RollKernel>(fem::beam_kernel(roll, 0.01)));
+    const reduce::StackState mine  = fem::CondensedStack(stack, kernels, {90}).solve(),
+                             beams = reduce::BeamStack(stack).solve();
+    const auto mesh                = within(6e-3, "stations of 11 mm, twice as short at the edges", 50 * um);
+    EXPECT_TRUE(near(mine.strip.crown, beams.strip.crown, mesh)) << name;
+    // The line load of the twenty-high doubles within 25 mm of the edge: 0.32 um here, 0.21 um with stations half
+    // as long.
+    EXPECT_TRUE(near(mine.strip.edge_drop, beams.strip.edge_drop, within(9e-3, "stations at the edge", 50 * um)))
+        << name;
+    EXPECT_TRUE(near(mine.strip.wedge, beams.strip.wedge, mesh)) << name;
+    EXPECT_TRUE(near(mine.strip.middle, beams.strip.middle, within(1e-3, "stations"))) << name;
+    EXPECT_TRUE(near(mine.modulus.mid, beams.modulus.mid, within(1e-3, "stations"))) << name;
+    EXPECT_TRUE(near(mine.modulus.mean, beams.modulus.mean, within(1e-3, "stations"))) << name;
+    for (std::size_t r = 0; r < stack.rolls.size(); ++r)
+      for (std::size_t s = 0; s < beams.rolls[r].reactions.size(); ++s)
+        EXPECT_TRUE(near(mine.rolls[r].reactions[s], beams.rolls[r].reactions[s],
+                         within(3e-3, "stations", stack.strip.force / 10)))
+            << name;
+  }
+}
+
+TEST(CondensedStack, ResultantsFollowFromStaticsAlone)
+{
+  const Stack six = stack_named("six-high.all");
+  const Condensed condensed(six, CondensedMesh::coarse);
+  const auto resultants = stack_resultants(six, six.strip.force);
+  for (std::size_t c = 0; c < resultants.size(); ++c)
+    EXPECT_TRUE(near(condensed.state.pairs[c].force, resultants[c].force, within(1e-9, "no elasticity in it")));
+  for (std::size_t c = 0; c < six.contacts.size(); ++c)
+    if (six.rolls[six.contacts[c].a].name == "I1") {
+      EXPECT_TRUE(near(condensed.state.pairs[c].load_centre, 10 * mm, within(1e-9, "no elasticity in it")));
+    }
+  EXPECT_LT(condensed.state.residual, 1e-12);
+}
+
+// Radial displacement of a long solid cylinder at an angle from a line load q cos(k z), over A q, and less that of
+// a beam.
+TEST(CondensedStack, ContactsOfOneRollFeelEachOther)
+{
+  const Reference result = reference("evidence.cross-influence", "stack")["result"];
+  constexpr double R = 0.1, nu = 0.28, E = 210e9;
+  const double A = 2 * (1 - nu * nu) / (M_PI * E), GA = E / (2 * (1 + nu)) * M_PI * R * R;
+  for (const double kR : {1., 2.}) {
+    const double k = kR / R, length = 4 * M_PI / k;
+    Stack alone;
+    alone.rolls.resize(1);
+    alone.rolls[0].diameter    = 2 * R;
+    alone.rolls[0].length      = length;
+    alone.rolls[0].sections    = {{-length / 2, length / 2, 2 * R}};
+    alone.rolls[0].material    = {E, nu, 7700, not_given};
+    const auto solid           = condensed_rolls(alone, CondensedMesh::coarse).front();
+    const fem::RollKernel beam = fem::beam_kernel(alone.rolls[0], length / 200);
+    // Amplitude of the answer: half the difference of mid-length, a crest, and the trough next to it.
+    const auto amplitude = [&](const fem::RollKernel &roll, const Eigen::MatrixXd &flexibility) {
+      const Eigen::Index M = roll.edge.size() - 1;
+      const auto crest     = [&](const double from, const double to) {  // integral of cos(k z)
+        return (std::sin(k * to) - std::sin(k * from)) / k;
+      };
+      Eigen::VectorXd force(M), share(M);
+      for (Eigen::Index i = 0; i < M; ++i) {
+        force[i] = crest(roll.edge[i], roll.edge[i + 1]);
+        share[i] = force[i] / (roll.edge[i + 1] - roll.edge[i]);
+      }
+      // Projection on the shape of the load over the middle wave, away from the ends.
+      double sum = 0, norm = 0;
+      const Eigen::VectorXd u = flexibility * force;
+      for (Eigen::Index i = 0; i < M; ++i) {
+        const double from = std::max(roll.edge[i], -M_PI / k), to = std::min(roll.edge[i + 1], M_PI / k);
+        if (to <= from)
+          continue;
+        sum += u[i] * share[i] * (to - from);
+        norm += share[i] * share[i] * (to - from);
+      }
+      return sum / norm;
+    };
+    const Eigen::Index M = solid->edge.size() - 1, N = beam.edge.size() - 1;
+    const double shear = (1 / 1.5425 - 1 / 0.886) / (GA * k * k);
+    const double order_1 =
+        amplitude(*solid, solid->bending.topLeftCorner(M, M)) - amplitude(beam, beam.bending.topLeftCorner(N, N));
+    const Reference values = result[kR == 1 ? "kR 1" : "kR 2"];
+    for (int i = 0; i < int(result["theta"].size()); ++i) {
+      const double theta = double(result["theta"][i]) * M_PI / 180;
+      const double u     = std::cos(theta) * (order_1 - shear) + amplitude(*solid, solid->around(theta));
+      EXPECT_TRUE(near(u / A, double(values[i]), within_absolute(0.01, "share of A q; ends of the roll")))
+          << "kR " << kR << " at " << double(result["theta"][i]) << " degrees";
+    }
+  }
+}
+
+TEST(CondensedStack, ATurnedOrMirroredStackHasTheSameGap)
+{
+  const auto crowned = [](const double side, const double mirror) {
+    Stack stack        = stack_named("twenty-high.taper");
+    stack.strip.offset = side * 10 * mm;
+    for (StackRoll &roll : stack.rolls) {
+      roll.axis[0] *= mirror;
+      if (side < 0) {
+        roll.turned = !roll.turned;
+        roll.shift *= -1;
+      }
+    }
+    return Condensed(stack, CondensedMesh::coarse).state.strip;
+  };
+  const reduce::StripState drawn = crowned(1, 1), turned = crowned(-1, 1), mirrored = crowned(1, -1);
+  const auto rounding = within(1e-10, "last step of Newton's method", 50 * um);
+  EXPECT_TRUE(near(turned.crown, drawn.crown, rounding));
+  EXPECT_TRUE(near(turned.wedge, -drawn.wedge, rounding));
+  EXPECT_GT(std::abs(drawn.wedge), 0.1 * um);
+  EXPECT_TRUE(near(mirrored.crown, drawn.crown, rounding));
+  EXPECT_TRUE(near(mirrored.wedge, drawn.wedge, rounding));
+}
+
+TEST(CondensedStack, DerivativesAreThoseOfItsOwnSolutions)
+{
+  const Stack stack  = stack_named("four-high.offset");
+  const auto kernels = condensed_rolls(stack, CondensedMesh::coarse);
+  const auto solved  = [&](const Stack &changed) { return fem::CondensedStack(changed, kernels).solve().strip; };
+  fem::CondensedStack engine(stack, kernels);
+  const reduce::StackState state = engine.solve();
+  const auto compare = [&](const reduce::GapShape &shape, const std::function<void(Stack &, double)> &change,
+                           const double step) {
+    Stack more = stack, less = stack;
+    change(more, step);
+    change(less, -step);
+    const reduce::StripState above = solved(more), below = solved(less);
+    const auto exact = within(1e-5, "central difference");
+    EXPECT_TRUE(near(shape.crown, (above.crown - below.crown) / (2 * step), exact));
+    EXPECT_TRUE(near(shape.edge_drop, (above.edge_drop - below.edge_drop) / (2 * step), exact));
+    EXPECT_TRUE(near(shape.middle, (above.middle - below.middle) / (2 * step), exact));
+    EXPECT_LT((shape.opening - (above.opening - below.opening) / (2 * step)).norm(), 1e-5 * shape.opening.norm());
+  };
+  const auto by_force = [](Stack &s, const double step) { s.strip.force += step; };
+  compare(engine.influence_of_force(), by_force, 200);
+  Stack more = stack, less = stack;
+  by_force(more, 200);
+  by_force(less, -200);
+  const double slope = (solved(more).middle - solved(less).middle) / 400;
+  EXPECT_TRUE(near(state.modulus.mid, 1 / slope, within(1e-5, "central difference")));
+  const std::size_t roll = stack.upper, backup = stack.contacts[0].b;
+  compare(
+      engine.influence_of_loads(roll, {{-1, {0, 1}}, {1, {0, 1}}}),
+      [&](Stack &s, const double step) {
+        for (StackLoad &load : s.rolls[roll].loads)
+          load.force[1] += step;
+      },
+      100);
+  for (const std::size_t of : {roll, backup})
+    compare(
+        engine.influence_of_radius(of, [](const double z) { return -0.5 * std::pow(2 * z / 1.4, 2); }),
+        [&](Stack &s, const double step) { s.rolls[of].profile.crown += step; }, 1e-7);
+}
+
+TEST(CondensedStack, ContactsOpenAsThoseOfTheBeams)
+{
+  for (const char *name : {"four-high.crown", "four-high.gap"}) {
+    const Stack stack = stack_named(name);
+    const Condensed condensed(stack);
+    const reduce::StackState beams = reduce::BeamStack(stack).solve();
+    EXPECT_TRUE(near(condensed.state.pairs[0].touching, beams.pairs[0].touching,
+                     within_absolute(0.03, "two stations of 25 mm in 1400 mm, shoulders")))
+        << name;
+  }
+}
