@@ -290,7 +290,15 @@ void keep_stack_motions(dynamics::StandStructure &structure, const ClusterStand 
 {
   const StripRolls at = strip_rolls(stand);
   structure.labels.clear();
-  structure.point = Eigen::MatrixXd::Zero(at.lower < 0 ? 2 : 4, modes.shape.cols());
+  structure.point            = Eigen::MatrixXd::Zero(at.lower < 0 ? 2 : 4, modes.shape.cols());
+  const Eigen::VectorXd mass = cluster::masses(pass.state.stack);
+  for (const bool upper : {true, false}) {
+    Eigen::VectorXd of_stack = Eigen::VectorXd::Zero(mass.size());
+    for (std::size_t i = 0; i < pass.state.stack.rolls.size(); ++i)
+      if (const int row = pass.state.stack.per_roll() * int(i); at.is_upper(pass.state.stack, i) == upper)
+        of_stack.segment(row, pass.state.stack.per_roll()) = mass.segment(row, pass.state.stack.per_roll());
+    structure.stack_mass[upper ? 0 : 1] = modes.shape.transpose() * of_stack.asDiagonal() * modes.shape;
+  }
   for (const bool upper : {true, false}) {
     if (!upper && at.lower < 0)
       continue;

@@ -4,6 +4,20 @@
 #include <cmath>
 
 namespace mill::dynamics {
+namespace {
+// Parts share no mass; the rows of one stack alone.
+Eigen::MatrixXd mass_of_stack(const StandModel &stand, const Eigen::MatrixXd &shape, const bool lower)
+{
+  Eigen::MatrixXd of_stack = Eigen::MatrixXd::Zero(shape.rows(), shape.cols());
+  for (Eigen::Index i = 0; i < shape.rows(); ++i) {
+    const std::string &part = stand.parts[std::size_t(stand.part_of[std::size_t(i)])];
+    if (part != "housing" && (part.rfind("lower", 0) == 0) == lower)
+      of_stack.row(i) = shape.row(i);
+  }
+  return of_stack.transpose() * stand.M * of_stack;
+}
+}  // namespace
+
 ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency, const Eigen::MatrixXd &shape,
                        const double damping, const double highest, const double gap_damper)
 {
@@ -24,6 +38,8 @@ ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency
   model.gap_damper      = gap_damper;
   if (const Eigen::MatrixXd C = dampers_of(stand); !C.isZero(0))
     model.dampers = kept.transpose() * C * kept;
+  if (stand.parts.size() > 1)
+    model.stack_mass = {mass_of_stack(stand, kept, false), mass_of_stack(stand, kept, true)};
   return model;
 }
 

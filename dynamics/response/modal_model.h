@@ -2,6 +2,7 @@
 #include "core/records/stand_model.h"
 #include "dynamics/response/state_space.h"
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct ModalModel {
   double damping         = 0;       ///< -, ratio of critical of every mode
   double gap_damper      = 0;       ///< N s/m, C between the work rolls, over the strip's width
   Eigen::MatrixXd dampers;          ///< (n, n) N s/(m kg), of the connections, oil films; empty: none
+  /// (n, n) -, mass above and below the strip in the modes; a housing is part of neither; empty: not known
+  std::array<Eigen::MatrixXd, 2> stack_mass{};
 };
 
 /// The modes of a stand up to `highest` (Hz).  What is left out is the motion of faster modes, which a force below
