@@ -17,9 +17,9 @@
 
 namespace mill {
 namespace {
-constexpr double usual_damping  = 0.01;   // -, of critical, where no loss factor is given
-constexpr double usual_distance = 5;      // m, of free strip
-constexpr double unseen         = 1e-12;  // -, of the gap's compliance
+constexpr double usual_damping  = 0.01;  // -, of critical, where no loss factor is given
+constexpr double usual_distance = 5;     // m, of free strip
+constexpr double unseen = 1e-6;  // -, of the gap's compliance: the bite moves a mode by less than any damping
 
 // The modes of the open stand that the gap sees.
 cluster::GapStandModes seen_modes(const cluster::GapStand &gap)

@@ -1,5 +1,6 @@
 #include "dynamics/response/modal_model.h"
 #include "core/base/require.h"
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
@@ -52,6 +53,15 @@ Eigen::MatrixXd damping_matrix(const StandModel &stand, const Eigen::VectorXd &f
   const Eigen::MatrixXd C =
       MV * c.asDiagonal() * MV.transpose() + gap_damper * stand.b * stand.b.transpose() + dampers_of(stand);
   return 0.5 * (C + C.transpose());
+}
+
+Eigen::MatrixXd damper_rows(const Eigen::MatrixXd &C)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(C);
+  const Eigen::VectorXd &c = solver.eigenvalues();  // ascending
+  const double least       = 1e-12 * c.cwiseAbs().maxCoeff();
+  const auto rank          = (c.array() > least).count();
+  return c.tail(rank).cwiseSqrt().asDiagonal() * solver.eigenvectors().rightCols(rank).transpose();
 }
 
 StateSpace state_space(const ModalModel &model)

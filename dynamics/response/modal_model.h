@@ -35,6 +35,9 @@ ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency
 Eigen::MatrixXd damping_matrix(const StandModel &stand, const Eigen::VectorXd &frequency,
                                const Eigen::MatrixXd &shape, double damping, double gap_damper = 0);
 
+/// (r, n) rows D with D^T D = C, of a damping matrix (n, n) of few dampers; r is its rank.
+Eigen::MatrixXd damper_rows(const Eigen::MatrixXd &C);
+
 /// First-order form in [w q; q']; outputs are the accelerations of the points, then the change of the load-cell
 /// force, as state_space(MillModel).
 StateSpace state_space(const ModalModel &model);
