@@ -23,11 +23,6 @@ std::vector<std::string> listed_names(const reduce::StandWithModes &stand, const
     listed.push_back(names[i].listed ? names[i].name : "");
   return listed;
 }
-
-std::array<double, 7> springs_of(const reduce::StandSprings &s)
-{
-  return {s.K1, s.K_Zy_upper, s.K3, s.K4, s.K5, s.K_Zy_lower, s.K7};
-}
 }  // namespace
 
 void add_detail(live::TwinModel &model, const Case &the_case)
@@ -62,13 +57,13 @@ void add_detail(live::TwinModel &model, const Case &the_case)
 
 std::array<double, 7> detail_at_load(const Case &the_case, const live::TwinModel &model, const double load)
 {
-  const auto &drawn = std::get<FourHigh>(the_case.spec);
-  const auto there  = springs_of(detail_parts(drawn, case_chain(the_case, "live", load)).springs);
+  const live::DetailedTwin &own = *model.detailed;
+  const DetailParts parts = detail_parts(std::get<FourHigh>(the_case.spec), case_chain(the_case, "live", load));
+  const StandModel there  = reduce::beam_stand(parts.stand, parts.springs);
   std::array<double, 7> factor{1, 1, 1, 1, 1, 1, 1};
-  const auto at_own = springs_of(detail_parts(drawn, case_chain(the_case, "live", model.load)).springs);
   for (std::size_t j = 0; j < factor.size(); ++j)
-    if (at_own[j] > 0)
-      factor[j] = there[j] / at_own[j];
+    if (own.stiffness[j] > 0)
+      factor[j] = live::stiffness_of_connection(there, own.connection[j]) / own.stiffness[j];
   return factor;
 }
 

@@ -34,6 +34,18 @@ const Connection *connection_of(const StandModel &stand, const std::string &name
   const auto found = std::find_if(all.begin(), all.end(), [&](const Connection &c) { return c.name == name; });
   return found == all.end() ? nullptr : &*found;
 }
+// The rolls bend by themselves: what is left of K2 and K6 are the bearings of the backup rolls in their chocks, in
+// series with parts of the frame that have no mass ("oil column + cylinder body + upper chock and K_Zy").
+std::string connection_name(const StandModel &stand, const std::size_t spring)
+{
+  const std::array<const char *, 7> names{"K1", "upper chock and K_Zy", "K3", "K4",
+                                          "K5", "lower chock and K_Zy", "K7"};
+  const bool bearing = spring == 1 || spring == 5;
+  for (const Connection &c : stand.connections)
+    if (c.name == names[spring] || (bearing && c.name.find(names[spring]) != std::string::npos))
+      return c.name;
+  return "";
+}
 }  // namespace
 
 DetailedTwin detailed_twin(StandModel whole, const Eigen::VectorXd &frequency, const Eigen::MatrixXd &shape,
@@ -46,14 +58,17 @@ DetailedTwin detailed_twin(StandModel whole, const Eigen::VectorXd &frequency, c
   twin.highest    = 2 * limit;
   twin.watched    = limit;
   twin.gap_damper = gap_damper;
-  // the rolls bend by themselves: what is left of K2 and K6 are the bearings of the backup rolls
-  const std::array<std::string, 7> names{"K1", "K_Zy upper", "K3", "K4", "K5", "K_Zy lower", "K7"};
-  for (std::size_t j = 0; j < names.size(); ++j)
-    if (const Connection *found = connection_of(twin.whole, names[j])) {
-      twin.connection[j] = names[j];
-      twin.stiffness[j]  = found->stiffness.sum();
-    }
+  for (std::size_t j = 0; j < twin.connection.size(); ++j) {
+    twin.connection[j] = connection_name(twin.whole, j);
+    twin.stiffness[j]  = stiffness_of_connection(twin.whole, twin.connection[j]);
+  }
   return twin;
+}
+
+double stiffness_of_connection(const StandModel &stand, const std::string &name)
+{
+  const Connection *found = name.empty() ? nullptr : connection_of(stand, name);
+  return found ? found->stiffness.sum() : 0;
 }
 
 void take_springs(const DetailedTwin &detailed, LumpedModel &chain)

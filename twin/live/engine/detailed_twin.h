@@ -11,7 +11,7 @@ namespace mill::live {
 struct DetailedTwin {
   StandModel whole;                       ///< as the case has it; what an adopted case is written from
   StandModel stand;                       ///< the same in its lowest modes, 64 unknowns at most, M = 1
-  std::array<std::string, 7> connection;  ///< of K1..K7: "K3", "K_Zy upper"; empty: the stand has no such spring
+  std::array<std::string, 7> connection;  ///< of K1..K7: "K3", "lower chock and K_Zy"; empty: the stand has none
   std::array<double, 7> stiffness{};      ///< N/m, of them in `whole`
   double highest    = 0;                  ///< Hz, modes up to it are stepped
   double watched    = 0;                  ///< Hz, modes up to it are followed in the records
@@ -27,6 +27,9 @@ DetailedTwin detailed_twin(StandModel whole, const Eigen::VectorXd &frequency, c
 
 /// The values of the seven springs of `chain` from the stand: value, error where it states one.
 void take_springs(const DetailedTwin &detailed, LumpedModel &chain);
+
+/// N/m, of the connection of that name, all its springs together; 0: the stand has none.
+double stiffness_of_connection(const StandModel &stand, const std::string &name);
 
 /// `stand`, which is one of the two of the twin, with the seven springs as the chain has them.
 StandModel with_springs(StandModel stand, const DetailedTwin &detailed, const LumpedModel &chain);
