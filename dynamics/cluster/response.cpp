@@ -8,18 +8,18 @@ namespace mill::cluster {
 namespace {
 using Complex = std::complex<double>;
 
-// Stiffness with its losses.  (38.16)
+// Stiffness with its losses.
 Eigen::MatrixXcd complex_stiffness(const Stack &stack, const Motion &u)
 {
-  const Tangent K      = tangent(stack, stack.coupled && u.size() != stack.size() ? with_rotation(u) : u);
-  Eigen::MatrixXcd sum = K.total.cast<Complex>();
-  // what a force loses by turning with its contact comes back: the geometric term has no loss
-  for (std::size_t i = 0; i < K.contacts.size(); ++i)
-    if (const double loss = stack.contacts[i].loss_factor; loss != 0)
-      sum += Complex(0, loss) * (K.contacts[i] - K.geometric[i]).cast<Complex>();
-  for (std::size_t i = 0; i < K.supports.size(); ++i)
-    if (const double loss = stack.supports[i].loss_factor; loss != 0)
-      sum += Complex(0, loss) * K.supports[i].cast<Complex>();
+  const Tangent K       = tangent(stack, stack.coupled && u.size() != stack.size() ? with_rotation(u) : u);
+  Eigen::MatrixXcd sum  = K.total.cast<Complex>();
+  const auto add_losses = [&](const auto &parts, const auto &owners) {
+    for (std::size_t i = 0; i < parts.size(); ++i)
+      if (owners[i].loss_factor != 0)
+        sum += Complex(0, owners[i].loss_factor) * parts[i].template cast<Complex>();
+  };
+  add_losses(K.contacts, stack.contacts);
+  add_losses(K.supports, stack.supports);
   return sum;
 }
 

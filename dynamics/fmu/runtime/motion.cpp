@@ -11,6 +11,7 @@ constexpr double length_grid = 1e-5;
 constexpr std::size_t most_prepared = 8;
 // Passing between modes and poles loses the condition of the shapes; beyond this the matrix exponential is used.
 constexpr double largest_condition = 1e3;
+constexpr double real_pole         = 1e-8;  // of the fastest rate
 }  // namespace
 
 Motion::Motion(const ModalSystem &system)
@@ -50,17 +51,21 @@ Motion::Motion(const ModalSystem &system)
   if (!(all.condition <= largest_condition))
     return;
   form_ = Form::poles;
-  // One number per pair of poles and one per real pole.
+  // One number per pair of poles and one per real pole.  Rounding leaves a real pole an imaginary part of either
+  // sign; a pair that is so close to the axis may be kept as two.
+  const auto is_real = [&](const std::size_t k) {
+    return std::abs(all.value[k].imag()) <= real_pole * fastest_;
+  };
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < 2 * n_; ++k)
-    if (all.value[k].imag() >= 0)
+    if (is_real(k) || all.value[k].imag() > 0)
       kept.push_back(k);
   to_poles_      = ComplexMatrix(kept.size(), 2 * n_);
   from_poles_    = ComplexMatrix(2 * n_, kept.size());
   double members = 0;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t from = kept[k];
-    const double weight    = all.value[from].imag() > 0 ? 2 : 1;
+    const double weight    = is_real(from) ? 1 : 2;
     members += weight;
     pole_.push_back(all.value[from]);
     Complex gain = 0;
@@ -72,7 +77,7 @@ Motion::Motion(const ModalSystem &system)
     gain_.push_back(gain);
   }
   z_.resize(kept.size());
-  if (members != double(2 * n_))  // rounding left a real pole with an imaginary part
+  if (members != double(2 * n_))  // pairs and real poles could not be distinguished
     form_ = Form::exponential;
 }
 

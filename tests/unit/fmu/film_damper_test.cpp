@@ -77,8 +77,11 @@ Eigen::MatrixXd moved(const fmu::ModelData &data, const ForceRecord &record)
   Eigen::MatrixXd all(record.force.size(), 6);
   std::vector<double> q;
   for (Eigen::Index k = 0; k < record.force.size(); ++k) {
-    if (k > 0)
+    if (k > 0) {
+      motion.begin(state);
       motion.advance(state, step, {record.force[k - 1] - mean, (record.force[k] - record.force[k - 1]) / step});
+      motion.end(state);
+    }
     motion.acceleration(state, record.force[k] - mean, q);
     for (std::size_t i = 0; i < 6; ++i) {
       all(k, Eigen::Index(i)) = 0;
