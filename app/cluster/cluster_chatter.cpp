@@ -17,9 +17,9 @@
 
 namespace mill {
 namespace {
-constexpr double usual_damping  = 0.01;   // -, of critical, where no loss factor is given
-constexpr double usual_distance = 5;      // m, of free strip
-constexpr double unseen         = 1e-12;  // -, of the gap's compliance
+constexpr double usual_damping  = 0.01;  // -, of critical, where no loss factor is given
+constexpr double usual_distance = 5;     // m, of free strip
+constexpr double unseen = 1e-6;  // -, of the gap's compliance: the bite moves a mode by less than any damping
 
 // The modes of the open stand that the gap sees.
 cluster::GapStandModes seen_modes(const cluster::GapStand &gap)
@@ -290,7 +290,15 @@ void keep_stack_motions(dynamics::StandStructure &structure, const ClusterStand 
 {
   const StripRolls at = strip_rolls(stand);
   structure.labels.clear();
-  structure.point = Eigen::MatrixXd::Zero(at.lower < 0 ? 2 : 4, modes.shape.cols());
+  structure.point            = Eigen::MatrixXd::Zero(at.lower < 0 ? 2 : 4, modes.shape.cols());
+  const Eigen::VectorXd mass = cluster::masses(pass.state.stack);
+  for (const bool upper : {true, false}) {
+    Eigen::VectorXd of_stack = Eigen::VectorXd::Zero(mass.size());
+    for (std::size_t i = 0; i < pass.state.stack.rolls.size(); ++i)
+      if (const int row = pass.state.stack.per_roll() * int(i); at.is_upper(pass.state.stack, i) == upper)
+        of_stack.segment(row, pass.state.stack.per_roll()) = mass.segment(row, pass.state.stack.per_roll());
+    structure.stack_mass[upper ? 0 : 1] = modes.shape.transpose() * of_stack.asDiagonal() * modes.shape;
+  }
   for (const bool upper : {true, false}) {
     if (!upper && at.lower < 0)
       continue;

@@ -156,6 +156,7 @@ void add_live(CLI::App &app, CommandLine &c)
       app.add_subcommand("live", "the model of a stand, driven by the measured rolling force while the mill runs");
   LiveOptions &o = c.live;
   live->add_option("CASE", c.target, "case file of kind four-high, chatter or lumped")->required();
+  add_model(live, c, {"six-mass", "beam"}, "of a case of kind four-high: six-mass or beam (default)");
   live->add_option(
       "--input", o.input,
       "FILE.csv (played), tail:FILE.csv (growing), - (lines on standard input), tcp:ADDR:PORT (default "

@@ -70,20 +70,21 @@ void warn_of_slopes(const DynamicsSettings &settings)
                  "model is linear, with the slopes of the springs at the working load\n");
 }
 
-// Formats whose equations have one damping ratio and the damper of the gap.
+// Curves leave the springs of the chain, and with them those of the films at a frequency.
 void warn_of_films(const DrivenStand &driven)
 {
   if (has_film_dampers(driven))
     console::say(
-        "warning: this model has the spring of the oil films at the frequency of the gap mode, and not their "
-        "damper; --format statespace has both\n");
+        "warning: a unit on curves has the spring of the oil films at the frequency of the gap mode, and not "
+        "their damper; dynamics.contact = \"tangent\" has both\n");
 }
 
 fmu::ExportedModel unit_of(const DrivenStand &driven, const Case &the_case)
 {
-  warn_of_films(driven);
-  if (driven.curves)
+  if (driven.curves) {
+    warn_of_films(driven);
     return exported_curves(driven, the_case);
+  }
   warn_of_slopes(driven.dynamics);
   return exported_model(driven, the_case);
 }
@@ -129,8 +130,6 @@ void export_matrices(const CommandLine &command, const Case &the_case)
     require_own(format, path, the_case.name);
   const DrivenStand driven = driven_with_warnings(command, the_case);
   warn_of_slopes(driven.dynamics);
-  if (format != "statespace")
-    warn_of_films(driven);
   dynamics::ExchangedStand stand = exchanged_stand(driven, exported_model(driven, the_case));
   stand.name                     = name;
   const auto files               = exchange_files(format, stand, path);

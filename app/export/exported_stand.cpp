@@ -43,13 +43,22 @@ fmu::ModelData chain_data(const dynamics::MillModel &chain, const DrivenStand &s
   data.gap_damper         = measured || std::isnan(stand.chain.C.value) ? 0 : stand.chain.C.value;
   for (std::size_t i = 0; i < chain.springs.size(); ++i) {
     const dynamics::Spring &spring = chain.springs[i];
-    data.springs.push_back({spring.name, spring.from, spring.to, spring.stiffness, spring.name == "K4"});
+    data.springs.push_back(
+        {spring.name, spring.from, spring.to, spring.stiffness, spring.name == "K4", spring.damper});
   }
   // The spring that carries the rolling force to the ground, or through the posts of a closed frame (6.8).
   data.load_cell_spring = stand.dynamics.frame == "closed" ? 0 : int(chain.springs.size()) - 1;
   return data;
 }
 
+std::vector<double> rows_of(const Eigen::MatrixXd &matrix)
+{
+  std::vector<double> all;
+  for (Eigen::Index r = 0; r < matrix.rows(); ++r)
+    for (Eigen::Index k = 0; k < matrix.cols(); ++k)
+      all.push_back(matrix(r, k));
+  return all;
+}
 }  // namespace
 
 fmu::ModelData modal_data(const dynamics::ModalModel &modes)
@@ -66,6 +75,8 @@ fmu::ModelData modal_data(const dynamics::ModalModel &modes)
   for (Eigen::Index p = 0; p < modes.point.rows(); ++p)
     for (Eigen::Index k = 0; k < modes.point.cols(); ++k)
       data.shape.push_back(modes.point(p, k));
+  if (modes.dampers.size() > 0)
+    data.damper_rows = rows_of(dynamics::damper_rows(modes.dampers));
   return data;
 }
 
@@ -141,19 +152,6 @@ double held_step(const double output_rate, const double highest)
   return 1 / (output_rate * std::max(1., std::ceil(per_period * highest / output_rate)));
 }
 
-namespace {
-// As a unit has it: without the dampers of oil films, of which it has no variable.
-dynamics::DrivenModel unit_driven(const DrivenStand &stand)
-{
-  if (!stand.modes)
-    return dynamics::driven_model(
-        dynamics::without_spring_dampers(dynamics::mill_model(stand.chain, stand.dynamics)));
-  dynamics::ModalModel modes = *stand.modes;
-  modes.dampers.resize(0, 0);
-  return dynamics::driven_model(modes);
-}
-}  // namespace
-
 bool has_film_dampers(const DrivenStand &stand)
 {
   return stand.modes ? stand.modes->dampers.size() > 0
@@ -170,7 +168,7 @@ fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)
   model.source        = sources(stand);
   model.origin        = "case " + of.name + (stand.pass.name.empty() ? "" : ", " + stand.pass.name) +
                  (stand.chain.at.empty() ? "" : " at " + stand.chain.at.text());
-  const auto driven = unit_driven(stand);
+  const auto driven = driven_of(stand);
   model.data        = stand.modes ? modal_data(*stand.modes)
                                   : chain_data(dynamics::mill_model(stand.chain, stand.dynamics), stand);
   model.method      = method_of(stand);

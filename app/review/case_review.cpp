@@ -8,6 +8,7 @@
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
+#include "reduce/chain/frame_closure.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -118,8 +119,14 @@ void review_bite(const FourHigh &stand, const Pass &pass, const double load, Cas
                                   {}});
 }
 
-// Of the six masses by closed forms at the load of the first pass.
-ExpectedModes expected_modes(const FourHigh &stand, const double load)
+bool is_same(const Place &a, const Place &b)
+{
+  return !(a < b) && !(b < a);
+}
+
+// Of the six masses by closed forms at the load of the first pass.  A mill modulus that leaves nothing for the
+// frame is refused here, before the finite elements.
+ExpectedModes expected_modes(const FourHigh &stand, const double load, CaseReview &review)
 {
   ExpectedModes modes;
   modes.damping = stand.dynamics.modal_damping;
@@ -129,7 +136,10 @@ ExpectedModes expected_modes(const FourHigh &stand, const double load)
         modes.lowest  = modes.lowest > 0 ? std::min(modes.lowest, r.parameter.value) : r.parameter.value;
         modes.highest = std::max(modes.highest, r.parameter.value);
       }
-  } catch (const InputError &) {  // the run says it with its place
+  } catch (const InputError &error) {  // the run says other problems with their place
+    for (const Problem &problem : error.problems)
+      if (reduce::is_closed(stand.frame) && is_same(problem.place, stand.frame.modulus_place))
+        review.problems.push_back(problem);
   } catch (const SolverError &) {
   }
   return modes;
@@ -161,7 +171,7 @@ CaseReview review_stand(const Case &the_case, const std::string &force_file)
   std::vector<double> loads;
   for (std::size_t p = 0; p < passes.size(); ++p)
     loads.push_back(working_load(passes[p], records[p]));
-  const ExpectedModes modes = expected_modes(stand, loads.front());
+  const ExpectedModes modes = expected_modes(stand, loads.front(), review);
   for (std::size_t p = 0; p < passes.size(); ++p) {
     if (has_force(passes[p])) {
       review_load(the_case, passes[p], p, records[p].force.mean(), review);

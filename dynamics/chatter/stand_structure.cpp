@@ -49,6 +49,11 @@ StandStructure six_mass_structure(const std::array<double, 6> &mass, const std::
   s.b    = Eigen::VectorXd::Zero(6);
   s.b[2] = s.b[3] = 1;
   s.point         = Eigen::MatrixXd::Identity(6, 6);
+  for (std::size_t side = 0; side < 2; ++side) {
+    s.stack_mass[side] = Eigen::MatrixXd::Zero(6, 6);
+    s.stack_mass[side].diagonal().segment(3 * Eigen::Index(side), 3) =
+        s.M.diagonal().segment(3 * Eigen::Index(side), 3);
+  }
   return s;
 }
 
@@ -64,6 +69,9 @@ StandStructure structure_of(const MillModel &chain)
   s.labels = chain.labels;
   s.point  = Eigen::MatrixXd::Identity(n, n);
   s.point.bottomRows(n - n / 2) *= -1;  // the lower half moves down when it moves away
+  Eigen::VectorXd upper = chain.M;
+  upper.tail(n - n / 2) = Eigen::VectorXd::Zero(n - n / 2);
+  s.stack_mass          = {upper.asDiagonal(), Eigen::VectorXd(chain.M - upper).asDiagonal()};
   return s;
 }
 
@@ -81,6 +89,7 @@ StandStructure structure_of(const ModalModel &modes)
   s.labels.assign(modes.labels.begin(), modes.labels.begin() + 6);
   s.point = modes.point.topRows(6);
   s.point.bottomRows(3) *= -1;
+  s.stack_mass = modes.stack_mass;
   return s;
 }
 }  // namespace mill::dynamics

@@ -16,6 +16,8 @@ struct StandStructure {
   Eigen::VectorXd b;                ///< (n) -
   std::vector<std::string> labels;  ///< (m) "upper housing" or "upper frame", "upper backup roll", ...
   Eigen::MatrixXd point;            ///< (m, n) displacement of each point, positive away from the strip
+  /// (n, n) kg, mass above and below the strip, for the kinetic energy of a stack; empty: not known
+  std::array<Eigen::MatrixXd, 2> stack_mass{};
   Eigen::Index n() const
   {
     return b.size();

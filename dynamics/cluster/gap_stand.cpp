@@ -20,7 +20,7 @@ GapStand gap_stand(const Stack &whole, const Motion &rest, const int upper, cons
   s.loss = Eigen::MatrixXd::Zero(stack.size(), stack.size());
   for (std::size_t i = 0; i < K.contacts.size(); ++i) {
     s.contacts.push_back(halves * K.contacts[i]);
-    s.loss += stack.contacts[i].loss_factor * s.contacts.back();
+    s.loss += stack.contacts[i].loss_factor * halves * (K.contacts[i] - K.geometric[i]);
   }
   for (std::size_t i = 0; i < K.supports.size(); ++i) {
     s.supports.push_back(halves * K.supports[i]);

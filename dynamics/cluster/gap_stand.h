@@ -7,10 +7,11 @@ namespace mill::cluster {
 /// x. n unknowns.  A stack of one half stands for both: mirror images move alike, so that M, K and b are twice
 /// those of the half and the unknowns are those of the half that is drawn.
 struct GapStand {
-  Eigen::VectorXd M;                                ///< (n) kg
-  Eigen::MatrixXd K;                                ///< (n, n) N/m
-  Eigen::MatrixXd loss;                             ///< (n, n) N/m, contacts and supports times their loss factors
-  Eigen::VectorXd b;                                ///< (n) -
+  Eigen::VectorXd M;     ///< (n) kg
+  Eigen::MatrixXd K;     ///< (n, n) N/m
+  Eigen::MatrixXd loss;  ///< (n, n) N/m, contacts (their geometric term left out) and supports
+                         ///< times their loss factors
+  Eigen::VectorXd b;     ///< (n) -
   std::vector<Eigen::MatrixXd> contacts, supports;  ///< (n, n) N/m, parts of K, in the order of the stack
 };
 

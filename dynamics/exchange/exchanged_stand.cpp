@@ -64,8 +64,10 @@ ExchangedStand exchanged(const ModalModel &modes)
   stand.K         = rad.cwiseAbs2().asDiagonal();
   stand.C         = modes.gap_damper * modes.force * modes.force.transpose();
   stand.C.diagonal() += 2 * modes.damping * rad;
-  if (modes.dampers.size() > 0)
+  if (modes.dampers.size() > 0) {
     stand.C += modes.dampers;
+    stand.dampers = damper_rows(modes.dampers);
+  }
   stand.b                 = modes.force;
   stand.leading_frequency = leading(modes.frequency, modes.force);
   stand.point             = modes.point;

@@ -30,6 +30,7 @@ struct ExchangedStand {
   double mean_force      = 0;         ///< N
   double modal_damping   = 0;         ///< -, ratio of critical of every mode; is part of C
   double gap_damper      = 0;         ///< N s/m, between the work rolls; is part of C
+  Eigen::MatrixXd dampers;            ///< (r, n) rows of the dampers of oil films in modes, part of C; empty: none
   std::vector<Spring> springs;        ///< of a chain
   std::map<std::string, std::string> source;  ///< where M1.., K1.., C, modal_damping, F_mean come from
   ForceRecord series;                         ///< recorded force; empty: none

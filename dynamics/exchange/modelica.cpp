@@ -189,9 +189,17 @@ std::string modal_equations(const ExchangedStand &stand)
                       table_of(stand.point));
   text += fmt::format("    parameter Real L[{}] = {} \"force on the load cell in each mode, N/m kg^-1/2\";\n", n,
                       list_of(stand.load_cell));
+  const bool films = stand.dampers.rows() > 0;
+  if (films)
+    text += fmt::format("    parameter Real D[{},{}] = {} \"dampers of the oil films in the modes: D' D is their "
+                        "damping matrix\";\n",
+                        stand.dampers.rows(), n, table_of(stand.dampers));
   text += fmt::format("    parameter Real cell_share = {} \"part of F_mean that the load cell shows\";\n",
                       number(stand.load_cell_share));
   text += input(stand) + outputs(stand);
+  if (films)
+    text += fmt::format("    Real r[{}] \"rates of the films, times the root of each damper\";\n",
+                        stand.dampers.rows());
   text +=
       fmt::format("    Real q[{0}](each nominal=1e-4) \"modal displacements, m kg^1/2\";\n"
                   "    Real p[{0}](each nominal=1e-2) \"modal velocities, m/s kg^1/2\";\n"
@@ -206,11 +214,13 @@ std::string modal_equations(const ExchangedStand &stand)
                   "    der(q) = p;\n"
                   "    for k in 1:{0} loop\n"
                   "      der(p[k]) = b[k] * (F - F_mean - C_gap * (b * p)) - 2 * modal_damping * omega[k] * p[k]\n"
-                  "        - omega[k]^2 * q[k];\n"
+                  "        - omega[k]^2 * q[k]{2};\n"
                   "    end for;\n"
                   "    y = P * q;\n"
                   "    a = P * der(p);\n",
-                  n, m);
+                  n, m, films ? " - D[:, k] * r" : "");
+  if (films)
+    text += "    r = D * p;\n";
   for (std::size_t j = 0; j < stand.points.size(); ++j)
     text += fmt::format("    a_{0} = a[{1}];\n    y_{0} = y[{1}];\n", stand.points[j], j + 1);
   return text + "    F_cell = cell_share * F_mean + L * q;\n  end Equations;\n";
@@ -262,7 +272,10 @@ std::string components(const ExchangedStand &stand)
                         library, stand.unknowns[i], i + 1);
   for (const Spring &spring : stand.springs)
     text += fmt::format("    {}Components.SpringDamper spring_{}(c={}, d=relaxation * {}{}, s_rel0=0);\n", library,
-                        spring.name, spring.name, spring.name, spring.name == "K4" ? " + C_gap" : "");
+                        spring.name, spring.name, spring.name,
+                        spring.name == "K4" ? " + C_gap"
+                        : spring.damper > 0 ? " + " + number(spring.damper)
+                                            : "");
   text += "    " + library + "Sources.Force2 bite \"pushes the work rolls apart\";\n  equation\n";
   for (const Spring &spring : stand.springs)
     text +=

@@ -1,9 +1,24 @@
 #include "dynamics/response/modal_model.h"
 #include "core/base/require.h"
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 
 namespace mill::dynamics {
+namespace {
+// Parts share no mass; the rows of one stack alone.
+Eigen::MatrixXd mass_of_stack(const StandModel &stand, const Eigen::MatrixXd &shape, const bool lower)
+{
+  Eigen::MatrixXd of_stack = Eigen::MatrixXd::Zero(shape.rows(), shape.cols());
+  for (Eigen::Index i = 0; i < shape.rows(); ++i) {
+    const std::string &part = stand.parts[std::size_t(stand.part_of[std::size_t(i)])];
+    if (part != "housing" && (part.rfind("lower", 0) == 0) == lower)
+      of_stack.row(i) = shape.row(i);
+  }
+  return of_stack.transpose() * stand.M * of_stack;
+}
+}  // namespace
+
 ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency, const Eigen::MatrixXd &shape,
                        const double damping, const double highest, const double gap_damper)
 {
@@ -24,6 +39,8 @@ ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency
   model.gap_damper      = gap_damper;
   if (const Eigen::MatrixXd C = dampers_of(stand); !C.isZero(0))
     model.dampers = kept.transpose() * C * kept;
+  if (stand.parts.size() > 1)
+    model.stack_mass = {mass_of_stack(stand, kept, false), mass_of_stack(stand, kept, true)};
   return model;
 }
 
@@ -36,6 +53,15 @@ Eigen::MatrixXd damping_matrix(const StandModel &stand, const Eigen::VectorXd &f
   const Eigen::MatrixXd C =
       MV * c.asDiagonal() * MV.transpose() + gap_damper * stand.b * stand.b.transpose() + dampers_of(stand);
   return 0.5 * (C + C.transpose());
+}
+
+Eigen::MatrixXd damper_rows(const Eigen::MatrixXd &C)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(C);
+  const Eigen::VectorXd &c = solver.eigenvalues();  // ascending
+  const double least       = 1e-12 * c.cwiseAbs().maxCoeff();
+  const auto rank          = (c.array() > least).count();
+  return c.tail(rank).cwiseSqrt().asDiagonal() * solver.eigenvectors().rightCols(rank).transpose();
 }
 
 StateSpace state_space(const ModalModel &model)

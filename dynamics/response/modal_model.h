@@ -2,6 +2,7 @@
 #include "core/records/stand_model.h"
 #include "dynamics/response/state_space.h"
 #include <Eigen/Core>
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,6 +18,8 @@ struct ModalModel {
   double damping         = 0;       ///< -, ratio of critical of every mode
   double gap_damper      = 0;       ///< N s/m, C between the work rolls, over the strip's width
   Eigen::MatrixXd dampers;          ///< (n, n) N s/(m kg), of the connections, oil films; empty: none
+  /// (n, n) -, mass above and below the strip in the modes; a housing is part of neither; empty: not known
+  std::array<Eigen::MatrixXd, 2> stack_mass{};
 };
 
 /// The modes of a stand up to `highest` (Hz).  What is left out is the motion of faster modes, which a force below
@@ -31,6 +34,9 @@ ModalModel modal_model(const StandModel &stand, const Eigen::VectorXd &frequency
 /// not damped.  theory.md (6.3), (6.4)
 Eigen::MatrixXd damping_matrix(const StandModel &stand, const Eigen::VectorXd &frequency,
                                const Eigen::MatrixXd &shape, double damping, double gap_damper = 0);
+
+/// (r, n) rows D with D^T D = C, of a damping matrix (n, n) of few dampers; r is its rank.
+Eigen::MatrixXd damper_rows(const Eigen::MatrixXd &C);
 
 /// First-order form in [w q; q']; outputs are the accelerations of the points, then the change of the load-cell
 /// force, as state_space(MillModel).

@@ -34,7 +34,7 @@ public:
     Eigen::Index n = 0;
     for (const auto &block : blocks)
       n += block.simulated.rows();
-    Eigen::MatrixXd all(n, 6);
+    Eigen::MatrixXd all(n, blocks.empty() ? 6 : blocks.front().simulated.cols());
     n = 0;
     for (const auto &block : blocks) {
       all.middleRows(n, block.simulated.rows()) = block.simulated;

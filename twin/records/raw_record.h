@@ -58,12 +58,12 @@ struct ReadOptions {
   std::string command;  ///< as it was typed, for a remedy that can be copied: "millstand analyse r.mat"
 };
 
-/// Reads a record by the ending of its name: .csv, .txt, .tsv, .asc; .npy with .json next to it; .npz; .uff, .unv;
+/// Reads a record by the ending of its name: .csv, .txt, .tsv, .asc, .dat in text; .npy with .json next to it; .npz; .uff, .unv;
 /// .mat; .wav; .lvm.
 /// @throws InputError with file:line:column and remedy
 RawRecord read_record(const std::string &path, const ReadOptions &options);
 
-/// Has this file one of the endings that read_record() knows?
+/// Has this file one of the endings that read_record() knows?  Of .dat files those that begin as a text.
 bool is_record_file(const std::string &path);
 
 /// Is this a record in text, which can be read line by line?

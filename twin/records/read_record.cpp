@@ -2,9 +2,11 @@
 #include "twin/records/channel_names.h"
 #include "twin/records/raw_record.h"
 #include "twin/records/sampling_rate.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <fstream>
 
 namespace mill::twin {
 namespace {
@@ -19,10 +21,30 @@ const std::vector<std::pair<std::string, Reader>> &readers()
   return all;
 }
 
+std::string ending_of(const std::string &path)
+{
+  return lower(std::filesystem::path(path).extension().string());
+}
+
+// Several recorders call their texts .dat, and others their binary files.
+bool begins_as_text(const std::string &path)
+{
+  std::ifstream file(path, std::ios::binary);
+  char bytes[4096];
+  file.read(bytes, sizeof bytes);
+  const std::string begin(bytes, std::size_t(file.gcount()));
+  const bool is_utf16 = begin.rfind("\xff\xfe", 0) == 0 || begin.rfind("\xfe\xff", 0) == 0;
+  return is_utf16 || std::none_of(begin.begin(), begin.end(), [](const unsigned char c) {
+           return c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f';
+         });
+}
+
 // By the ending of the name; nullptr: no format has this ending.
 Reader reader_of(const std::string &path)
 {
-  const std::string ending = lower(std::filesystem::path(path).extension().string());
+  const std::string ending = ending_of(path);
+  if (ending == ".dat")
+    return begins_as_text(path) ? read_csv_record : nullptr;
   for (const auto &[known, reader] : readers())
     if (ending == known)
       return reader;
@@ -33,10 +55,13 @@ RawRecord read_any(const std::string &path, const ReadOptions &options)
 {
   if (const Reader reader = reader_of(path))
     return reader(path, options);
-  throw InputError(
-      fmt::format("{}: records are .csv, .txt, .tsv, .asc, .npy with .json, .npz, .uff, .unv, .mat, .wav "
-                  "or .lvm; export others (ibaPDA, TDMS, Parquet) as CSV",
-                  path));
+  if (ending_of(path) == ".dat")
+    throw InputError(path + ": this .dat file is not a text; export it as CSV in the program of its recorder "
+                            "(ibaPDA: ibaAnalyzer)");
+  throw InputError(fmt::format(
+      "{}: records are .csv, .txt, .tsv, .asc, .dat in text, .npy with .json, .npz, .uff, .unv, .mat, .wav "
+      "or .lvm; export others (ibaPDA, TDMS, Parquet) as CSV",
+      path));
 }
 
 // Texts of the user and of the file enter every result: from here on they are valid UTF-8.

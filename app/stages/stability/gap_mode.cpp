@@ -10,8 +10,7 @@
 
 namespace mill {
 namespace {
-// The strip is the spring -F_1 between the work rolls.  A stack that has no masses of its own here, since the
-// stand is in its modes, moves as its rolls do at mid-length.
+// The strip is the spring -F_1 between the work rolls; rolls move as they do at mid-length.
 std::vector<reduce::GapMotion> rolling_modes(const dynamics::ChatterStandModel &stand,
                                              const bite::LinearCoefficients &bite)
 {
@@ -28,24 +27,17 @@ std::vector<reduce::GapMotion> rolling_modes(const dynamics::ChatterStandModel &
   std::vector<reduce::GapMotion> modes;
   for (Eigen::Index k = 0; k < frequency.size(); ++k) {
     reduce::GapMotion mode{frequency[k], share[k], {}, {}};
-    for (const char *side : {"upper", "lower"}) {
+    const Eigen::VectorXd phi = solver.eigenvectors().col(k);
+    for (const std::size_t i : {0, 1}) {
+      const char *side  = i == 0 ? "upper" : "lower";
       const double work = displacement(side, " work roll", k), backup = displacement(side, " backup roll", k);
-      mode.stacks.push_back({side, work * work + backup * backup, work, backup});
+      const bool known = s.stack_mass[i].rows() == phi.size();
+      mode.stacks.push_back(
+          {side, known ? phi.dot(s.stack_mass[i] * phi) : work * work + backup * backup, work, backup});
     }
     modes.push_back(std::move(mode));
   }
   return modes;
-}
-}  // namespace
-
-namespace {
-// The stand is in its modes: the kinetic energy of one stack, by which the rule of the kinds chooses it, is not
-// known here.  From the range of the fifth octave on work rolls move against their backup rolls.
-reduce::GapKind kind_of(const reduce::GapMotion &mode)
-{
-  const reduce::GapKind kind = reduce::gap_kind(mode);
-  return kind == reduce::GapKind::first && mode.frequency >= reduce::fifth_octave[0] ? reduce::GapKind::second
-                                                                                     : kind;
 }
 }  // namespace
 
@@ -59,7 +51,7 @@ GapMode gap_mode(const dynamics::ChatterStandModel &stand, const bite::LinearCoe
   const auto modes = rolling_modes(stand, bite);
   GapMode mode;
   for (const reduce::GapMotion &one : modes)
-    if (kind_of(one) == reduce::GapKind::first && one.gap_share > mode.share) {
+    if (reduce::gap_kind(one) == reduce::GapKind::first && one.gap_share > mode.share) {
       mode.share     = one.gap_share;
       mode.frequency = one.frequency;
     }
@@ -84,7 +76,7 @@ std::string text_of_root(const dynamics::ChatterStandModel &stand, const bite::L
   const auto nearest         = std::min_element(modes.begin(), modes.end(), [&](const auto &a, const auto &b) {
     return std::abs(a.frequency - frequency) < std::abs(b.frequency - frequency);
   });
-  const reduce::GapKind kind = kind_of(*nearest);
+  const reduce::GapKind kind = reduce::gap_kind(*nearest);
   const char *name           = kind == reduce::GapKind::none    ? "mode"
                                : kind == reduce::GapKind::first ? "gap mode"
                                                                 : "gap mode of the second kind";

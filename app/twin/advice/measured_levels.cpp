@@ -32,7 +32,7 @@ std::vector<std::string> records_in(const std::string &path)
   if (files.empty())
     throw InputError("--measured " + path +
                      ": the folder holds no record; one ends with .csv, .npy, .npz, .uff, .mat, .wav or .lvm "
-                     "(.txt, .tsv, .asc, .unv)");
+                     "(.txt, .tsv, .asc, .dat, .unv)");
   std::sort(files.begin(), files.end());
   return files;
 }

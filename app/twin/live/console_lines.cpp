@@ -42,15 +42,16 @@ std::string ConsoleLines::line(const live::LiveBlock &block)
   std::string text       = fmt::format("{:>10.2f} s", double(end) / block.rate) +
                      (block.driven ? fmt::format("  force {:.1f} kN", force_ / double(n_) / 1e3) : "");
   for (std::size_t p = 0; p < source_.places.size(); ++p) {
-    const auto channel = std::find_if(source_.channels.begin(), source_.channels.end(), [&](const auto &c) {
+    const auto channel       = std::find_if(source_.channels.begin(), source_.channels.end(), [&](const auto &c) {
       return c.name == source_.places[p] && c.unit == "m/s2";
     });
+    const std::string &place = source_.places[p];
     const bool shown =
-        channel != source_.channels.end() || source_.places[p].find("work_roll") != std::string::npos;
+        channel != source_.channels.end() || place == "upper_work_roll" || place == "lower_work_roll";
     if (!shown)
       continue;
     const double g = dynamics::standard_gravity;
-    text += "  " + source_.places[p];
+    text += "  " + place;
     if (block.driven)
       text += fmt::format(" {:.4g} g twin", std::sqrt(simulated_[Eigen::Index(p)] / double(n_)) / g);
     if (channel != source_.channels.end()) {

@@ -35,17 +35,41 @@ void add_rows(live::PageAdvice &advice, const std::vector<twin::RatedAction> &ac
 }
 }  // namespace
 
+namespace {
+// The six masses behind a detailed stand, with its springs as they now are: bearings are in series with the roll.
+std::optional<dynamics::MillModel> six_masses_of(const live::TwinModel &model, const live::Tuning &tuning)
+{
+  if (!model.detailed)
+    return live::tuned(model, tuning);
+  if (!model.six_masses)
+    return {};
+  LumpedModel chain       = *model.six_masses;
+  const LumpedModel there = live::tuned_chain(model, tuning);
+  for (std::size_t j = 0; j < chain.K.size(); ++j)
+    if (model.detailed->stiffness[j] > 0 && chain.K[j].value > 0)
+      chain.K[j].value = 1 / (1 / chain.K[j].value - 1 / model.detailed->stiffness[j] + 1 / there.K[j].value);
+  return dynamics::mill_model(chain, live::tuned_dynamics(model, tuning));
+}
+}  // namespace
+
 live::PageAdvice live_advice(const live::TwinModel &model, const live::Tuning &tuning, const std::string &place,
                              const double utc)
 {
   live::PageAdvice advice;
   advice.utc = utc;
   try {
-    const auto chain = live::tuned(model, tuning);
+    const auto six_masses = six_masses_of(model, tuning);
+    if (!six_masses) {
+      advice.state = "failed";
+      advice.text  = "advice while the mill runs is by six masses, which a case of matrices does not have; "
+                     "millstand advise CASE of the drawing";
+      return advice;
+    }
+    const dynamics::MillModel &chain = *six_masses;
     const Eigen::VectorXd damping =
         Eigen::VectorXd::Constant(chain.M.size(), live::tuned_dynamics(model, tuning).modal_damping);
     twin::LevelQuestion question = twin::usual_question({twin::vibrating_stand(chain, damping), chain}, 0, up_to);
-    const auto places            = live::places_of(chain);
+    const auto places            = live::places_of(live::stepped_stand(chain));
     const auto found             = std::find(places.begin(), places.end(), place);
     if (found != places.end())
       question.place = int(found - places.begin());

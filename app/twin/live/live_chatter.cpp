@@ -4,6 +4,9 @@
 #include "core/base/errors.h"
 #include "core/model/case.h"
 #include "dynamics/chatter/chatter.h"
+#include "dynamics/chatter/sensitivity.h"
+#include "dynamics/response/modal_model.h"
+#include "reduce/stand/stand_modes.h"
 #include <fmt/format.h>
 
 namespace mill {
@@ -32,12 +35,27 @@ LiveChatter of_condition(const ChatterCase &spec)
   return chatter;
 }
 
+// The detailed stand without the spring and the damper of the strip: the bite is what chatter adds.
+dynamics::ModalModel open_modes(const live::TwinModel &model)
+{
+  const live::DetailedTwin &detail = *model.detailed;
+  const StandModel open            = reduce::without(live::with_springs(detail.stand, detail, model.chain), "K4");
+  const auto modes                 = reduce::stand_modes(open);
+  return dynamics::modal_model(open, modes.frequency, modes.shape, model.dynamics.modal_damping, detail.highest);
+}
+
 LiveChatter of_pass(const FourHigh &stand, const live::TwinModel &model)
 {
   LiveChatter chatter;
   const FreeStrip strip = free_strip(stand);
-  chatter.setup.model   = chatter_model(stand, stand.passes.front(), model.chain, model.dynamics, strip);
-  chatter.notes         = strip.assumed;
+  chatter.setup.model =
+      chatter_model(stand, stand.passes.front(), model.six_masses.value_or(model.chain), model.dynamics, strip);
+  if (model.detailed) {
+    const dynamics::ModalModel modes    = open_modes(model);
+    chatter.setup.model.stand.structure = dynamics::structure_of(modes);
+    chatter.setup.model.numbers         = dynamics::modal_numbers(modes);
+  }
+  chatter.notes = strip.assumed;
   return chatter;
 }
 }  // namespace

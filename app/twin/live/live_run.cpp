@@ -1,9 +1,11 @@
 #include "app/twin/live/live_run.h"
 #include "app/process/console.h"
 #include "app/twin/live/live_chatter.h"
+#include "app/twin/live/live_detail.h"
 #include "app/twin/live/live_stand.h"
 #include "app/twin/stand/detail_parts.h"
 #include "app/twin/stand/record_options.h"
+#include "app/verbs/leading_model.h"
 #include "core/base/errors.h"
 #include "core/base/units.h"
 #include "core/base/visible_text.h"
@@ -25,10 +27,16 @@ live::ClockReading clock_now()
 {
   return {live::steady_now(), utc_now()};
 }
+
+bool six_masses(const CommandLine &command, const Case &the_case)
+{
+  return leading_model(the_case, command) == "six-mass";
+}
 }  // namespace
 
 LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
-    : command_(command), the_case_(the_case), input_(live_input(command.live.input)), model_(live_model(the_case))
+    : command_(command), the_case_(the_case), input_(live_input(command.live.input)),
+      model_(live_model(the_case, six_masses(command, the_case)))
 {
   const LiveOptions &options = command.live;
   replay_speed(options.speed);
@@ -50,7 +58,7 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
   open_page();
   sources_ = std::make_unique<LiveSources>(input_, options, rules(), skip_to_, queue_);
   print(fmt::format("twin:   {} ({})\nsource: {}\n", the_case.name, model_.source, sources_->description()));
-  if (const std::string warning = warning_of_six_masses(the_case, "live"); !warning.empty())
+  if (const std::string warning = model_.detailed ? "" : warning_of_six_masses(the_case, "live"); !warning.empty())
     console::say("warning: " + warning + "\n");
   if (const std::string notice = sources_->notice(); !notice.empty())
     console::say("warning: " + notice + "\n");
@@ -97,7 +105,7 @@ void LiveRun::open_folder()
 live::SourceRules LiveRun::rules() const
 {
   live::SourceRules rules;
-  rules.places  = live::places_of(live::tuned(model_, {}));
+  rules.places  = live::places_of(live::stepped(model_, {}));
   rules.reading = read_options(command_, monitoring_of(command_.target, command_.sets));
   rules.token   = input_.kind == LiveInput::Kind::tcp ? token_ : "";
   rules.next    = [this]() -> std::optional<std::int64_t> {
@@ -188,6 +196,8 @@ namespace {
 // Springs that a re-calibration may move; K4 is not one of them where the force is measured.
 std::vector<twin::Unknown> fitted_springs(const live::TwinModel &model)
 {
+  if (model.detailed)
+    return live::unknowns_of(model.chain);
   const auto springs = live::tuned(model, {}).springs;
   std::vector<twin::Unknown> fitted;
   for (twin::Unknown &unknown : live::unknowns_of(model.chain))
@@ -215,6 +225,13 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   // a record that is played faster than real time waits for every result, so that it gives the same twice
   setup.wait     = command_.live.speed == "max";
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
+  if (model_.detailed) {
+    setup.mode_names   = model_.detailed->mode_names;
+    setup.detailed     = [this](const LumpedModel &chain) { return fitted_detail(model_, chain); };
+    setup.adopted_case = [this](const live::Proposal &proposal, const std::string &folder) {
+      return adopted_detail(model_, proposal, the_case_, folder);
+    };
+  }
   if (auto chatter = live_chatter(the_case_, model_)) {
     const auto is_speed = [](const live::LiveChannel &c) { return c.name == "speed" || c.name == "exit_speed"; };
     const bool used     = std::any_of(source.channels.begin(), source.channels.end(), is_speed);
@@ -249,8 +266,8 @@ std::optional<live::TwinModel> LiveRun::adopt(const std::int64_t id)
     model_.dynamics.modal_damping = proposal->damping;
     model_.adopted                = fs::path(proposal->file).filename().string();
     origin_                       = model_.adopted;
-    model_.source                 = "six masses of " + model_.adopted;
-    last_second_                  = 0;  // stored at once, so that a kill does not undo it
+    model_.source = (model_.detailed ? "model " + name_of_model(model_) : "six masses") + " of " + model_.adopted;
+    last_second_  = 0;  // stored at once, so that a kill does not undo it
     return model_;
   } catch (const std::exception &error) {  // what cannot be written is not adopted
     say("refused", error.what());

@@ -2,20 +2,25 @@
 #include "app/process/version.h"
 #include "app/run/run_setup.h"
 #include "app/twin/calibrate/stated_errors.h"
+#include "app/twin/live/live_detail.h"
 #include "app/twin/stand/case_chain.h"
 #include "app/twin/stand/mode_errors.h"
 #include "core/base/files.h"
 #include "core/model/assumed_error.h"
 #include "core/model/case.h"
-#include "dynamics/response/modes.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
 
 namespace mill {
 namespace {
-const char *label_of(const std::string &key)
+const char *label_of(const std::string &key, const bool detailed)
 {
+  static const std::map<std::string, const char *> bearings{{"K2", "bearings of the upper backup roll"},
+                                                            {"K6", "bearings of the lower backup roll"}};
+  if (const auto found = bearings.find(key); detailed && found != bearings.end())
+    return found->second;  // the rolls bend by themselves
   static const std::map<std::string, const char *> labels{
       {"K1", "upper frame"}, {"K2", "upper backup roll"},  {"K3", "upper roll contact"},
       {"K4", "roll bite"},   {"K5", "lower roll contact"}, {"K6", "lower backup roll"},
@@ -43,50 +48,76 @@ void add_roll_sizes(live::PageStand &stand, const std::string &roll, const doubl
 }
 }  // namespace
 
-live::TwinModel live_model(const Case &the_case)
+live::TwinModel live_model(const Case &the_case, const bool six_masses)
 {
+  const std::string hash = hash_of(without_monitoring(the_case.resolved));
+  if (const auto *lumped = std::get_if<Lumped>(&the_case.spec); lumped && lumped->detailed) {
+    live::TwinModel model{the_case.name, "", {}, lumped->dynamics, hash, not_given};
+    add_detail(model, the_case);
+    return model;
+  }
   CaseChain chain           = case_chain(the_case, "live");
   const StatedErrors stated = stated_errors(the_case, chain.model, chain.load);
   for (std::size_t j = 0; j < chain.model.K.size(); ++j)
     if (const auto error = stated.error.find("K" + std::to_string(j + 1)); error != stated.error.end())
       chain.model.K[j].error_estimate = error->second;
-  return {the_case.name,
-          std::move(chain.source),
-          std::move(chain.model),
-          std::move(chain.dynamics),
-          hash_of(without_monitoring(the_case.resolved)),
-          chain.load,
-          std::holds_alternative<FourHigh>(the_case.spec)};
+  const bool drawn = std::holds_alternative<FourHigh>(the_case.spec);
+  live::TwinModel model{
+      the_case.name, std::move(chain.source), std::move(chain.model), std::move(chain.dynamics), hash, chain.load,
+      drawn};
+  if (drawn && !six_masses)
+    add_detail(model, the_case);
+  return model;
 }
+
+namespace {
+// Of six masses; a detailed stand is drawn as the same chain, whatever its frame is.
+void add_springs(live::PageStand &stand, const live::TwinModel &model)
+{
+  if (!model.detailed) {
+    for (const dynamics::Spring &spring : live::tuned(model, {}).springs)
+      stand.springs.push_back({spring.name, spring.stiffness, spring.from, spring.to});
+    return;
+  }
+  for (int j = 0; j < 7; ++j)
+    stand.springs.push_back(
+        {"K" + std::to_string(j + 1), model.chain.K[std::size_t(j)].value, j - 1, j < 6 ? j : dynamics::ground});
+}
+}  // namespace
 
 live::PageStand page_stand(const Case &the_case, const live::TwinModel &model)
 {
-  const auto chain = live::tuned(model, {});
-  const auto modes = dynamics::modes(chain);
+  const auto stepped = live::stepped(model, {});
   live::PageStand stand;
   stand.name        = model.name;
   stand.source      = model.source;
   stand.version     = version();
-  const auto places = live::places_of(chain);
+  const auto places = live::places_of(stepped);
   for (std::size_t i = 0; i < places.size(); ++i) {
     live::StandPlace place;
     place.place = places[i];
-    place.label = chain.labels[i];
-    place.mass  = chain.M[Eigen::Index(i)];
+    place.label = stepped.labels[i];
+    place.drawn = i < model.chain.M.size();
+    if (place.drawn)
+      place.mass = model.chain.M[i].value;
     stand.places.push_back(place);
   }
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     add_roll_sizes(stand, "work_roll", four->work_roll.barrel_diameter, four->work_roll.barrel_length);
     add_roll_sizes(stand, "backup_roll", four->backup_roll.barrel_diameter, four->backup_roll.barrel_length);
   }
-  for (const dynamics::Spring &spring : chain.springs) {
-    stand.springs.push_back({spring.name, spring.stiffness, spring.from, spring.to});
-    if (spring.stiffness > 0)
-      stand.sliders.push_back({spring.name, label_of(spring.name), "N/m", spring.stiffness});
+  add_springs(stand, model);
+  const bool detailed = model.detailed != nullptr;
+  for (const live::StandSpring &spring : stand.springs)
+    if (spring.value > 0)
+      stand.sliders.push_back({spring.key, label_of(spring.key, detailed), "N/m", spring.value});
+  stand.sliders.push_back({"damping", label_of("damping", detailed), "-", model.dynamics.modal_damping});
+  const Eigen::VectorXd frequency = live::watched_modes(model, {}).frequency;
+  for (Eigen::Index i = 0; i < frequency.size(); ++i) {
+    const bool named = detailed && std::size_t(i) < model.detailed->mode_names.size();
+    stand.modes.push_back(
+        {frequency[i], model.dynamics.modal_damping, named ? model.detailed->mode_names[std::size_t(i)] : ""});
   }
-  stand.sliders.push_back({"damping", label_of("damping"), "-", model.dynamics.modal_damping});
-  for (const double frequency : modes.frequency)
-    stand.modes.push_back({frequency, model.dynamics.modal_damping, ""});
   return stand;
 }
 
@@ -95,6 +126,12 @@ LumpedModel chain_at_load(const Case &the_case, const live::TwinModel &model, co
   LumpedModel chain = model.chain;
   if (!std::holds_alternative<FourHigh>(the_case.spec) || !model.follows_load || !(load > 0))
     return chain;
+  if (model.detailed) {
+    const auto factor = detail_at_load(the_case, model, load);
+    for (std::size_t j = 0; j < chain.K.size(); ++j)
+      chain.K[j].value *= factor[j];
+    return chain;
+  }
   // what the load does to the closed forms, on the springs of the model as it is
   const CaseChain own = case_chain(the_case, "live"), there = case_chain(the_case, "live", load);
   for (std::size_t j = 0; j < chain.K.size(); ++j)
@@ -105,8 +142,7 @@ LumpedModel chain_at_load(const Case &the_case, const live::TwinModel &model, co
 
 twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &model, const live::Tuning &tuning)
 {
-  const auto chain     = live::tuned(model, tuning);
-  const auto modes     = dynamics::modes(chain);
+  const auto modes     = live::watched_modes(model, tuning);
   const Eigen::Index n = modes.frequency.size();
   twin::ModesAtLoad at;
   at.damping = Eigen::VectorXd::Constant(n, model.dynamics.modal_damping * tuning.damping);
@@ -135,7 +171,10 @@ twin::ModesAtLoad modes_at_load(const Case &the_case, const live::TwinModel &mod
   for (Eigen::Index i = 0; i < at.load.size(); ++i) {
     live::TwinModel loaded = model;
     loaded.chain           = chain_at_load(the_case, model, at.load[i]);
-    at.frequency.row(i)    = dynamics::modes(live::tuned(loaded, tuning)).frequency.transpose();
+    // a mode that leaves the watched range at this load is kept as it is
+    const Eigen::VectorXd now                         = live::watched_modes(loaded, tuning).frequency;
+    at.frequency.row(i)                               = modes.frequency.transpose();
+    at.frequency.row(i).head(std::min(n, now.size())) = now.head(std::min(n, now.size())).transpose();
   }
   return at;
 }
@@ -161,8 +200,8 @@ live::PageParameters page_parameters(const live::TwinModel &model, const live::T
   now.place  = place;
   for (const std::string &key : live::slider_keys())
     now.sliders.push_back({key, live::factor_of(tuning, key)});
-  const auto modes = dynamics::modes(live::tuned(model, tuning));
-  now.frequencies.assign(modes.frequency.begin(), modes.frequency.end());
+  const Eigen::VectorXd frequency = live::watched_modes(model, tuning).frequency;
+  now.frequencies.assign(frequency.begin(), frequency.end());
   return now;
 }
 }  // namespace mill

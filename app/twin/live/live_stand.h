@@ -6,10 +6,11 @@
 namespace mill {
 struct Case;
 
-/// The chain of a case as `millstand live` steps it: kind lumped as given, kind four-high by closed forms.  Its
+/// The stand of a case as `millstand live` steps it: kind lumped as given, kind four-high by closed forms.  Its
 /// springs have the errors that the case or its last run states.
-/// @throws InputError  a case without a chain
-live::TwinModel live_model(const Case &the_case);
+/// @param six_masses  of kind four-high: the chain instead of rolls as beams
+/// @throws InputError  a case without a stand
+live::TwinModel live_model(const Case &the_case, bool six_masses);
 
 /// What the page draws of it.
 live::PageStand page_stand(const Case &the_case, const live::TwinModel &model);

@@ -210,7 +210,7 @@ std::vector<TemplateNote> four_high_notes()
           plant_note(),
           {"work_roll", "", {{"estimate", "true"}}, {}},
           {"backup_roll", "", {{"estimate", "true"}}, {}},
-          {"frame", "", {{"estimate", "true"}}, {"modulus"}},
+          {"frame", "", {{"estimate", "true"}, {"modulus", "\"1.95 MN/mm\""}}, {"modulus"}},  // of the demo stand
           {"pass", "", {{"synthetic", "true"}}, {"synthetic_range"}}};
 }
 

@@ -48,6 +48,17 @@ ModalSystem of_chain(const ModelData &model, const Tuning &tuning)
     system.bite.push_back(bite);
     system.load_cell.push_back(-K_cell * (end(cell.from) - end(cell.to)));
   }
+  for (const SpringData &spring : model.springs) {
+    if (!(spring.damper > 0))
+      continue;
+    std::vector<double> row(m);
+    const auto end = [&](const int mass, const std::size_t k) {
+      return mass == fixed_end ? 0 : system.point(std::size_t(mass), k);
+    };
+    for (std::size_t k = 0; k < m; ++k)
+      row[k] = std::sqrt(spring.damper) * (end(spring.from, k) - end(spring.to, k));
+    system.dampers.push_back(row);
+  }
   return system;
 }
 
@@ -61,6 +72,9 @@ ModalSystem of_modes(const ModelData &model)
   system.point.entry = model.shape;
   for (const double f : model.frequency)
     system.rad.push_back(2 * 3.14159265358979323846 * f);
+  for (std::size_t r = 0; r + n <= model.damper_rows.size(); r += n)
+    system.dampers.emplace_back(model.damper_rows.begin() + std::ptrdiff_t(r),
+                                model.damper_rows.begin() + std::ptrdiff_t(r + n));
   return system;
 }
 }  // namespace

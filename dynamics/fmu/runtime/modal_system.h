@@ -13,17 +13,18 @@ struct Tuning {
   double gap_damper    = 0;       ///< N s/m
 };
 
-/// A model in its n modes with m points:  q'' + (2 zeta w + c b b^T) q' + w^2 q = b (F - F_mean).  theory.md
-/// (35.1)
+/// A model in its n modes with m points:  q'' + (2 zeta w + c b b^T + D^T D) q' + w^2 q = b (F - F_mean).
+/// theory.md (35.1)
 struct ModalSystem {
-  std::vector<double> rad;        ///< (n) rad/s, ascending
-  std::vector<double> bite;       ///< (n) kg^-1/2, b
-  std::vector<double> load_cell;  ///< (n) N/m kg^-1/2
-  Matrix point;                   ///< (m, n) kg^-1/2
-  Matrix from_points;             ///< (n, m) kg^1/2, a chain's V^T M; empty where modes are given
-  double damping         = 0;     ///< -, zeta
-  double gap_damper      = 0;     ///< N s/m, c
-  double load_cell_share = 1;     ///< -
+  std::vector<double> rad;                   ///< (n) rad/s, ascending
+  std::vector<double> bite;                  ///< (n) kg^-1/2, b
+  std::vector<double> load_cell;             ///< (n) N/m kg^-1/2
+  Matrix point;                              ///< (m, n) kg^-1/2
+  Matrix from_points;                        ///< (n, m) kg^1/2, a chain's V^T M; empty where modes are given
+  double damping         = 0;                ///< -, zeta
+  double gap_damper      = 0;                ///< N s/m, c
+  double load_cell_share = 1;                ///< -
+  std::vector<std::vector<double>> dampers;  ///< (r) (n) (N s/m)^1/2 kg^-1/2, D, of oil films
 };
 
 /// Cost: one eigenproblem of the masses of a chain; of given modes only copies.  theory.md (35.2)

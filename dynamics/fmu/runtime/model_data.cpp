@@ -97,6 +97,8 @@ void require_modal(const ModelData &model)
   require_size("shape", model.shape.size(), n * model.points.size());
   require_size("bite_mode", model.bite_mode.size(), n);
   require_size("load_cell_mode", model.load_cell_mode.size(), n);
+  if (n > 0)
+    require_size("damper_rows", model.damper_rows.size() % n, 0);
   for (const double f : model.frequency)
     if (!(f > 0))
       throw std::runtime_error("a frequency is not above zero");

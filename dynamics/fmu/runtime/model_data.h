@@ -8,7 +8,7 @@
 // What resources/model.json holds.
 namespace mill::fmu {
 /// Version of the runtime and of the layout of its files; part of every identity (theory.md 35.6).
-constexpr const char *runtime_version = "3";
+constexpr const char *runtime_version = "4";
 
 constexpr int fixed_end = -1;  ///< the end of a spring on the ground
 
@@ -19,6 +19,7 @@ struct SpringData {
   int to        = -1;     ///< mass, or fixed_end
   double start  = 0;      ///< N/m
   bool may_rest = false;  ///< may be zero: K4, which a measured force leaves out
+  double damper = 0;      ///< N s/m, in parallel with it: an oil film
 };
 
 /// A linear stand driven by its bite force, as a chain of masses whose springs may be tuned or in modes that are
@@ -46,6 +47,7 @@ struct ModelData {
   std::vector<double> shape;           ///< (m * n, by rows) kg^-1/2, displacement of each point in each mode
   std::vector<double> bite_mode;       ///< (n) kg^-1/2, bite force on each mode
   std::vector<double> load_cell_mode;  ///< (n) N/m kg^-1/2
+  std::vector<double> damper_rows;     ///< (r * n, by rows) (N s/m)^1/2 kg^-1/2, dampers of oil films
 
   CurveData curves;     ///< kind "curves" alone
   ChatterData chatter;  ///< kind "chatter" alone; the members above except the points are empty then
@@ -64,6 +66,7 @@ template <class IO, class S> void each_member(IO &io, S &spring, const SpringDat
   io("from", spring.from);
   io("to", spring.to);
   io("start", spring.start);
+  io("damper", spring.damper);
   io("may_rest", spring.may_rest);
 }
 template <class IO, class M> void each_member(IO &io, M &model, const ModelData *)
@@ -86,6 +89,7 @@ template <class IO, class M> void each_member(IO &io, M &model, const ModelData 
   io("shape", model.shape);
   io("bite_mode", model.bite_mode);
   io("load_cell_mode", model.load_cell_mode);
+  io("damper_rows", model.damper_rows);
   if (model.kind == "curves")
     io("curves", model.curves);
   if (model.kind == "chatter")

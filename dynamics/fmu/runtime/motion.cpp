@@ -11,25 +11,37 @@ constexpr double length_grid = 1e-5;
 constexpr std::size_t most_prepared = 8;
 // Passing between modes and poles loses the condition of the shapes; beyond this the matrix exponential is used.
 constexpr double largest_condition = 1e3;
+constexpr double real_pole         = 1e-8;  // of the fastest rate
 }  // namespace
 
 Motion::Motion(const ModalSystem &system)
     : n_(system.rad.size()), rad_(system.rad), bite_(system.bite), damping_(system.damping),
-      gap_damper_(system.gap_damper)
+      dampers_(system.dampers)
 {
-  double coupling = 0;
-  for (const double b : bite_)
-    coupling += std::abs(b);
-  fastest_ = (rad_.empty() ? 0 : rad_.back()) * (1 + 2 * damping_) + gap_damper_ * coupling * coupling;
-  form_    = Form::separate_modes;
-  if (gap_damper_ == 0)
+  if (system.gap_damper > 0) {
+    dampers_.push_back(bite_);
+    for (double &entry : dampers_.back())
+      entry *= std::sqrt(system.gap_damper);
+  }
+  fastest_ = (rad_.empty() ? 0 : rad_.back()) * (1 + 2 * damping_);
+  for (const auto &row : dampers_) {
+    double coupling = 0;
+    for (const double entry : row)
+      coupling += std::abs(entry);
+    fastest_ += coupling * coupling;
+  }
+  form_ = Form::separate_modes;
+  if (dampers_.empty())
     return;
   A_ = Matrix(2 * n_, 2 * n_);
   for (std::size_t i = 0; i < n_; ++i) {
     A_(i, n_ + i) = rad_[i];
     A_(n_ + i, i) = -rad_[i];
-    for (std::size_t j = 0; j < n_; ++j)
-      A_(n_ + i, n_ + j) = -gap_damper_ * bite_[i] * bite_[j] - (i == j ? 2 * damping_ * rad_[i] : 0);
+    for (std::size_t j = 0; j < n_; ++j) {
+      A_(n_ + i, n_ + j) = i == j ? -2 * damping_ * rad_[i] : 0;
+      for (const auto &row : dampers_)
+        A_(n_ + i, n_ + j) -= row[i] * row[j];
+    }
   }
   x_.resize(2 * n_);
   y_.resize(2 * n_);
@@ -39,17 +51,21 @@ Motion::Motion(const ModalSystem &system)
   if (!(all.condition <= largest_condition))
     return;
   form_ = Form::poles;
-  // One number per pair of poles and one per real pole.
+  // One number per pair of poles and one per real pole.  Rounding leaves a real pole an imaginary part of either
+  // sign; a pair that is so close to the axis may be kept as two.
+  const auto is_real = [&](const std::size_t k) {
+    return std::abs(all.value[k].imag()) <= real_pole * fastest_;
+  };
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < 2 * n_; ++k)
-    if (all.value[k].imag() >= 0)
+    if (is_real(k) || all.value[k].imag() > 0)
       kept.push_back(k);
   to_poles_      = ComplexMatrix(kept.size(), 2 * n_);
   from_poles_    = ComplexMatrix(2 * n_, kept.size());
   double members = 0;
   for (std::size_t k = 0; k < kept.size(); ++k) {
     const std::size_t from = kept[k];
-    const double weight    = all.value[from].imag() > 0 ? 2 : 1;
+    const double weight    = is_real(from) ? 1 : 2;
     members += weight;
     pole_.push_back(all.value[from]);
     Complex gain = 0;
@@ -61,7 +77,7 @@ Motion::Motion(const ModalSystem &system)
     gain_.push_back(gain);
   }
   z_.resize(kept.size());
-  if (members != double(2 * n_))  // rounding left a real pole with an imaginary part
+  if (members != double(2 * n_))  // pairs and real poles could not be distinguished
     form_ = Form::exponential;
 }
 
@@ -307,12 +323,15 @@ void Motion::advance(ModalState &state, const double length, const StraightForce
 void Motion::acceleration(const ModalState &state, const double force, std::vector<double> &result) const
 {
   result.resize(n_);
-  double gap = 0;
   for (std::size_t i = 0; i < n_; ++i)
-    gap += bite_[i] * state.p[i];
-  const double pull = force - gap_damper_ * gap;
-  for (std::size_t i = 0; i < n_; ++i)
-    result[i] = bite_[i] * pull - 2 * damping_ * rad_[i] * state.p[i] - rad_[i] * rad_[i] * state.q[i];
+    result[i] = bite_[i] * force - 2 * damping_ * rad_[i] * state.p[i] - rad_[i] * rad_[i] * state.q[i];
+  for (const auto &row : dampers_) {
+    double rate = 0;
+    for (std::size_t i = 0; i < n_; ++i)
+      rate += row[i] * state.p[i];
+    for (std::size_t i = 0; i < n_; ++i)
+      result[i] -= row[i] * rate;
+  }
 }
 
 ModalState Motion::equilibrium(const double force) const

@@ -20,13 +20,13 @@ struct StraightForce {
 };
 
 /// Advances the modes under straight lines of force, exactly but for rounding, for any length of step.
-/// Without a gap damper every mode has a closed form (35.3); a gap damper couples them and they are
+/// Without dampers of gap and oil films every mode has a closed form (35.3); a damper couples them and they are
 /// advanced by the poles of the coupled system (35.4), or, where its shapes are so nearly dependent that this
 /// would lose digits, by a matrix exponential (35.5).  Lengths met again cost no functions: what is prepared for a
 /// length also serves those that differ by the rounding of the times of a client (35.6).
 class Motion {
 public:
-  /// Cost: none without a gap damper, an eigenproblem of size 2 n with one.
+  /// Cost: none without a damper, an eigenproblem of size 2 n with one.
   explicit Motion(const ModalSystem &system);
 
   /// One straight stretch of force after the other, `length` >= 0 in s.
@@ -71,7 +71,8 @@ private:
 
   std::size_t n_;
   std::vector<double> rad_, bite_;
-  double damping_, gap_damper_;
+  double damping_;
+  std::vector<std::vector<double>> dampers_;  // (r) (n), of the gap and of oil films
   Form form_;
   double fastest_ = 0;  // 1/s, bound of the rates of the system
   std::vector<Prepared> prepared_;

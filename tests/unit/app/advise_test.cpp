@@ -426,7 +426,7 @@ TEST(Advise, Refusals)
   fs::create_directories(folder + "/none");
   EXPECT_EQ(refused(chain, {}, "none", "out"),
             "--measured none: the folder holds no record; one ends with .csv, .npy, .npz, .uff, "
-            ".mat, .wav or .lvm (.txt, .tsv, .asc, .unv)");
+            ".mat, .wav or .lvm (.txt, .tsv, .asc, .dat, .unv)");
   std::ofstream notes(folder + "/other.csv");
   notes << "time [s],upper_work_roll [g]\n";
   for (int i = 0; i < 4000; ++i)

@@ -88,6 +88,29 @@ TEST_F(Reviewed, ARecordMustOutlastTheLowestMode)
   EXPECT_EQ(r.facts.at(0), "pass 1: the force record lasts 0.5 s, 2001 samples at 4000 Hz, mean 976.0 kN");
 }
 
+// Some milliseconds by closed forms, before the finite elements find the same.
+TEST_F(Reviewed, AModulusThatLeavesNothingForTheFrameIsRefusedWithBothNumbers)
+{
+  const std::string path = (folder / "modulus.toml").string();
+  write_atomically(path, template_of("four-high"));
+  const CaseReview good = review({}, path.c_str());
+  EXPECT_EQ(messages(good.problems), "");
+  const CaseReview bad = review({"frame.modulus=50 MN/mm"}, path.c_str());
+  ASSERT_EQ(bad.problems.size(), 1u);
+  EXPECT_EQ(bad.problems[0].place.file, "--set frame.modulus=50 MN/mm");
+  EXPECT_EQ(bad.problems[0].place.line, 0);
+  const std::string &message = bad.problems[0].message;
+  EXPECT_EQ(message.rfind("frame.modulus = 50 MN/mm leaves nothing for the frame: with touching work rolls the "
+                          "rolls, their contacts and bearings and what is given of the frame have ",
+                          0),
+            0u)
+      << message;
+  EXPECT_NE(message.find(" MN/mm together, and the whole stand is softer than that; give the slope of force over "
+                         "screw position of both housings together, or correct rolls and bearings"),
+            std::string::npos)
+      << message;
+}
+
 TEST_F(Reviewed, SamplingAndGapsOfARecordAreChecked)
 {
   const std::string slow = record("slow.csv", 2001, 200, 976, "time [s],force [kN]", 640, 664);

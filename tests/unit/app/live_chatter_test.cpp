@@ -38,7 +38,7 @@ TEST(LiveChatter, AnAdoptedChainIsACaseAndMovesTheCriticalSpeed)
 {
   const Case the_case           = read_case(tandem);
   const ChatterStand &given     = std::get<ChatterCase>(the_case.spec).stand;
-  live::TwinModel model         = live_model(the_case);
+  live::TwinModel model         = live_model(the_case, true);
   const live::Proposal proposal = softer_contact(model);
   EXPECT_FALSE(live::unknowns_of(model.chain).empty()) << "a chatter case has springs that may be proposed";
 

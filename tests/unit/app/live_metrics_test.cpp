@@ -22,11 +22,11 @@ bool has_line(const std::string &text, const std::string &line)
 std::unique_ptr<live::Comparison> loud_comparison()
 {
   const Case the_case = read_case("cases/published-1400.toml");
-  const auto model    = live_model(the_case);
+  const auto model    = live_model(the_case, true);
   live::ComparisonSetup setup;
   setup.rate      = 1000;
   setup.channels  = {{"force", "N"}, {"upper_work_roll", "m/s2"}};
-  setup.places    = live::places_of(live::tuned(model, {}));
+  setup.places    = live::places_of(live::stepped(model, {}));
   setup.modes     = modes_at_load(the_case, model, {});
   setup.chain     = model.chain;
   setup.bands     = {{"third octave", 150}};

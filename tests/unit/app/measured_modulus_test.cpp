@@ -75,6 +75,16 @@ TEST(MeasuredModulus, IsThatOfTheStandWithTouchingRolls)
   }
 }
 
+// The template names the demo stand, whose frame is drawn in its case.
+TEST(MeasuredModulus, OfTheTemplateIsThatOfTheStandItNames)
+{
+  const double of_template = stand_of(template_of("four-high")).frame.modulus;
+  const double drawn =
+      value_of(closed_form_stand(std::get<FourHigh>(read_case("cases/four-high-1400.toml").spec), 976e3),
+               "stand.modulus.kiss");
+  EXPECT_TRUE(near(of_template, drawn, within(0.03, "the error of a calibration")));
+}
+
 TEST(MeasuredModulus, IsFollowedOneToOne)
 {
   for (const Measured &m : stands) {

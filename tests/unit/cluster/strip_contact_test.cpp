@@ -168,3 +168,38 @@ TEST(GapStand, OfOneHalfIsTheWholeMill)
     EXPECT_TRUE(near(b.frequency[nearest], a.frequency[k], within(1e-9, "the modes that mirror images share")));
   }
 }
+
+// The weight of a force that leans with its contact gives back what it takes: it neither damps a mode nor drives
+// it.
+TEST(GapStand, LossFactorsOfLoadedContactsDampEveryMode)
+{
+  ClusterStand stand          = six_high();
+  stand.stack.strip_stiffness = not_given;
+  stand.stack.strip           = "WU";
+  stand.response.loss_factor  = 0.08;
+  stand.rolls.resize(3);
+  stand.contacts.resize(2);
+  stand.supports.erase(stand.supports.begin() + 3, stand.supports.begin() + 6);
+  stand.supports.pop_back();
+  const auto upper = cluster::pass_state(stand, {}, rolling_force);
+  const auto gap   = cluster::gap_stand(upper.stack, upper.rest.u, 2, -1);
+  const auto modes = cluster::modes_of(gap, 0);
+  int across = 0, along = 0;
+  for (Eigen::Index k = 0; k < modes.damping.size(); ++k) {
+    const Eigen::VectorXd energy = modes.shape.col(k).cwiseAbs2().cwiseProduct(gap.M);
+    double sideways              = 0;
+    for (Eigen::Index i = 0; i < energy.size(); i += upper.stack.per_roll())
+      sideways += energy[i];
+    if (sideways > 0.999) {
+      ++across;
+      EXPECT_TRUE(
+          near(modes.damping[k], 0, within_absolute(1e-9, "rolls on one line: contacts are not strained")));
+    } else if (sideways < 0.001 && modes.frequency[k] > 1) {
+      ++along;
+      EXPECT_GT(modes.damping[k], 1e-4);
+      EXPECT_LE(modes.damping[k], 0.04 * (1 + 1e-9)) << "half of the loss factor at most";
+    }
+  }
+  EXPECT_EQ(across, 3);
+  EXPECT_EQ(along, 3);
+}

@@ -31,7 +31,7 @@ live::ComparisonSetup stored_setup()
   live::ComparisonSetup setup;
   setup.rate            = rate;
   setup.channels        = {{"force", "N"}, {"upper_work_roll", "m/s2"}};
-  setup.places          = live::places_of(live::tuned(stored_twin(), {}));
+  setup.places          = live::places_of(live::stepped(stored_twin(), {}));
   setup.modes.load      = Eigen::VectorXd::Constant(1, 1e6);
   setup.modes.frequency = Eigen::RowVectorXd::LinSpaced(3, 40, 120);
   setup.modes.damping   = Eigen::VectorXd::Constant(3, 0.01);

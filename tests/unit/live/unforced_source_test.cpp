@@ -26,7 +26,7 @@ ComparisonSetup setup_for(const std::vector<LiveChannel> &channels)
   ComparisonSetup setup;
   setup.rate     = rate;
   setup.channels = channels;
-  setup.places   = places_of(tuned(model, {}));
+  setup.places   = places_of(stepped(model, {}));
   setup.chain    = model.chain;
   setup.dynamics = model.dynamics;
   setup.bands    = bands_over("third octave", 125, 240);
@@ -79,7 +79,7 @@ TEST(UnforcedSource, MayHaveChannelsThatAreNoPlaceOfTheModel)
 TEST(UnforcedSource, NeedsAForceOrAnAcceleration)
 {
   SourceRules rules;
-  rules.places = places_of(tuned(published(), {}));
+  rules.places = places_of(stepped(published(), {}));
   EXPECT_EQ(known_channels({{"AI_01", "g"}}, rules).channels.at(0).unit, "m/s2");
   try {
     known_channels({{"torque", "Nm"}}, rules);

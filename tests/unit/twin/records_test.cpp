@@ -256,8 +256,21 @@ TEST_F(Records, RefusalsOfCsv)
   EXPECT_EQ(refusal("r.csv", rows("time [s],a [g]"), {-5}), "--rate -5 is not above zero");
   EXPECT_EQ(
       refusal("r.tdms", "TDSm"),
-      "r.tdms: records are .csv, .txt, .tsv, .asc, .npy with .json, .npz, .uff, .unv, .mat, .wav or .lvm; export "
-      "others (ibaPDA, TDMS, Parquet) as CSV");
+      "r.tdms: records are .csv, .txt, .tsv, .asc, .dat in text, .npy with .json, .npz, .uff, .unv, .mat, .wav or "
+      ".lvm; export others (ibaPDA, TDMS, Parquet) as CSV");
+}
+
+// Several recorders call their texts .dat, others their binary files.
+TEST_F(Records, DatFilesAreReadWhereTheyAreTexts)
+{
+  const std::string text = rows("time [s],a [g]");
+  EXPECT_EQ(refusal("r.dat", text), refusal("r.csv", text)) << "both are accepted";
+  EXPECT_TRUE(is_record_file(folder + "/r.dat"));
+  EXPECT_TRUE(is_csv_record(folder + "/r.dat"));
+  EXPECT_EQ(refusal("r.dat", std::string("PDA2\0\0\1\2", 8)),
+            "r.dat: this .dat file is not a text; export it as CSV in the program of its recorder (ibaPDA: "
+            "ibaAnalyzer)");
+  EXPECT_FALSE(is_record_file(folder + "/r.dat")) << "a folder of records may hold it";
 }
 
 TEST_F(Records, RefusalsOfBinaryFiles)

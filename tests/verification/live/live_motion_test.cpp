@@ -91,14 +91,14 @@ TEST(LiveMotion, AChangeOnTheRunCarriesDisplacementAndVelocityOver)
     live::Tuning tuning;
     live::set_factor(tuning, key, 1.1);
     const auto after = live::tuned(model, tuning);
-    live::TwinStepper stepper(before, rate, record.force[0]);
+    live::TwinStepper stepper(live::stepped_stand(before), rate, record.force[0]);
     for (Eigen::Index k = 1; k < 5000; ++k)
       stepper.advance(record.force[k]);
     stepper.refer_to(record.force.mean());
     const Eigen::VectorXd y = stepper.displacement(), v = stepper.velocity();
     Eigen::VectorXd a(6), b(6);
     stepper.acceleration(a);
-    stepper.change(after);
+    stepper.change(live::stepped_stand(after));
     stepper.acceleration(b);
     EXPECT_LT(largest_difference(stepper.displacement(), y), 1e-12) << key;
     EXPECT_LT(largest_difference(stepper.velocity(), v), 1e-12) << key;
@@ -114,7 +114,8 @@ TEST(LiveMotion, AnotherReferenceLeavesAccelerationsAsTheyAre)
   const auto chain         = live::tuned(model_of("R1"), {});
   const ForceRecord record = twelve_tones();
   const double rate        = 1 / (record.time[1] - record.time[0]);
-  live::TwinStepper one(chain, rate, record.force[0]), other(chain, rate, record.force[0]);
+  const auto stand         = live::stepped_stand(chain);
+  live::TwinStepper one(stand, rate, record.force[0]), other(stand, rate, record.force[0]);
   Eigen::VectorXd a(6), b(6);
   double peak = 0, worst = 0;
   for (Eigen::Index k = 1; k < 4000; ++k) {

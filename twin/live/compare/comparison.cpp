@@ -36,10 +36,12 @@ std::vector<WatchedBand> all_bands(const ComparisonSetup &setup)
 {
   std::vector<WatchedBand> bands = setup.bands;
   const auto now                 = setup.modes.at(0);
-  for (std::size_t m = 0; m < now.size(); ++m)
-    bands.push_back({m < setup.mode_names.size() && !setup.mode_names[m].empty() ? setup.mode_names[m]
-                                                                                 : fmt::format("mode {}", m + 1),
-                     now[m].frequency, true});
+  for (std::size_t m = 0; m < now.size(); ++m) {
+    if (!setup.mode_names.empty() && (m >= setup.mode_names.size() || setup.mode_names[m].empty()))
+      continue;  // neither gap nor sensors see it
+    bands.push_back(
+        {setup.mode_names.empty() ? fmt::format("mode {}", m + 1) : setup.mode_names[m], now[m].frequency, true});
+  }
   return bands;
 }
 
@@ -265,14 +267,13 @@ void Comparison::begin_recalibration(const ModeDrift &drift)
   for (const twin::ModeRow &row : modes.rows())
     record.modes.push_back(row.measured);
   const LumpedModel chain = setup_.chain_at ? setup_.chain_at(load_) : setup_.chain;
-  twin::FittedStand stand{dynamics::mill_model(chain, setup_.dynamics), setup_.modes.damping};
+  twin::FittedStand stand =
+      setup_.detailed ? setup_.detailed(chain)
+                      : twin::FittedStand{dynamics::mill_model(chain, setup_.dynamics), setup_.modes.damping};
   std::vector<twin::Unknown> unknowns;
   for (const twin::Unknown &unknown :
        setup_.unknowns)  // K4 belongs to the chain by the meaning of the force alone
-    if (unknown.name == "zeta" ||
-        std::any_of(stand.chain.springs.begin(), stand.chain.springs.end(), [&](const dynamics::Spring &spring) {
-          return spring.name == unknown.name && spring.stiffness > 0;
-        }))
+    if (unknown.name == "zeta" || twin::is_spring(stand, unknown.name))
       unknowns.push_back(unknown);
   const auto work = [stand = std::move(stand), record = std::move(record), unknowns, load = load_] {
     twin::Recalibration found;
@@ -348,7 +349,8 @@ std::optional<Proposal> Comparison::adopt(const std::int64_t id, const double ut
                                           const Case &origin)
 {
   return offered.adopt(id, utc, folder, [&](const Proposal &proposal, const std::string &directory) {
-    return calibrated_case(proposal, origin, directory);
+    return setup_.adopted_case ? setup_.adopted_case(proposal, directory)
+                               : calibrated_case(proposal, origin, directory);
   });
 }
 

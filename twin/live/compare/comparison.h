@@ -17,16 +17,20 @@
 namespace mill::live {
 /// What the comparison has to know of source, twin and stand.
 struct ComparisonSetup {
-  double rate = 0;                    ///< Hz
-  std::vector<LiveChannel> channels;  ///< columns of LiveBlock::measured
-  std::vector<std::string> places;    ///< columns of LiveBlock::simulated
-  twin::ModesAtLoad modes;            ///< of the twin
-  std::vector<std::string> mode_names;
-  std::vector<WatchedBand> bands;  ///< in addition to one at each mode
-  std::optional<double> limit;     ///< m/s2, 0-peak in a band: the mill's own
+  double rate = 0;                      ///< Hz
+  std::vector<LiveChannel> channels;    ///< columns of LiveBlock::measured
+  std::vector<std::string> places;      ///< columns of LiveBlock::simulated
+  twin::ModesAtLoad modes;              ///< of the twin
+  std::vector<std::string> mode_names;  ///< empty: by number, all with a band; "": by number, without a band
+  std::vector<WatchedBand> bands;       ///< in addition to one at each mode
+  std::optional<double> limit;          ///< m/s2, 0-peak in a band: the mill's own
   std::optional<ChatterWatch::Setup> chatter;
   LumpedModel chain;                                 ///< the twin's
   std::function<LumpedModel(double load)> chain_at;  ///< the same at another force, N; empty: it does not change
+  /// Of a detailed stand, in its modes, with the springs of this chain; empty: six masses.
+  std::function<twin::FittedStand(const LumpedModel &chain)> detailed;
+  /// Case of an adopted proposal and its other files; empty: calibrated_case().
+  std::function<std::string(const Proposal &, const std::string &folder)> adopted_case;
   DynamicsSettings dynamics;
   std::vector<twin::Unknown> unknowns;  ///< that a re-calibration may move, with the last posterior's standard
                                         ///< deviations; empty: drift is reported and nothing is proposed

@@ -34,19 +34,6 @@ bool is_spring(const std::string &name)
   return name.size() == 2 && name[0] == 'K' && name[1] >= '1' && name[1] <= '7';
 }
 
-// The case with another damping ratio, since the chain is written with the dynamics of the case.  A chatter case
-// has dampers between single masses, of which a record identifies the modes alone: its chain is a case of its own.
-Case with_damping(Case origin, const double damping)
-{
-  if (std::holds_alternative<ChatterCase>(origin.spec))
-    origin.spec = Lumped{};
-  if (auto *four = std::get_if<FourHigh>(&origin.spec))
-    four->dynamics.modal_damping = damping;
-  else if (auto *lumped = std::get_if<Lumped>(&origin.spec))
-    lumped->dynamics.modal_damping = damping;
-  return origin;
-}
-
 // A name that nothing has yet: two proposals of one second stay apart.
 std::string free_name(const std::string &folder, const double utc)
 {
@@ -81,7 +68,7 @@ double recalibrated(double damping, const twin::Recalibration &recalibration)
   return damping;
 }
 
-std::string calibrated_case(const Proposal &p, const Case &origin, const std::string &directory)
+std::string recalibration_comment(const Proposal &p)
 {
   std::string text = "# Re-calibrated on the running mill.  " + p.reason + "\n";
   text += fmt::format("# Data: {} to {}, {:.0f} s at {:.1f} kN; misfit {:.3f} before, {:.3f} after.\n",
@@ -96,6 +83,23 @@ std::string calibrated_case(const Proposal &p, const Case &origin, const std::st
       kept += (kept.empty() ? "" : ", ") + value.name;
   if (!kept.empty())
     text += "# not identified by these data, as before: " + kept + "\n";
+  return text;
+}
+
+Case with_damping(Case origin, const double damping)
+{
+  if (std::holds_alternative<ChatterCase>(origin.spec))
+    origin.spec = Lumped{};
+  if (auto *four = std::get_if<FourHigh>(&origin.spec))
+    four->dynamics.modal_damping = damping;
+  else if (auto *lumped = std::get_if<Lumped>(&origin.spec))
+    lumped->dynamics.modal_damping = damping;
+  return origin;
+}
+
+std::string calibrated_case(const Proposal &p, const Case &origin, const std::string &directory)
+{
+  std::string text = recalibration_comment(p);
   if (std::holds_alternative<ChatterCase>(origin.spec))
     text += "# For a chatter case: [stand] from = \"this file\" in place of masses, stiffnesses and dampings.\n";
   return text + lumped_model_toml(p.chain, with_damping(origin, p.damping), directory);

@@ -31,6 +31,14 @@ LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &recalibra
 /// Damping ratio with the identified factor.
 double recalibrated(double damping, const twin::Recalibration &recalibration);
 
+/// Lines of comment for the case of a proposal: of what, from which data, which springs.
+std::string recalibration_comment(const Proposal &proposal);
+
+/// The case with another damping ratio, since a model is written with the dynamics of the case.  A chatter case
+/// has dampers between single masses, of which a record identifies the modes alone: its chain is a case of its
+/// own.
+Case with_damping(Case origin, double damping);
+
 /// A case of kind lumped: the chain of a proposal with passes and dynamics of the case it came from, and comments
 /// that say of what.  A case of kind chatter takes it as its stand.from.
 /// @param directory  of the file, for the paths of passes

@@ -17,11 +17,11 @@ bool same_channels(const std::vector<LiveChannel> &a, const std::vector<LiveChan
 }  // namespace
 
 Engine::Engine(TwinModel model, EngineHooks hooks)
-    : model_(std::move(model)), hooks_(std::move(hooks)), chain_(tuned(model_, tuning_)),
-      places_(places_of(chain_))
+    : model_(std::move(model)), hooks_(std::move(hooks)), stand_(stepped(model_, tuning_)),
+      places_(places_of(stand_))
 {
-  settling_time(chain_);
-  TwinStepper(chain_, 1e4, 0);  // a stand that is not held is refused before any source is opened
+  settling_time(stand_);
+  TwinStepper(stand_, 1e4, 0);  // a stand that is not held is refused before any source is opened
 }
 
 void Engine::say(const std::string &kind, const std::string &text) const
@@ -105,7 +105,7 @@ void Engine::begin_source(const SourceHead &head)
     book_.emplace(Eigen::Index(head.channels.size()));
   else
     book_->renumber(std::numeric_limits<std::int64_t>::min());  // the first block says where it begins
-  stepper_ = std::make_unique<TwinStepper>(chain_, head.rate, 0);
+  stepper_ = std::make_unique<TwinStepper>(stand_, head.rate, 0);
   forget_  = -std::expm1(-1 / (head.rate * mean_over));
   lose();
   for (const auto &begun : hooks_.sources)
@@ -265,7 +265,7 @@ void Engine::emit(const std::int64_t first, const Eigen::MatrixXd &rows, const E
 {
   const bool after_gap = !stepping_;
   if (after_gap)
-    settled_at_ = first + std::llround(settling_time(chain_) * source_->rate);
+    settled_at_ = first + std::llround(settling_time(stand_) * source_->rate);
   const Eigen::Index n       = rows.rows();
   const Eigen::Index settles = Eigen::Index(std::clamp<std::int64_t>(settled_at_ - first, 0, n));
   if (settles > 0)
@@ -389,12 +389,12 @@ void Engine::apply(const PageCommand &command)
 // The motion goes on about its present mean state: y is what the springs of the linear model see.  (48.3), (48.4)
 void Engine::change_model()
 {
-  chain_ = tuned(model_, tuning_);
+  stand_ = stepped(model_, tuning_);
   if (stepper_) {
     if (stepping_)
       stepper_->refer_to(mean_);
-    stepper_->change(chain_);
-    settled_at_ = stepped_ + std::llround(settling_time(chain_) * source_->rate);
+    stepper_->change(stand_);
+    settled_at_ = stepped_ + std::llround(settling_time(stand_) * source_->rate);
   }
   for (const auto &changed : hooks_.models)
     changed(model_, tuning_);

@@ -112,7 +112,7 @@ private:
   TwinModel model_;
   Tuning tuning_;
   EngineHooks hooks_;
-  dynamics::MillModel chain_;
+  SteppedStand stand_;
   std::vector<std::string> places_;
   std::unique_ptr<TwinStepper> stepper_;
   bool stepping_ = false;  // the last sample of force is known

@@ -91,7 +91,7 @@ ChannelAccount stored_account(const StoredObject &channel)
 struct Engine::Stored {
   TwinModel model;
   Tuning tuning;
-  dynamics::MillModel chain;
+  SteppedStand stand;
   std::optional<LiveSource> source;  ///< nothing of what follows without one
   std::optional<AccountBook> book;
   std::unique_ptr<TwinStepper> stepper;
@@ -103,7 +103,7 @@ struct Engine::Stored {
 nlohmann::json Engine::state()
 {
   flush();
-  Json state{{"format", state_format}, {"case_hash", model_.hash}};
+  Json state{{"format", state_format}, {"case_hash", model_.hash}, {"model", name_of_model(model_)}};
   state["tuning"] = {{"spring", tuning_.spring}, {"damping", tuning_.damping}};
   if (!model_.adopted.empty())
     state["adopted"] = adopted_json(model_);
@@ -141,7 +141,7 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
   stored.tuning.damping = tuning.number("damping", 0.5, 1.5);
   if (state.has("adopted"))
     adopt_stored(state.object("adopted"), stored.model);
-  stored.chain = tuned(stored.model, stored.tuning);
+  stored.stand = stepped(stored.model, stored.tuning);
   if (!state.has("source"))
     return stored;
   const StoredObject from = state.object("source");
@@ -169,10 +169,10 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
   stored.settled       = state.count("settled", -largest_number, 2 * largest_number);
   stored.stepped       = state.count("stepped", -largest_number, largest_number);
   stored.stepping      = state.flag("stepping");
-  const double settles = settling_time(stored.chain) * source.rate;
+  const double settles = settling_time(stored.stand) * source.rate;
   if (double(stored.settled) - double(stored.stepped) > settles + 1)
     state.refuse("has a \"settled\" that lies too far ahead");
-  stored.stepper = std::make_unique<TwinStepper>(stored.chain, source.rate, 0);
+  stored.stepper = std::make_unique<TwinStepper>(stored.stand, source.rate, 0);
   stored.source  = std::move(source);
   if (!stored.stepping)
     return stored;
@@ -180,11 +180,13 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
   if (stored.stepped > next || next - stored.stepped > most_bridged)
     state.refuse("has a \"stepped\" that does not go with its \"next\"");
   const StoredObject motion = state.object("motion");
-  const auto masses         = Eigen::Index(places_.size());
+  const auto unknowns       = stored.stand.shape.rows();
+  const double most         = model_.detailed ? 1e4 : 10;  // kg^0.5 m of a mode, m of a mass
   stored.mean               = motion.number("mean", -any_size, any_size);
-  stored.stepper->resume(
-      motion.numbers("displacement", masses, -10, 10), motion.numbers("velocity", masses, -1e3, 1e3),
-      motion.number("reference", -any_size, any_size), motion.number("force", -any_size, any_size));
+  stored.stepper->resume(motion.numbers("displacement", unknowns, -most, most),
+                         motion.numbers("velocity", unknowns, -100 * most, 100 * most),
+                         motion.number("reference", -any_size, any_size),
+                         motion.number("force", -any_size, any_size));
   return stored;
 }
 
@@ -192,7 +194,7 @@ void Engine::take_stored(Stored stored)
 {
   model_  = std::move(stored.model);
   tuning_ = stored.tuning;
-  chain_  = std::move(stored.chain);
+  stand_  = std::move(stored.stand);
   if (!stored.source)
     return;
   start_known_   = stored.start_known;
@@ -229,6 +231,12 @@ std::string Engine::resume(const nlohmann::json &state)
     if (head.text("case_hash") != model_.hash)
       return "the stored state belongs to another case, or to other values of this one; the twin starts without "
              "it";
+    // a state without the name is of a program that knew six masses alone
+    if (const std::string name = head.has("model") ? head.text("model") : "six-mass";
+        name != name_of_model(model_))
+      return fmt::format(
+          "the stored state is of the model {}, the twin is of the model {}; it starts without the state", name,
+          name_of_model(model_));
     stored = read_state(state);
   } catch (const std::exception &error) {  // also of a chain that its springs do not hold
     return fmt::format("the stored state cannot be used: {}; the twin starts without it", error.what());

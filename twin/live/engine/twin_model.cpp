@@ -1,10 +1,14 @@
 #include "twin/live/engine/twin_model.h"
-#include "core/base/errors.h"
 #include "dynamics/response/modes.h"
 #include <algorithm>
 #include <cmath>
 
 namespace mill::live {
+std::string name_of_model(const TwinModel &model)
+{
+  return model.detailed ? model.detailed->whole.name : "six-mass";
+}
+
 bool operator==(const Tuning &a, const Tuning &b)
 {
   return a.spring == b.spring && a.damping == b.damping;
@@ -53,23 +57,36 @@ dynamics::MillModel tuned(const TwinModel &model, const Tuning &tuning)
   return dynamics::mill_model(tuned_chain(model, tuning), tuned_dynamics(model, tuning));
 }
 
-std::vector<std::string> places_of(const dynamics::MillModel &model)
+StandModel tuned_stand(const TwinModel &model, const Tuning &tuning)
 {
-  std::vector<std::string> places = model.labels;
-  for (std::string &place : places)
-    std::replace(place.begin(), place.end(), ' ', '_');
-  return places;
+  return with_springs(model.detailed->stand, *model.detailed, tuned_chain(model, tuning));
 }
 
-double settling_time(const dynamics::MillModel &model)
+SteppedStand stepped(const TwinModel &model, const Tuning &tuning)
 {
-  double slowest = std::numeric_limits<double>::infinity();  // 1/s, decay
-  for (const dynamics::Pole &pole : dynamics::poles(model))
-    slowest = std::min(slowest, pole.damping * 2 * M_PI * pole.frequency);
-  if (!(slowest > 0))
-    throw InputError(
-        "millstand live: the case has no damping, so that the twin would never forget how it started; "
-        "give dynamics.modal_damping, for example --set dynamics.modal_damping=\"1 %\"");
-  return 5 / slowest;
+  if (!model.detailed)
+    return stepped_stand(tuned(model, tuning));
+  return stepped_stand(tuned_stand(model, tuning), model.detailed->highest,
+                       tuned_dynamics(model, tuning).modal_damping, model.detailed->gap_damper);
+}
+
+TwinModes watched_modes(const TwinModel &model, const Tuning &tuning)
+{
+  if (!model.detailed) {
+    const dynamics::Modes modes = dynamics::modes(tuned(model, tuning));
+    return {modes.frequency, modes.strain_share};
+  }
+  const StandModel stand     = tuned_stand(model, tuning);
+  const SteppedStand modes   = stepped_stand(stand, model.detailed->watched, 0, 0);
+  const Eigen::VectorXd rad2 = (2 * M_PI * modes.frequency).cwiseAbs2();
+  TwinModes watched{modes.frequency, Eigen::MatrixXd::Zero(modes.frequency.size(), 7)};
+  for (const Connection &c : stand.connections)
+    for (std::size_t j = 0; j < model.detailed->connection.size(); ++j)
+      if (c.name == model.detailed->connection[j]) {
+        const Eigen::MatrixXd strain = c.rows * modes.shape;
+        watched.strain_share.col(Eigen::Index(j)) =
+            (c.stiffness.transpose() * strain.cwiseAbs2()).transpose().cwiseQuotient(rad2);
+      }
+  return watched;
 }
 }  // namespace mill::live

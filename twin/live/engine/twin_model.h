@@ -2,7 +2,11 @@
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
 #include "dynamics/response/mill_model.h"
+#include "twin/live/engine/detailed_twin.h"
+#include "twin/live/engine/stepped_stand.h"
 #include <array>
+#include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -11,13 +15,18 @@ namespace mill::live {
 struct TwinModel {
   std::string name;    ///< of the case
   std::string source;  ///< "six masses by closed forms at 976.2 kN", "six masses as given"
-  LumpedModel chain;   ///< SI
+  LumpedModel chain;   ///< SI; of a detailed stand its springs alone, see DetailedTwin::connection
   DynamicsSettings dynamics;
   std::string hash;           ///< of the resolved case: state and recordings say what they belong to
   double load       = 0;      ///< N, at which its springs were taken; NaN: not known
   bool follows_load = false;  ///< the case says how the springs change with the force
   std::string adopted;        ///< file of the proposal whose springs and damping these are; empty: the case's own
+  std::shared_ptr<const DetailedTwin> detailed = nullptr;       ///< null: the six masses of `chain`
+  std::optional<LumpedModel> six_masses        = std::nullopt;  ///< behind a detailed stand of a drawing
 };
+
+/// "six-mass", "beam".
+std::string name_of_model(const TwinModel &model);
 
 /// What was changed of it on the run: factors on the model's own values.
 struct Tuning {
@@ -35,13 +44,17 @@ double factor_of(const Tuning &tuning, const std::string &key);
 /// Springs with the factors; settings with that of the damping.
 LumpedModel tuned_chain(const TwinModel &model, const Tuning &tuning);
 DynamicsSettings tuned_dynamics(const TwinModel &model, const Tuning &tuning);
-/// The model of both.  theory.md (6.1)
+/// The six masses with both.  theory.md (6.1)
 dynamics::MillModel tuned(const TwinModel &model, const Tuning &tuning);
+/// The detailed stand with both, in its lowest modes.
+StandModel tuned_stand(const TwinModel &model, const Tuning &tuning);
+/// What is stepped: the detailed stand, else the six masses.  theory.md 48.7
+SteppedStand stepped(const TwinModel &model, const Tuning &tuning);
 
-/// "upper_work_roll", in the order of the masses.
-std::vector<std::string> places_of(const dynamics::MillModel &model);
-
-/// s, after which a free motion of the slowest mode has died out to e^-5.  theory.md (48.6)
-/// @throws InputError  the model has no damping, so that a start would be seen for ever
-double settling_time(const dynamics::MillModel &model);
+/// Modes that are followed in the records, and what the springs do in them.
+struct TwinModes {
+  Eigen::VectorXd frequency;     ///< (k) Hz
+  Eigen::MatrixXd strain_share;  ///< (k, 7) -, of K1..K7
+};
+TwinModes watched_modes(const TwinModel &model, const Tuning &tuning);
 }  // namespace mill::live

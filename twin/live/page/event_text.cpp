@@ -44,7 +44,8 @@ std::string stand_text(const PageStand &stand)
   out.member("amplitude_limit", stand.amplitude_limit);
   list(out, "places", stand.places, [&](const StandPlace &p) {
     out.open('{').member("place", p.place).member("label", p.label).member("mass", p.mass);
-    out.member("diameter", p.diameter).member("length", p.length).flag("measured", p.measured).close('}');
+    out.member("diameter", p.diameter).member("length", p.length).flag("drawn", p.drawn);
+    out.flag("measured", p.measured).close('}');
   });
   list(out, "springs", stand.springs, [&](const StandSpring &s) {
     out.open('{').member("key", s.key).member("value", s.value).whole("from", s.from).whole("to", s.to).close('}');

@@ -32,6 +32,7 @@ struct StandPlace {
   double diameter = unknown;  ///< m; NaN: drawn as a block (frame) or by its mass
   double length   = unknown;  ///< m, of the barrel
   bool measured   = false;    ///< the source has a channel of this name
+  bool drawn      = true;     ///< one of the six of the picture; false: another place of a detailed stand
 };
 struct StandSpring {
   std::string key;    ///< "K3"

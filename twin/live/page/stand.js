@@ -5,7 +5,7 @@ const comfortable = 11, least = 3, most = 24;  // px: largest motion on the scre
 
 /** Sizes (m) of what is drawn for each place, from the pass line up; rolls as seen along their axes. */
 function layout(stand) {
-  const parts = stand.places.map((place, index) => {
+  const parts = stand.places.filter(place => place.drawn !== false).map((place, index) => {
     const roll = place.diameter > 0 || /roll/.test(place.place);
     // Without a drawing: a solid steel cylinder as long as wide, of the mass of the place.
     const diameter = place.diameter || Math.cbrt(4 * Math.max(place.mass || 0, 100) / (Math.PI * 7850));
