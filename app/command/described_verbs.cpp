@@ -25,9 +25,9 @@ std::vector<std::string> DescribedVerb::long_names() const
 {
   std::vector<std::string> list;
   for (const DescribedOption &option : options)
-    for (const std::string &name : option.names)
-      if (name.compare(0, 2, "--") == 0)
-        list.push_back(name);
+    for (const std::string &word : option.names)
+      if (word.compare(0, 2, "--") == 0)
+        list.push_back(word);
   return list;
 }
 
