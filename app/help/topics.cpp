@@ -54,22 +54,39 @@ std::string without_backticks(std::string text)
   return text;
 }
 
-// A name of the reference is that of a word: "bearing.NAME.bore" of "bearing.trb.bore"; capitals stand for any
-// name.
+// Whether `name` is `word`, a capital N standing for a number: "KzcN" of "Kzc2".
+bool is_numbered(const std::string &name, const std::string &word)
+{
+  std::size_t at = 0;
+  for (const char c : name) {
+    const auto digit = [&] { return at < word.size() && word[at] >= '0' && word[at] <= '9'; };
+    if (c == 'N' && digit())
+      while (digit())
+        ++at;
+    else if (at >= word.size() || word[at++] != c)
+      return false;
+  }
+  return at == word.size();
+}
+
+// A name of the reference is that of a word: "bearing.NAME.bore" of "bearing.trb.bore".  At least one part is no
+// such stand-in for any name.
 bool is_name_of(const std::string &pattern, const std::string &word)
 {
+  static const std::vector<std::string> any{"PASS",    "BEARING", "MODE",    "MODEL", "ROLL", "PAIR",
+                                            "CONTACT", "VARIANT", "EXCITED", "PLACE", "NAME"};
   const auto names = split(pattern, '.'), words = split(word, '.');
+  bool same = false;
   if (names.size() != words.size())
     return false;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const std::string &name = names[i];
-    const bool any          = name.size() > 1 && std::all_of(name.begin(), name.end(), [](const char c) {
-                       return std::isupper(static_cast<unsigned char>(c)) != 0;
-                     });
-    if (!any && name != words[i])
+    if (std::find(any.begin(), any.end(), names[i]) != any.end())
+      continue;
+    if (!is_numbered(names[i], words[i]))
       return false;
+    same = true;
   }
-  return true;
+  return same;
 }
 
 // The last part of a name, where the word is one: "work_roll.crown" of "crown".
@@ -97,24 +114,31 @@ std::string terms(const std::string &topic)
   each_row("glossary", [&](const std::string &, const std::vector<std::string> &cells) {
     for (const std::string &term : split(cells[0], ','))
       if (lower(term.substr(term.find_first_not_of(' '))) == lower(topic))
-        text += without_backticks(cells[0]) + "\n" + paragraph(cells[1], 4);
+        text += cells[0] + "\n" + paragraph(cells[1], 4);
   });
   return text;
 }
 
-// Rows of docs/output.md: name, meaning, unit, method, equation.
-std::string results(const std::string &topic)
+// Rows of docs/output.md, name, meaning, unit, method, equation, whose name `wanted` takes.
+template <class Wanted> std::string rows_of_results(const Wanted &wanted)
 {
   std::string text;
   each_row("output", [&](const std::string &section, const std::vector<std::string> &cells) {
     const std::string name = without_backticks(cells[0]);
-    if (cells.size() < 4 || cells[0] == name || !(is_name_of(name, topic) || name.rfind(topic + ".", 0) == 0))
+    if (cells.size() < 4 || cells[0] == name || !wanted(name))  // names are in backticks
       return;
     const std::string equation = cells.size() > 4 && !cells[4].empty() ? ", theory " + cells[4] : "";
     text += fmt::format("result {} [{}]\n", name, cells[2]) +
             paragraph(fmt::format("{}: {}; {}{}", section, cells[1], cells[3], equation), 4);
   });
   return text;
+}
+
+std::string results(const std::string &topic)
+{
+  const std::string same =
+      rows_of_results([&](const std::string &name) { return name == topic || name.rfind(topic + ".", 0) == 0; });
+  return same.empty() ? rows_of_results([&](const std::string &name) { return is_name_of(name, topic); }) : same;
 }
 
 // Rows of docs/input.md: key, form, range, default, example, meaning, below the section "[work_roll]".

@@ -18,8 +18,7 @@ void say(const char *words)
     _exit(1);
 }
 
-// Before the constructors of the program's own objects, which may already use what is missing.
-__attribute__((constructor(101))) void end_on_an_older_processor()
+void end_on_an_older_processor()
 {
   __builtin_cpu_init();
   const Feature features[]{{"sse4.2", __builtin_cpu_supports("sse4.2") != 0},
@@ -50,6 +49,10 @@ __attribute__((constructor(101))) void end_on_an_older_processor()
       "(scripts/build)\n");
   _exit(3);
 }
+
+// Before the constructors of the program's own objects and before the check of the address space
+// (address_space.cpp), which may already use what is missing; this object is linked before that one.
+__attribute__((section(".preinit_array"), used)) void (*const before_all)() = &end_on_an_older_processor;
 }  // namespace
 }  // namespace mill
 #endif
