@@ -39,11 +39,11 @@ std::string lower(std::string text)
   return text;
 }
 
-std::vector<std::string> split(const std::string &text, const char at)
+std::vector<std::string> split(const std::string &text, const char separator)
 {
   std::vector<std::string> parts;
   std::istringstream in(text);
-  for (std::string part; std::getline(in, part, at);)
+  for (std::string part; std::getline(in, part, separator);)
     parts.push_back(part);
   return parts;
 }
@@ -57,16 +57,16 @@ std::string without_backticks(std::string text)
 // Whether `name` is `word`, a capital N standing for a number: "KzcN" of "Kzc2".
 bool is_numbered(const std::string &name, const std::string &word)
 {
-  std::size_t at = 0;
+  std::size_t position = 0;
   for (const char c : name) {
-    const auto digit = [&] { return at < word.size() && word[at] >= '0' && word[at] <= '9'; };
+    const auto digit = [&] { return position < word.size() && word[position] >= '0' && word[position] <= '9'; };
     if (c == 'N' && digit())
       while (digit())
-        ++at;
-    else if (at >= word.size() || word[at++] != c)
+        ++position;
+    else if (position >= word.size() || word[position++] != c)
       return false;
   }
-  return at == word.size();
+  return position == word.size();
 }
 
 // A name of the reference is that of a word: "bearing.NAME.bore" of "bearing.trb.bore".  At least one part is no
