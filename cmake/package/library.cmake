@@ -36,3 +36,4 @@ foreach(room core reduce meshes fem dynamics)
           PATTERN gmsh EXCLUDE PATTERN dealii EXCLUDE PATTERN fmu EXCLUDE PATTERN cluster EXCLUDE
           PATTERN tandem EXCLUDE PATTERN exchange EXCLUDE)
 endforeach()
+install(DIRECTORY docs/examples/consumer DESTINATION share/doc/libmillstand-dev/examples COMPONENT dev)
