@@ -25,7 +25,7 @@ function(mill_embed_files output)
 endfunction()
 
 macro(mill_embed_one file name into)
-  set(symbol mill_embedded_${count})
+  string(MAKE_C_IDENTIFIER "mill_embedded_${E_NAMESPACE}_${count}" symbol)
   string(APPEND text "__asm__(\".section .rodata\\n${symbol}:\\n.incbin \\\"${file}\\\"\\n${symbol}_end:\\n.byte 0\\n.previous\\n\"\n"
     "        \".global ${symbol}\\n.hidden ${symbol}\\n.global ${symbol}_end\\n.hidden ${symbol}_end\\n\");\n"
     "extern \"C\" const char ${symbol}[], ${symbol}_end[];\n")

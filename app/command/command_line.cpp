@@ -272,19 +272,6 @@ std::string mistyped(const CLI::App &app, const int argc, char **argv)
 }
 }  // namespace
 
-namespace {
-// Every verb with its options, for the completion of a shell.
-std::map<std::string, std::vector<std::string>> words_to_complete(const CLI::App &app)
-{
-  std::map<std::string, std::vector<std::string>> words;
-  for (const CLI::App *verb : app.get_subcommands([](const CLI::App *) { return true; }))
-    for (const CLI::Option *option : verb->get_options())
-      for (const std::string &name : option->get_lnames())
-        words[verb->get_name()].push_back("--" + name);
-  return words;
-}
-}  // namespace
-
 const std::vector<std::string> &export_formats()
 {
   static const std::vector<std::string> formats{"fmu", "modelica", "matlab", "statespace"};
@@ -399,9 +386,13 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   report->add_option("MORE", c.names, "further runs or analyses: what differs is written to DIR/comparison.html");
   report->add_option("-o", c.output, "file of the comparison");
 
+  auto *help =
+      app.add_subcommand("help", "explain a task, a verb, a term, a result or a key; without a topic list them");
+  help->add_option("TOPIC", c.names, "chatter-heard, sweep, \"gap mode\", K3, work_roll.crown");
+  help->add_flag("--manual-page", c.manual_page, "print the manual page of all verbs, for man");
   app.add_subcommand("schema", "print the JSON Schema of the case file");
   auto *completion = app.add_subcommand("completion", "print the completion of a shell");
-  completion->add_option("SHELL", c.target, "bash or zsh")->required();
+  completion->add_option("SHELL", c.target, "bash, fish or zsh")->required();
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError &e) {
@@ -414,8 +405,10 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
     return {};
   }
   c.verb = app.get_subcommands().front()->get_name();
-  if (c.verb == "completion")
-    c.words = words_to_complete(app);
+  if (c.verb == "completion" || c.verb == "help") {
+    c.summary = app.get_description();
+    c.verbs   = described_verbs(app);
+  }
   return c;
 }
 }  // namespace mill

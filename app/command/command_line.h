@@ -1,10 +1,10 @@
 #pragma once
 #include "app/command/calibrate_options.h"
+#include "app/command/described_verbs.h"
 #include "app/command/live_options.h"
 #include "app/command/marks_options.h"
 #include "app/command/study_options.h"
 #include "app/command/sweep_options.h"
-#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -45,10 +45,12 @@ struct CommandLine {
   std::vector<std::string> severity;  ///< analyse --severity: upper ends of zones
   std::vector<std::string> baseline;  ///< analyse --baseline: folders of earlier analyses
   bool align = false;                 ///< analyse --align
-  std::map<std::string, std::vector<std::string>> words;  ///< completion: options by verb
-  bool list            = false;                           ///< verify --list
-  bool full            = false;                           ///< trace --full
-  bool stream          = false;                           ///< simulate --stream
+  std::string summary;                ///< completion, help: what the program is, one sentence
+  std::vector<DescribedVerb> verbs;   ///< completion, help: the command line itself
+  bool manual_page     = false;       ///< help --manual-page
+  bool list            = false;       ///< verify --list
+  bool full            = false;       ///< trace --full
+  bool stream          = false;       ///< simulate --stream
   bool force_overwrite = false, fresh = false, quiet = false, verbose = false;
   int threads = 0;  ///< 0: all
 };

@@ -6,6 +6,8 @@
 
 namespace mill {
 namespace {
+const std::vector<std::string> shells{"bash", "fish", "zsh"};
+
 std::string listed_words(const std::vector<std::string> &words)
 {
   std::string text;
@@ -13,26 +15,40 @@ std::string listed_words(const std::vector<std::string> &words)
     text += (text.empty() ? "" : " ") + word;
   return text;
 }
-}  // namespace
 
-// One function for both: zsh takes bash's completions by bashcompinit.
-std::string completion_script(const std::string &shell,
-                              const std::map<std::string, std::vector<std::string>> &options)
+std::vector<std::string> names_of(const std::vector<DescribedVerb> &verbs)
 {
-  const std::vector<std::string> shells{"bash", "zsh"};
-  if (shell != "bash" && shell != "zsh")
-    throw InputError(
-        fmt::format("no completion is available for the shell '{}'{}", shell, suggestion(shell, shells)));
-  std::vector<std::string> verbs;
-  std::string cases;
-  for (const auto &[verb, its_options] : options) {
-    verbs.push_back(verb);
-    cases += fmt::format("    {}) options=\"{}\" ;;\n", verb, listed_words(its_options));
-  }
-  std::string text = "# Completion of millstand: source it, or write it where the shell looks for completions.\n";
-  if (shell == "zsh")
-    text += "autoload -U +X bashcompinit && bashcompinit\n";
-  return text + fmt::format(R"(_millstand() {{
+  std::vector<std::string> names;
+  for (const DescribedVerb &verb : verbs)
+    names.push_back(verb.name);
+  return names;
+}
+
+// In single quotes of a shell.
+std::string quoted(const std::string &text)
+{
+  std::string word = "'";
+  for (const char c : text)
+    word += c == '\'' ? std::string("'\\''") : std::string(1, c);
+  return word + "'";
+}
+
+// The first word after some verbs, where it is one of a list.
+std::vector<std::pair<std::string, std::vector<std::string>>> listed_first_words()
+{
+  return {{"new", case_kinds()}, {"completion", shells}, {"export", export_formats()}};
+}
+
+std::string bash_script(const std::vector<DescribedVerb> &verbs)
+{
+  std::string cases, first_words;
+  for (const DescribedVerb &verb : verbs)
+    cases += fmt::format("    {}) options=\"{}\" ;;\n", verb.name, listed_words(verb.long_names()));
+  for (const auto &[verb, words] : listed_first_words())
+    first_words += fmt::format("  elif [ \"$COMP_CWORD\" -eq 2 ] && [ \"${{COMP_WORDS[1]}}\" = {} ]; then\n"
+                               "    COMPREPLY=($(compgen -W \"{}\" -- \"$word\"))\n",
+                               verb, listed_words(words));
+  return fmt::format(R"(_millstand() {{
   local word="${{COMP_WORDS[COMP_CWORD]}}" before="${{COMP_WORDS[COMP_CWORD-1]}}" options=""
   if [ "$COMP_CWORD" -eq 1 ]; then
     COMPREPLY=($(compgen -W "{} --help --version" -- "$word"))
@@ -42,13 +58,7 @@ std::string completion_script(const std::string &shell,
 {}  esac
   if [[ "$word" == -* ]]; then
     COMPREPLY=($(compgen -W "$options" -- "$word"))
-  elif [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" = new ]; then
-    COMPREPLY=($(compgen -W "{}" -- "$word"))
-  elif [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" = completion ]; then
-    COMPREPLY=($(compgen -W "{}" -- "$word"))
-  elif [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" = export ]; then
-    COMPREPLY=($(compgen -W "{}" -- "$word"))
-  elif [ "$before" = --force ]; then
+{}  elif [ "$before" = --force ]; then
     COMPREPLY=($(compgen -f -X '!*.csv' -- "$word") $(compgen -d -- "$word"))
   elif {{ [ "$COMP_CWORD" -eq 2 ] && [ "${{COMP_WORDS[1]}}" != report ]; }} ||
        {{ [ "$COMP_CWORD" -eq 3 ] && [ "${{COMP_WORDS[1]}}" = export ]; }}; then
@@ -59,7 +69,84 @@ std::string completion_script(const std::string &shell,
 }}
 complete -o filenames -F _millstand millstand
 )",
-                            listed_words(verbs), cases, listed_words(case_kinds()), listed_words(shells),
-                            listed_words(export_formats()));
+                     listed_words(names_of(verbs)), cases, first_words);
+}
+
+// Sourced, it registers the function; as a file on fpath it is the function, and is called at once.
+std::string zsh_script(const std::vector<DescribedVerb> &verbs)
+{
+  std::string described, cases, first_words;
+  const auto described_word = [](const std::string &word, const std::string &meaning) {
+    return quoted(word + ":" + meaning) + " ";
+  };
+  for (const DescribedVerb &verb : verbs) {
+    described += described_word(verb.name, verb.meaning);
+    std::string options;
+    for (const DescribedOption &option : verb.options)
+      for (const std::string &name : option.names)
+        if (name.compare(0, 2, "--") == 0)
+          options += described_word(name, option.meaning);
+    cases += fmt::format("    {}) options=({}) ;;\n", verb.name, options);
+  }
+  for (const auto &[verb, words] : listed_first_words())
+    first_words += fmt::format("  elif [[ $CURRENT -eq 3 && $words[2] == {} ]]; then\n    compadd -- {}\n", verb,
+                               listed_words(words));
+  return fmt::format(R"(_millstand() {{
+  local -a verbs options
+  verbs=({})
+  case "$words[2]" in
+{}  esac
+  if [[ $CURRENT -eq 2 ]]; then
+    _describe verb verbs
+  elif [[ $words[CURRENT] == -* ]]; then
+    _describe option options
+{}  else
+    _files
+  fi
+}}
+if [[ $funcstack[1] == _millstand ]]; then
+  _millstand "$@"
+else
+  compdef _millstand millstand
+fi
+)",
+                     described, cases, first_words);
+}
+
+std::string fish_script(const std::vector<DescribedVerb> &verbs)
+{
+  std::string text;
+  for (const DescribedVerb &verb : verbs) {
+    text += fmt::format("complete -c millstand -f -n __fish_use_subcommand -a {} -d {}\n", verb.name,
+                        quoted(verb.meaning));
+    for (const DescribedOption &option : verb.options) {
+      std::string names;
+      for (const std::string &name : option.names)
+        if (option.named)
+          names += name[1] == '-' ? " -l " + name.substr(2) : " -s " + name.substr(1);
+      if (!names.empty())
+        text += fmt::format("complete -c millstand -n '__fish_seen_subcommand_from {}'{}{} -d {}\n", verb.name,
+                            names, option.takes ? " -r" : "", quoted(option.meaning));
+    }
+  }
+  for (const auto &[verb, words] : listed_first_words())
+    text += fmt::format("complete -c millstand -n '__fish_seen_subcommand_from {}' -a {}\n", verb,
+                        quoted(listed_words(words)));
+  return text;
+}
+}  // namespace
+
+std::string completion_script(const std::string &shell, const std::vector<DescribedVerb> &verbs)
+{
+  const std::string what =
+      "# Completion of millstand: source it, or write it where the shell looks for completions.\n";
+  if (shell == "bash")
+    return what + bash_script(verbs);
+  if (shell == "zsh")
+    return "#compdef millstand\n" + what + zsh_script(verbs);
+  if (shell == "fish")
+    return what + fish_script(verbs);
+  throw InputError(
+      fmt::format("no completion is available for the shell '{}'{}", shell, suggestion(shell, shells)));
 }
 }  // namespace mill

@@ -1,13 +1,10 @@
 #pragma once
-#include <map>
-#include <string>
-#include <vector>
+#include "app/command/described_verbs.h"
 
 namespace mill {
-/// Completion of verbs, options, kinds and case files, to be sourced by a shell.
-/// @param shell    "bash" or "zsh"
-/// @param options  of each verb, "--output"
+/// Completion of verbs, options, kinds and case files.  To be sourced by the shell, or to be a file in the folder
+/// where the shell looks for completions: "millstand" of bash, "_millstand" of zsh, "millstand.fish".
+/// @param shell  "bash", "fish" or "zsh"
 /// @throws InputError  another shell
-std::string completion_script(const std::string &shell,
-                              const std::map<std::string, std::vector<std::string>> &options);
+std::string completion_script(const std::string &shell, const std::vector<DescribedVerb> &verbs);
 }  // namespace mill

@@ -2,6 +2,7 @@
 #include "app/command/completion.h"
 #include "app/command/linked_subjects.h"
 #include "app/command/verify_options.h"
+#include "app/help/topics.h"
 #include "app/kinds/pipeline.h"
 #include "app/process/console.h"
 #include "app/process/fast_blas.h"
@@ -246,7 +247,15 @@ int carry_out(const CommandLine &command)
     return verify_command({command.names, command.list, command.quiet, command.markdown, command.threads});
   }
   if (command.verb == "completion") {
-    console::print(completion_script(command.target, command.words));
+    console::print(completion_script(command.target, command.verbs));
+    return 0;
+  }
+  if (command.verb == "help") {
+    std::string topic;
+    for (const std::string &word : command.names)
+      topic += (topic.empty() ? "" : " ") + word;
+    console::print(command.manual_page ? manual_page(command.verbs, command.summary, version())
+                                       : help::topic_text(topic, command.verbs));
     return 0;
   }
   if (command.verb == "schema") {

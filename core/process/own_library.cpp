@@ -4,6 +4,7 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <filesystem>
+#include <link.h>
 #include <new>
 #include <string>
 
@@ -13,7 +14,8 @@ namespace {
 {
   throw SystemError("the finite elements are a library in the folder of the program, '" + path +
                     "', which cannot be used: " + why +
-                    "; build or copy both together (cmake --build --preset release --target millstand)");
+                    "; install the package millstand-fem of the same version, or build both together (cmake "
+                    "--build --preset release --target millstand)");
 }
 
 // What the loader says where the address space ends: it names no reason where mmap() fails for want of it.
@@ -24,12 +26,39 @@ bool has_no_room(const std::string &why)
          (why.size() >= unmapped.size() &&
           why.compare(why.size() - unmapped.size(), unmapped.size(), unmapped) == 0);
 }
+
+// The folder of the program, or of the library that this code is part of (the Python module).
+std::filesystem::path folder_of_this_code()
+{
+  Dl_info object{};
+  link_map *loaded = nullptr;
+  if (dladdr1(reinterpret_cast<const void *>(&folder_of_this_code), &object, reinterpret_cast<void **>(&loaded),
+              RTLD_DL_LINKMAP) != 0 &&
+      loaded != nullptr && loaded->l_name != nullptr && loaded->l_name[0] != '\0')
+    return std::filesystem::canonical(loaded->l_name).parent_path();
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();  // the loader has no name for the program
+}
+
+// By its name first: the loader then looks into the folders that this program or module was linked with, and there
+// takes the library for newer processors if the package has one (glibc-hwcaps/x86-64-v3).  A sanitizer stands
+// between program and loader and hides those folders; there, and where both were copied, the path is taken.
+void *open_library(const std::string &name, std::string &path)
+{
+  path = folder_of_this_code() / name;
+  if (void *const opened = dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL); opened != nullptr) {
+    link_map *loaded = nullptr;
+    if (dlinfo(opened, RTLD_DI_LINKMAP, &loaded) == 0)
+      path = loaded->l_name;
+    return opened;
+  }
+  return dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+}
 }  // namespace
 
 void *function_of_own_library(const char *library, const char *function)
 {
-  const std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / library;
-  void *const opened     = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
+  std::string path;
+  void *const opened = open_library(library, path);
   if (opened == nullptr) {
     const std::string why = dlerror();
     if (has_no_room(why))

@@ -318,14 +318,25 @@ TEST(RunSummary, HasAtMostTwentyFiveLines)
 
 TEST(Completion, KnowsVerbsOptionsAndKinds)
 {
-  const std::map<std::string, std::vector<std::string>> options{{"new", {"--output", "--from"}},
-                                                                {"run", {"--fresh"}}};
-  const std::string bash = completion_script("bash", options);
+  const auto option = [](const std::string &name, const bool takes, const std::string &meaning) {
+    return DescribedOption{{name}, true, takes, false, meaning, {}};
+  };
+  const std::vector<DescribedVerb> verbs{
+      {"new", "write a case", {option("--output", true, "file"), option("--from", true, "the owner's sheet")}},
+      {"run", "the whole chain", {option("--fresh", false, "compute everything again")}}};
+  const std::string bash = completion_script("bash", verbs);
   EXPECT_NE(bash.find("compgen -W \"new run --help --version\""), std::string::npos) << bash;
   EXPECT_NE(bash.find("new) options=\"--output --from\" ;;"), std::string::npos) << bash;
   EXPECT_NE(bash.find("four-high"), std::string::npos);
-  EXPECT_EQ(bash.find("bashcompinit"), std::string::npos);
-  EXPECT_NE(completion_script("zsh", options).find("bashcompinit"), std::string::npos);
-  EXPECT_EQ(refusal([&] { completion_script("bsh", options); }),
+  EXPECT_EQ(bash.find("compdef"), std::string::npos);
+  const std::string zsh = completion_script("zsh", verbs);
+  EXPECT_EQ(zsh.rfind("#compdef millstand\n", 0), 0u) << zsh;
+  EXPECT_NE(zsh.find("run) options=('--fresh:compute everything again' ) ;;"), std::string::npos) << zsh;
+  const std::string fish = completion_script("fish", verbs);
+  EXPECT_NE(fish.find("complete -c millstand -n '__fish_seen_subcommand_from new' -l from -r -d 'the owner'\\''s "
+                      "sheet'\n"),
+            std::string::npos)
+      << fish;
+  EXPECT_EQ(refusal([&] { completion_script("bsh", verbs); }),
             "no completion is available for the shell 'bsh'; did you mean 'bash'?");
 }

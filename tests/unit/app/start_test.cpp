@@ -42,7 +42,8 @@ std::string refusal(const std::string &folder, const std::string &why)
 {
   return "error: the finite elements are a library in the folder of the program, '" + folder +
          "/millstand-fem.so', which cannot be used: " + why +
-         "; build or copy both together (cmake --build --preset release --target millstand)\n";
+         "; install the package millstand-fem of the same version, or build both together (cmake "
+         "--build --preset release --target millstand)\n";
 }
 }  // namespace
 

@@ -1,0 +1,209 @@
+#include "app/help/topics.h"
+#include "app/help/embedded.h"
+#include "app/help/page_text.h"
+#include "core/base/errors.h"
+#include "core/case/fields.h"
+#include <algorithm>
+#include <cctype>
+#include <fmt/format.h>
+#include <sstream>
+
+namespace mill::help {
+namespace {
+// Pages that are looked through row by row and are no topic themselves.
+const std::vector<std::string> tables{"glossary", "output", "input"};
+
+bool is_table(const std::string &name)
+{
+  return std::find(tables.begin(), tables.end(), name) != tables.end();
+}
+
+std::string page(const std::string &name)
+{
+  for (const EmbeddedFile &file : named_files())
+    if (name == file.name)
+      return file.text();
+  return "";
+}
+
+std::string title_of(const std::string &markdown)
+{
+  const auto first = markdown.find_first_not_of("# ");
+  return markdown.substr(first, markdown.find('\n', first) - first);
+}
+
+std::string lower(std::string text)
+{
+  for (char &c : text)
+    c = char(std::tolower(static_cast<unsigned char>(c)));
+  return text;
+}
+
+std::vector<std::string> split(const std::string &text, const char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream in(text);
+  for (std::string part; std::getline(in, part, separator);)
+    parts.push_back(part);
+  return parts;
+}
+
+std::string without_backticks(std::string text)
+{
+  text.erase(std::remove(text.begin(), text.end(), '`'), text.end());
+  return text;
+}
+
+// Whether `name` is `word`, a capital N standing for a number: "KzcN" of "Kzc2".
+bool is_numbered(const std::string &name, const std::string &word)
+{
+  std::size_t position = 0;
+  for (const char c : name) {
+    const auto digit = [&] { return position < word.size() && word[position] >= '0' && word[position] <= '9'; };
+    if (c == 'N' && digit())
+      while (digit())
+        ++position;
+    else if (position >= word.size() || word[position++] != c)
+      return false;
+  }
+  return position == word.size();
+}
+
+// A name of the reference is that of a word: "bearing.NAME.bore" of "bearing.trb.bore".  At least one part is no
+// such stand-in for any name.
+bool is_name_of(const std::string &pattern, const std::string &word)
+{
+  static const std::vector<std::string> any{"PASS",    "BEARING", "MODE",    "MODEL", "ROLL", "PAIR",
+                                            "CONTACT", "VARIANT", "EXCITED", "PLACE", "NAME"};
+  const auto names = split(pattern, '.'), words = split(word, '.');
+  bool same = false;
+  if (names.size() != words.size())
+    return false;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (std::find(any.begin(), any.end(), names[i]) != any.end())
+      continue;
+    if (!is_numbered(names[i], words[i]))
+      return false;
+    same = true;
+  }
+  return same;
+}
+
+// The last part of a name, where the word is one: "work_roll.crown" of "crown".
+bool ends_in(const std::string &name, const std::string &word)
+{
+  return name.size() > word.size() + 1 && word.find('.') == std::string::npos &&
+         name.compare(name.size() - word.size() - 1, std::string::npos, "." + word) == 0;
+}
+
+// Calls visit(section, cells) for the rows of a page of tables.
+template <class Visit> void each_row(const std::string &name, const Visit &visit)
+{
+  std::istringstream lines(page(name));
+  std::string section;
+  for (std::string line; std::getline(lines, line);)
+    if (line.compare(0, 1, "#") == 0)
+      section = without_backticks(line.substr(line.find_first_not_of("# ")));
+    else if (const auto cells = cells_of(line); cells.size() > 1)
+      visit(section, cells);
+}
+
+std::string terms(const std::string &topic)
+{
+  std::string text;
+  each_row("glossary", [&](const std::string &, const std::vector<std::string> &cells) {
+    for (const std::string &term : split(cells[0], ','))
+      if (lower(term.substr(term.find_first_not_of(' '))) == lower(topic))
+        text += cells[0] + "\n" + paragraph(cells[1], 4);
+  });
+  return text;
+}
+
+// Rows of docs/output.md, name, meaning, unit, method, equation, whose name `wanted` takes.
+template <class Wanted> std::string rows_of_results(const Wanted &wanted)
+{
+  std::string text;
+  each_row("output", [&](const std::string &section, const std::vector<std::string> &cells) {
+    const std::string name = without_backticks(cells[0]);
+    if (cells.size() < 4 || cells[0] == name || !wanted(name))  // names are in backticks
+      return;
+    const std::string equation = cells.size() > 4 && !cells[4].empty() ? ", theory " + cells[4] : "";
+    text += fmt::format("result {} [{}]\n", name, cells[2]) +
+            paragraph(fmt::format("{}: {}; {}{}", section, cells[1], cells[3], equation), 4);
+  });
+  return text;
+}
+
+std::string results(const std::string &topic)
+{
+  const std::string same =
+      rows_of_results([&](const std::string &name) { return name == topic || name.rfind(topic + ".", 0) == 0; });
+  return same.empty() ? rows_of_results([&](const std::string &name) { return is_name_of(name, topic); }) : same;
+}
+
+// Rows of docs/input.md: key, form, range, default, example, meaning, below the section "[work_roll]".
+std::string keys(const std::string &topic)
+{
+  std::string text;
+  each_row("input", [&](std::string section, const std::vector<std::string> &cells) {
+    if (cells.size() < 6 || cells[0] == "key")
+      return;
+    section.erase(
+        std::remove_if(section.begin(), section.end(), [](const char c) { return c == '[' || c == ']'; }),
+        section.end());
+    const std::string name = (section == "top of the file" ? "" : section + ".") + without_backticks(cells[0]);
+    if (!is_name_of(name, topic) && !ends_in(name, topic))
+      return;
+    text += fmt::format("key {} = {}\n", name, without_backticks(cells[4])) +
+            paragraph(fmt::format("{}; {}; range {}, default {}", cells[5], cells[1], cells[2], cells[3]), 4);
+  });
+  return text;
+}
+
+std::string verb_text(const std::string &topic, const std::vector<DescribedVerb> &verbs)
+{
+  const auto verb = std::find_if(verbs.begin(), verbs.end(), [&](const auto &v) { return v.name == topic; });
+  return verb == verbs.end() ? ""
+                             : fmt::format("millstand {}: {}\n    its options: millstand {} --help\n", topic,
+                                           verb->meaning, topic);
+}
+
+std::vector<std::string> known_topics(const std::vector<DescribedVerb> &verbs)
+{
+  std::vector<std::string> known;
+  for (const EmbeddedFile &file : named_files())
+    if (!is_table(file.name))
+      known.push_back(file.name);
+  for (const DescribedVerb &verb : verbs)
+    known.push_back(verb.name);
+  return known;
+}
+
+std::string list_of_topics(const std::vector<DescribedVerb> &verbs)
+{
+  std::string text = "Tasks, shown by 'millstand help NAME':\n";
+  for (const EmbeddedFile &file : named_files())
+    if (!is_table(file.name))
+      text += fmt::format("    {:<24} {}\n", file.name, title_of(file.text()));
+  text += "\nVerbs:\n";
+  for (const DescribedVerb &verb : verbs)
+    text += fmt::format("    {:<24} {}\n", verb.name, verb.meaning);
+  return text +
+         "\nAlso a term (\"gap mode\"), a result (K3) or a key of a case (work_roll.crown, or crown alone).\n";
+}
+}  // namespace
+
+std::string topic_text(const std::string &topic, const std::vector<DescribedVerb> &verbs)
+{
+  if (topic.empty())
+    return list_of_topics(verbs);
+  std::string text = verb_text(topic, verbs);
+  if (topic == "glossary" || !is_table(topic))
+    text += page_text(page(topic));
+  text += terms(topic) + results(topic) + keys(topic);
+  if (text.empty())
+    throw InputError(fmt::format("no help is available for '{}'{}; a list: millstand help", topic,
+                                 suggestion(topic, known_topics(verbs))));
+  return text;
+}
+}  // namespace mill::help
