@@ -1,5 +1,6 @@
 #pragma once
 #include "app/study/spread.h"
+#include <openturns/Distribution.hxx>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,9 @@ struct Correlation {
   std::size_t a = 0, b = 0;
   double value = 0;  ///< -, of the normal copula, -1 < value < 1
 };
+
+/// The law of one input.
+OT::Distribution distribution_of(const Spread &spread);
 
 enum class DrawMethod {
   latin_hypercube,  ///< one row in each of n equal strata of every input
