@@ -1,5 +1,6 @@
 #include "core/records/cache_limit.h"
 #include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/base/units.h"
 #include <algorithm>
 #include <filesystem>
@@ -32,15 +33,16 @@ double keep_cache_below(const std::string &folder, const double bytes)
   std::vector<Entry> entries;
   double all = 0;
   std::error_code error;
-  for (const auto &file : fs::directory_iterator(folder, error)) {
+  for (const std::string &name : names_in(folder, error)) {
+    const fs::path path = fs::path(folder) / name;
     std::error_code gone;  // removed meanwhile by another process
-    if (file.path().extension() != ".bin" || !file.is_regular_file(gone))
+    if (path.extension() != ".bin" || !fs::is_regular_file(path, gone))
       continue;
-    const auto used  = file.last_write_time(gone);
-    const double own = double(file.file_size(gone));
+    const auto used  = fs::last_write_time(path, gone);
+    const double own = gone ? 0 : double(fs::file_size(path, gone));
     if (gone)
       continue;
-    entries.push_back({used, own, file.path()});
+    entries.push_back({used, own, path});
     all += own;
   }
   std::sort(entries.begin(), entries.end(), [](const Entry &a, const Entry &b) { return a.used < b.used; });

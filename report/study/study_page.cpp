@@ -239,6 +239,14 @@ void drawn_sections(Page &page, const json &document)
       page, document, [&](const std::size_t r) { return scatter(document, r); }, "Rows of ");
 }
 
+// Of an optimum, behind the start rows.
+std::string searched_rows(const json &document)
+{
+  if (!document.contains("optimum") || document["optimum"].is_null())
+    return "";
+  return ", " + std::to_string(document["optimum"]["rows"].get<long>()) + " rows searched";
+}
+
 void failed_rows(Page &page, const json &document)
 {
   std::string rows;
@@ -271,9 +279,10 @@ std::string study_page(const std::string &directory, const std::string &text)
   const std::string head =
       "<header><h1>Study of " + escaped(run.case_name) + "</h1></header>\n<div class=\"verdict " + run.status +
       "\"><p>" + std::to_string(finished) + " of " + std::to_string(rows) + " rows finished" +
-      (failed > 0 ? ", " + std::to_string(failed) + " failed" : "") + ". Method: " + escaped(document["method"]) +
-      ". Each row: " + escaped(document["work"]) + ".</p></div>\n<p>Case: <code>" +
-      escaped(document["case_path"]) + "</code>, " + escaped(document["title"]) + ".</p>\n";
+      searched_rows(document) + (failed > 0 ? ", " + std::to_string(failed) + " failed" : "") +
+      ". Method: " + escaped(document["method"]) + ". Each row: " + escaped(document["work"]) +
+      ".</p></div>\n<p>Case: <code>" + escaped(document["case_path"]) + "</code>, " + escaped(document["title"]) +
+      ".</p>\n";
   return html_document(run.case_name + ", study", run, page, head);
 }
 }  // namespace mill::report

@@ -1,11 +1,13 @@
 #pragma once
 #include "app/study/spread.h"
-#include <openturns/Distribution.hxx>
 #include <string>
 #include <vector>
 
 // What OpenTURNS does for a study.  Its headers stay in this folder, and its library in a program of its own: it
 // brings Ipopt and with it a second MUMPS, whose names are also those of deal.II's libraries.
+namespace OT {
+class Distribution;
+}
 namespace mill {
 /// A correlation of two inputs, by their places among the keys.
 struct Correlation {

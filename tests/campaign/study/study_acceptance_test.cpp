@@ -110,4 +110,62 @@ TEST(StudyAcceptance, AHundredThousandQuickRowsAndAMillionFinishedOnes)
   std::printf("memory of a resume over 100000 finished rows: %s kB\n", memory.err.c_str());
   EXPECT_LT(seconds_of("study run " + folder + "/study -q"), 5) << "all rows are finished";
 }
+
+// One and two processors, 64 rows of a roll stack by its run.  Needs the processors for itself.
+TEST(StudyAcceptance, TwoProcessorsHalveTheTimeWithEachEngine)
+{
+  double load = 0;
+  std::ifstream("/proc/loadavg") >> load;
+  if (std::thread::hardware_concurrency() < 2 || load > 0.5)
+    GTEST_SKIP() << "two processors without other work are needed; load " << load;
+  const std::string folder = scratch("acceptance-strong");
+  for (const auto &[engine, wanted] : {std::pair("here", 1.9), std::pair("parallel", 1.8)}) {
+    double seconds[2] = {};
+    for (const int jobs : {1, 2}) {
+      const std::string there = folder + "/" + engine + std::to_string(jobs);
+      expect_done("study new cases/stack-twenty-high.toml --method monte-carlo --samples 64 --vary "
+                  "'strip.force~normal(2 %)' --watch stack.crown -q -o " +
+                  there);
+      seconds[jobs - 1] = seconds_of("study run " + there + " -q --threads 1 --engine " + engine + " --jobs " +
+                                     std::to_string(jobs));
+    }
+    std::printf("%s: 64 rows in %.1f s by one, %.1f s by two\n", engine, seconds[0], seconds[1]);
+    EXPECT_GE(seconds[0] / seconds[1], wanted) << engine;
+  }
+}
+
+// The same drawn rows of the demo stand by closed forms and by finite elements, some 40 s of a processor for each
+// row of the latter.
+TEST(StudyAcceptance, IntervalsOfTheDemoStandAgreeBetweenTheModels)
+{
+  const std::string folder = scratch("acceptance-demo");
+  const std::string inputs =
+      " --method monte-carlo --samples 40 --vary 'work_roll.barrel_diameter~tolerance(0.5 mm)' "
+      "--vary 'backup_roll.barrel_diameter~tolerance(0.5 mm)' --vary "
+      "'bearing.trb.radial_clearance~tolerance(0 mm, 0.03 mm)' --vary "
+      "'steel.youngs_modulus~normal(1 %)'";
+  for (const std::string model : {"quick", "full"}) {
+    const std::string there = folder + "/" + model;
+    expect_done("study new cases/four-high-1400.toml --model " + model + inputs + " --watch " +
+                (model == "quick" ? "K3" : "K3.tangent") +
+                " --watch f1 --watch f2 --watch f3 --watch f4 --watch f5 "
+                "--watch f6 -q -o " +
+                there);
+    expect_done("study run " + there + " -q --cache-limit 3GB");
+    expect_done("study report " + there + " -q");
+  }
+  const auto quick = report_of(folder + "/quick"), full = report_of(folder + "/full");
+  for (std::size_t r = 0; r < 7; ++r) {
+    const auto &q = quick["results"][r], &f = full["results"][r];
+    const auto value = [](const json &result, const char *name) {
+      return result["statistics"][name]["value"].get<double>();
+    };
+    const double difference = std::abs(f["base"].get<double>() - q["base"].get<double>());
+    for (const char *end : {"q025", "q975"})
+      EXPECT_TRUE(near(value(f, end), value(q, end),
+                       within_absolute(0.02 * value(f, "sd") + difference,
+                                       "wanted: 2 % of the standard deviation and the difference of the models")))
+          << f["name"];
+  }
+}
 }  // namespace
