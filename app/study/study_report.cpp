@@ -159,11 +159,15 @@ int study_status(const CommandLine &command)
   const Study study = read_study(command.target);
   std::set<std::int64_t> finished;
   long failed = 0, begun = 0;
-  for (const std::string &file : row_files(study.folder)) {
+  const auto read_file = [&](const std::string &file) {
     read_rows(file, 0, [&](FinishedRow &&row) {
       if (finished.insert(row.key).second && !row.failure.empty())
         ++failed;
     });
+  };
+  read_file(merged_file(study.folder));
+  for (const std::string &file : row_files(study.folder)) {
+    read_file(file);
     begun += long(begun_rows(file).size());
   }
   long rows = 0;
@@ -180,6 +184,8 @@ int study_status(const CommandLine &command)
                   study.folder, study.case_name, study.method, study.work, rows, study.rows,
                   100 * double(rows) / double(std::max(1L, study.rows)), failed, open.size(), begun,
                   row_files(study.folder).size()));
+  if (study.method == "optimise")
+    console::print(fmt::format("{} rows searched\n", std::max(0L, long(finished.size()) - rows)));
   return 0;
 }
 

@@ -151,7 +151,7 @@ std::map<std::string, std::int64_t> merged_places(Database &merged)
 }
 
 // Rows of the merged file whose checksum is wrong leave it; what their files have of them comes again.
-void remove_damaged(Database &merged, std::vector<std::string> &notes)
+void remove_damaged(Database &merged, const std::string &path, std::vector<std::string> &notes)
 {
   std::vector<std::int64_t> damaged;
   {
@@ -168,7 +168,7 @@ void remove_damaged(Database &merged, std::vector<std::string> &notes)
     row.bind(0, place).run();
   merged.execute("DELETE FROM merged");
   all.commit();
-  notes.push_back(fmt::format("{}: {} removed", merged.path(), damaged_rows(damaged.size())));
+  notes.push_back(path + ": " + damaged_rows(damaged.size()) + " removed");
 }
 
 // Adds what the files have in addition.
@@ -253,7 +253,7 @@ void merge_aside(const std::string &path, const std::string &aside, const bool d
         merged.execute(std::string(row_table) +
                        "CREATE TABLE merged(file TEXT PRIMARY KEY, place INTEGER NOT NULL)");
       else if (damaged)
-        remove_damaged(merged, notes);
+        remove_damaged(merged, path, notes);
       add_new_rows(merged, files, notes);
       return;
     } catch (const SystemError &) {

@@ -58,9 +58,9 @@ TEST(StudyFaults, AFullDiskKeepsWhatIsFinished)
   const std::string folder = scratch("study-full-disk");
   new_study(folder + "/whole", 1500);
   fs::create_directories(folder + "/small");
-  // A file system of 300 kB in a name space of this shell: the design fits, its rows do not.
+  // A file system of 176 kB in a name space of this shell: the design fits, its rows do not.
   const Outcome cut =
-      shell("unshare -m sh -c 'mount -t tmpfs -o size=300k none small || exit 77; cp -r whole/. small; "
+      shell("unshare -m sh -c 'mount -t tmpfs -o size=176k none small || exit 77; cp -r whole/. small; "
             "\"" MILLSTAND_PROGRAM "\" study work small --shard 1/1 -q; code=$?; cp -r small/. after; "
             "exit $code'",
             folder);
