@@ -187,6 +187,12 @@ void add_model(CLI::App *verb, CommandLine &c)
       ->capture_default_str();
 }
 
+void add_cache_limit(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--cache-limit", c.sweep.cache_limit,
+                   "largest size of the cache folder, 20GB; what was not used for longest is removed first");
+}
+
 void add_sweep(CLI::App &app, CommandLine &c)
 {
   auto *sweep =
@@ -198,6 +204,7 @@ void add_sweep(CLI::App &app, CommandLine &c)
   sweep->get_option("--vary")->required();
   add_model(sweep, c);
   add_cache(sweep, c);
+  add_cache_limit(sweep, c);
   add_folder_of_records(sweep, c, "folder of the results (default out/<case name>-sweep)",
                         "no progress, no table");
 }
@@ -215,10 +222,15 @@ void add_study(CLI::App &app, CommandLine &c)
                  "new: key and its distribution, 'KEY~normal(5, 0.2) MN/mm', uniform, truncated, triangular, "
                  "tolerance; with --method grid its values, KEY=a,b,c; repeatable");
   add_repeatable(study, "--correlate", o.correlate, "new: correlation of two inputs, KEY1,KEY2=0.5, repeatable");
-  study->add_option("--method", o.method, "new: grid, list, latin-hypercube, monte-carlo or sobol")
-      ->check(CLI::IsMember({"grid", "list", "latin-hypercube", "monte-carlo", "sobol"}))
+  study
+      ->add_option("--method", o.method, "new: grid, list, latin-hypercube, monte-carlo, sobol, chaos or optimise")
+      ->check(CLI::IsMember({"grid", "list", "latin-hypercube", "monte-carlo", "sobol", "chaos", "optimise"}))
       ->default_val("latin-hypercube");
-  study->add_option("--samples", o.samples, "new: number of rows; with sobol of a group, a power of two");
+  study->add_option("--samples", o.samples,
+                    "new: number of rows; with sobol of a group, a power of two; with optimise of start rows");
+  auto *least = study->add_option("--minimise", o.minimise, "new: result whose least value optimise searches");
+  study->add_option("--maximise", o.maximise, "new: result whose greatest value optimise searches")
+      ->excludes(least);
   study->add_option("--seed", o.seed, "new: the same seed draws the same rows")->capture_default_str();
   study->add_option("--list", o.list, "new: CSV file of rows, its header names keys with units");
   study->add_flag("--yes", o.yes, "new: accept more than ten million rows");
@@ -233,7 +245,10 @@ void add_study(CLI::App &app, CommandLine &c)
   study->add_option("--shard", o.shard, "work: part I of N of the rows, I/N")->capture_default_str();
   study->add_flag("--allow-failed", o.allow_failed,
                   "report: statistics although more than 5 % of the rows failed");
+  study->add_flag("--keep", o.keep,
+                  "run, work: keep all files of each row of a full model, not results.json alone");
   add_cache(study, c);
+  add_cache_limit(study, c);
   add_folder_of_records(study, c, "new: folder of the study (default out/<case name>-study)",
                         "no progress, no table");
 }

@@ -12,6 +12,15 @@ namespace {
 const char *const by_factors = "exact derivative at the solved state, by the factors of Newton's last step";
 const char *const by_statics = "statics of rigid rolls (51.11)";
 
+// Root mean square of h about its mean over the width; elements may differ in length.
+double profile_rms(const reduce::StripState &strip)
+{
+  const Eigen::Index n         = strip.opening.size();
+  const Eigen::VectorXd length = strip.edges.tail(n) - strip.edges.head(n);
+  const double mean            = length.dot(strip.opening) / length.sum();
+  return std::sqrt(length.dot((strip.opening.array() - mean).square().matrix()) / length.sum());
+}
+
 void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool given_force, const char *by_newton)
 {
   const reduce::StripState &strip = solved.state.strip;
@@ -28,6 +37,7 @@ void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool 
   add("crown", strip.crown, "m", profile);
   add("edge_drop", strip.edge_drop, "m", profile);
   add("wedge", strip.wedge, "m", profile);
+  add("profile_rms", profile_rms(strip), "m", profile);
   add("opening", strip.middle, "m", profile);
   if (const double gap = unloaded_gap(solved); !std::isnan(gap))
     add("gap", gap, "m", "mean exit thickness less the mean opening (51.2)");

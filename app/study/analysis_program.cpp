@@ -1,9 +1,9 @@
 #include "app/study/analysis_program.h"
 #include "app/run/scratch_folder.h"
+#include "app/study/correlation.h"
 #include "app/study/json_number.h"
 #include "app/study/started_program.h"
 #include "core/base/files.h"
-#include "core/base/units.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -32,29 +32,23 @@ nlohmann::ordered_json answer_of(const std::string &folder, const nlohmann::orde
   return answer["answer"];
 }
 
-// "K1,K2=0.5" as places and value.
-nlohmann::ordered_json correlations_of(const Study &study)
+nlohmann::ordered_json correlations_json(const Study &study)
 {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
-  for (const std::string &written : study.correlations) {
-    const auto comma = written.find(','), equals = written.rfind('=');
-    double value = 0;
-    if (comma == std::string::npos || equals == std::string::npos || equals < comma ||
-        !parse_number(written.substr(equals + 1), value) || !(std::abs(value) < 1))
-      throw InputError("--correlate " + written +
-                       " is not of the form KEY1,KEY2=0.5 with a number between -1 and 1");
-    const auto place = [&](const std::string &name) {
-      for (std::size_t k = 0; k < study.keys.size(); ++k)
-        if (study.keys[k].key.name == name)
-          return k;
-      throw InputError("--correlate " + written + ": " + name + " is not one of the varied keys");
-    };
-    const std::size_t a = place(written.substr(0, comma)),
-                      b = place(written.substr(comma + 1, equals - comma - 1));
-    if (a == b)
-      throw InputError("--correlate " + written + " names one key twice");
-    all.push_back({a, b, value});
-  }
+  for (const KeyCorrelation &c : correlations_of(study))
+    all.push_back({c.a, c.b, c.value});
+  return all;
+}
+
+nlohmann::ordered_json spreads_json(const Study &study)
+{
+  nlohmann::ordered_json all = nlohmann::ordered_json::array();
+  for (const UncertainKey &key : study.keys)
+    all.push_back({{"kind", int(key.spread.kind)},
+                   {"mean", json_number(key.spread.mean)},
+                   {"sd", json_number(key.spread.sd)},
+                   {"low", json_number(key.spread.low)},
+                   {"high", json_number(key.spread.high)}});
   return all;
 }
 }  // namespace
@@ -65,13 +59,8 @@ std::vector<std::vector<double>> draw_rows(const Study &study, const std::string
   std::filesystem::create_directories(scratch.path());
   const int number = method == "latin-hypercube" ? 0 : method == "monte-carlo" ? 1 : 2;  // DrawMethod
   nlohmann::ordered_json request{{"task", "draw"}, {"method", number}, {"n", n}, {"seed", study.seed}};
-  request["correlations"] = correlations_of(study);
-  for (const UncertainKey &key : study.keys)
-    request["spreads"].push_back({{"kind", int(key.spread.kind)},
-                                  {"mean", json_number(key.spread.mean)},
-                                  {"sd", json_number(key.spread.sd)},
-                                  {"low", json_number(key.spread.low)},
-                                  {"high", json_number(key.spread.high)}});
+  request["correlations"]  = correlations_json(study);
+  request["spreads"]       = spreads_json(study);
   const std::size_t n_rows = answer_of(scratch.path(), request)["rows"].get<std::size_t>(), d = study.keys.size();
   const std::string bytes = read_text(scratch.path() + "/rows.bin");
   std::vector<std::vector<double>> rows(n_rows, std::vector<double>(d));
@@ -101,5 +90,19 @@ std::vector<IndicesOfResult> indices_of(const std::vector<std::vector<double>> &
     all.push_back(one);
   }
   return all;
+}
+
+nlohmann::ordered_json chaos_of(const Study &study, const std::vector<std::vector<double>> &rows,
+                                const std::vector<std::vector<double>> &results, const long fitted)
+{
+  const ScratchFolder scratch("millstand-chaos");
+  std::filesystem::create_directories(scratch.path());
+  write_atomically(scratch.path() + "/rows.bin", bytes_of(rows));
+  write_atomically(scratch.path() + "/results.bin", bytes_of(results));
+  return answer_of(scratch.path(), {{"task", "chaos"},
+                                    {"keys", study.keys.size()},
+                                    {"spreads", spreads_json(study)},
+                                    {"fitted", fitted},
+                                    {"seed", study.seed}});
 }
 }  // namespace mill

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/study/study_folder.h"
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -23,4 +24,11 @@ struct IndicesOfResult {
 /// @param n        size of a group
 std::vector<IndicesOfResult> indices_of(const std::vector<std::vector<double>> &rows,
                                         const std::vector<std::vector<double>> &results, long n);
+
+/// Polynomial chaos of every result: a list with the members of ChaosFit (app/study/openturns/chaos.h).
+/// @param rows     (rows, keys) in the order of the design
+/// @param results  (results)(rows); NaN: failed
+/// @param fitted   rows from the start that are fitted; the others are held out
+nlohmann::ordered_json chaos_of(const Study &study, const std::vector<std::vector<double>> &rows,
+                                const std::vector<std::vector<double>> &results, long fitted);
 }  // namespace mill

@@ -25,7 +25,7 @@ void read_numbers(csv::Sheet &sheet, const std::size_t column, const KnownKey &k
                   std::vector<std::vector<double>> &rows)
 {
   const csv::Header header = sheet.header[column];
-  if (known.row.kind == Kind::quantity)
+  if (known.row.kind == Kind::quantity || known.row.kind == Kind::pair)
     key.key.unit = csv::unit_of(sheet, header, known.row.form).symbol;
   for (std::size_t r = 0; r < rows.size(); ++r)
     rows[r].push_back(csv::number_of(sheet.cell(r, column), header.name, sheet));
@@ -55,8 +55,10 @@ RowList read_row_list(const Case &the_case, const std::vector<std::string> &sets
   std::vector<std::string> names;
   for (std::size_t column = 0; column < sheet.header.size(); ++column) {
     const KnownKey known = key_of_column(the_case, sets, sheet, sheet.header[column]);
-    UncertainKey key{{known.name, known.path, known.row.meaning, "", {}, {}}, {}, "list"};
-    if (known.row.kind == Kind::quantity || known.row.kind == Kind::number || known.row.kind == Kind::count)
+    UncertainKey key{
+        {known.name, known.path, known.row.meaning, "", {}, {}, known.row.kind == Kind::pair}, {}, "list"};
+    if (known.row.kind == Kind::quantity || known.row.kind == Kind::number || known.row.kind == Kind::count ||
+        known.row.kind == Kind::pair)
       read_numbers(sheet, column, known, key, list.rows);
     else
       read_words(sheet, column, key, list.rows);

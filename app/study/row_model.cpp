@@ -1,13 +1,17 @@
 #include "app/study/row_model.h"
+#include "app/command/command_line.h"
 #include "app/kinds/pipeline.h"
 #include "app/run/run_kind.h"
 #include "app/run/scratch_folder.h"
 #include "app/trace/closed_form_chain.h"
+#include "core/base/files.h"
 #include "core/base/units.h"
 #include "core/case/fields.h"
 #include "core/model/case.h"
+#include "core/records/cache_limit.h"
 #include "report/results/names.h"
 #include <algorithm>
+#include <filesystem>
 #include <mutex>
 
 namespace mill {
@@ -91,6 +95,27 @@ std::vector<std::string> usual_names(const NamedResults &results)
   throw InputError("--watch " + name + ": " + the_case.path + " gives no result of this name" +
                    (nearest.empty() ? "; docs/output.md lists the names" : "; did you mean '" + nearest + "'?"));
 }
+// Written aside and renamed, since a double of this process may write the same row.
+void write_sample(const RunContext &run, const std::string &folder, const bool keep)
+{
+  namespace fs            = std::filesystem;
+  const std::string aside = name_aside(folder);
+  try {
+    fs::create_directories(aside);
+    if (keep) {
+      run.out.write("resolved.toml", run.the_case.resolved);
+      fs::copy(run.out.staging(), aside, fs::copy_options::recursive);
+    }
+    write_atomically(aside + "/results.json", results_json(run.results, run.the_case.name,
+                                                           run.results.warnings.empty() ? "ok" : "warnings"));
+    remove_folder(folder);
+    fs::rename(aside, folder);
+  } catch (const fs::filesystem_error &e) {
+    remove_folder(aside);
+    if (!fs::exists(folder))  // a double was quicker
+      throw SystemError(folder + " cannot be written: " + e.code().message());
+  }
+}
 }  // namespace
 
 // Memories of closed forms that no row uses at present: one for each thread.
@@ -133,7 +158,7 @@ struct RowModel::Implementation {
     return results;
   }
 
-  NamedResults full(const Case &row)
+  NamedResults full(const Case &row, const std::string &sample)
   {
     const ScratchFolder scratch("millstand-row", true);
     const OutputDir out(scratch.path(), row, true, "row");
@@ -143,9 +168,18 @@ struct RowModel::Implementation {
     const auto of =
         std::find_if(works().begin(), works().end(), [&](const auto &one) { return one.first == work; });
     run_stages(run, of->second);
+    if (!sample.empty())
+      write_sample(run, sample, settings.keep);
+    if (settings.cache_limit > 0)
+      keep_cache_below(settings.cache, settings.cache_limit);
     return std::move(run.results.values);
   }
 };
+
+double cache_limit(const CommandLine &command)
+{
+  return command.sweep.cache_limit.empty() ? 0 : bytes_of_size("--cache-limit", command.sweep.cache_limit);
+}
 
 RowModel::RowModel(RowModelSettings settings) : own(std::make_unique<Implementation>())
 {
@@ -191,9 +225,9 @@ NamedResults RowModel::choose(const Case &base, std::vector<std::string> watched
   return of_watched;
 }
 
-NamedResults RowModel::results(const Case &row)
+NamedResults RowModel::results(const Case &row, const std::string &sample)
 {
-  return own->settings.kind == ModelKind::quick ? own->quick(row) : own->full(row);
+  return own->settings.kind == ModelKind::quick ? own->quick(row) : own->full(row, sample);
 }
 
 std::string RowModel::work() const

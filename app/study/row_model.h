@@ -8,16 +8,22 @@
 
 namespace mill {
 struct Case;
+struct CommandLine;
 
 /// What computes a row: "quick", the closed forms of `millstand trace`, or "full", the stages of a run.
 enum class ModelKind { quick, full };
 
 struct RowModelSettings {
   ModelKind kind = ModelKind::full;
-  std::string cache;    ///< folder of condensed rolls that all rows share
-  bool fresh  = false;  ///< full: ignore what the cache held before the first row
-  int threads = 1;      ///< full: inside one row
+  std::string cache;           ///< folder of condensed rolls that all rows share
+  bool fresh         = false;  ///< full: ignore what the cache held before the first row
+  int threads        = 1;      ///< full: inside one row
+  double cache_limit = 0;      ///< bytes of the cache after each full row; 0: no limit
+  bool keep          = false;  ///< full: the folder of a sample holds all files of the row
 };
+
+/// Bytes of --cache-limit; 0: not given.  @throws InputError
+double cache_limit(const CommandLine &command);
 
 using NamedResults = std::vector<std::pair<std::string, Parameter>>;
 
@@ -35,8 +41,9 @@ public:
   NamedResults choose(const Case &base, std::vector<std::string> watched);
 
   /// All results of one case by the chosen work.  Quick rows may be computed by several threads at once.
+  /// @param sample  full: folder that holds results.json of this row afterwards; empty: none
   /// @throws InputError, SolverError
-  NamedResults results(const Case &row);
+  NamedResults results(const Case &row, const std::string &sample = "");
 
   /// What the full model does for a row, "stiffness", "modes"; "closed forms" for the quick one.
   std::string work() const;

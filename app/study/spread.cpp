@@ -87,6 +87,11 @@ double value_of_case(const Case &the_case, const std::vector<std::string> &sets,
   return !unit_text.empty() && from && to ? from_si(to_si(number, *from), *to) : number;
 }
 
+bool has_dimension(const KnownKey &key)
+{
+  return key.row.kind == Kind::quantity || key.row.kind == Kind::pair;
+}
+
 // All numbers in one unit; a percentage is of the mean unless the key is a percentage itself.
 std::vector<double> in_one_unit(const std::string &written, const KnownKey &key, const std::string &common,
                                 const std::vector<WrittenNumber> &numbers, const double mean)
@@ -98,9 +103,9 @@ std::vector<double> in_one_unit(const std::string &written, const KnownKey &key,
       values.push_back(0.01 * one.number * mean);
       continue;
     }
-    if (key.row.kind == Kind::quantity && one.unit.empty())
+    if (has_dimension(key) && one.unit.empty())
       refuse_spread(written, number_text(one.number) + " has no unit; " + needed(key.row));
-    if (key.row.kind == Kind::quantity && !(from->dimension == unit(key.row.form).dimension))
+    if (has_dimension(key) && !(from->dimension == unit(key.row.form).dimension))
       refuse_spread(written,
                     number_text(one.number) + " " + one.unit + " is " + from->quantity + "; " + needed(key.row));
     values.push_back(one.unit == common || one.unit.empty()
@@ -146,7 +151,7 @@ Spread spread_of(const std::string &written, const Shape &shape, const std::vect
 void require_inside(const std::string &written, const KnownKey &key, const std::string &common,
                     const Spread &spread)
 {
-  const bool quantity  = key.row.kind == Kind::quantity;
+  const bool quantity  = has_dimension(key);
   const auto in_common = [&](const double end) {
     return quantity && std::isfinite(end) ? from_si(to_si(end, unit(key.row.form)), *find_unit(common)) : end;
   };
@@ -179,7 +184,7 @@ UncertainKey uncertain_key(const Case &the_case, const std::vector<std::string> 
   const auto open = parts.values.find('('), close = parts.values.rfind(')');
   if (open == std::string::npos || close == std::string::npos || close < open)
     refuse_spread(written, "a distribution is written " + known_shapes());
-  if (key.row.kind != Kind::quantity && key.row.kind != Kind::number)
+  if (!has_dimension(key) && key.row.kind != Kind::number)
     refuse_spread(written,
                   key.name + ": " + needed(key.row) + ", which has no distribution; vary it with KEY=a,b");
   const Shape &shape = shape_of(written, parts.values.substr(0, open));
@@ -192,7 +197,7 @@ UncertainKey uncertain_key(const Case &the_case, const std::vector<std::string> 
   const bool of_case = numbers.size() + 1 == shape.numbers && shape.kind != Spread::Kind::uniform;
   if (numbers.size() != shape.numbers && !of_case)
     refuse_spread(written, fmt::format("{} numbers; it takes {}", numbers.size(), shape.takes));
-  std::string common = key.row.kind == Kind::quantity ? key.row.form : "";
+  std::string common = has_dimension(key) ? key.row.form : "";
   for (const WrittenNumber &one : numbers)
     if (!one.unit.empty() && (one.unit != "%" || common == "%")) {
       common = one.unit;
@@ -206,7 +211,7 @@ UncertainKey uncertain_key(const Case &the_case, const std::vector<std::string> 
     numbers.insert(numbers.begin() + std::ptrdiff_t(place), {mean, common});
   }
   const auto middle = in_one_unit(written, key, common, {numbers[place]}, not_given);
-  UncertainKey uncertain{{key.name, key.path, key.row.meaning, common, {}, {}},
+  UncertainKey uncertain{{key.name, key.path, key.row.meaning, common, {}, {}, key.row.kind == Kind::pair},
                          spread_of(written, shape, in_one_unit(written, key, common, numbers, middle[0])),
                          parts.values};
   require_inside(written, key, common, uncertain.spread);
@@ -219,6 +224,6 @@ std::string set_value(const UncertainKey &uncertain, const double number)
   for (std::size_t i = 0; i < key.values.size(); ++i)
     if (std::isnan(key.numbers[i]))  // words: the number is their place
       return key.values.at(std::size_t(number));
-  return number_text(number) + (key.unit.empty() ? "" : " " + key.unit);
+  return number_value(number, key.unit, key.pair);
 }
 }  // namespace mill

@@ -1,10 +1,12 @@
 #include "app/study/study_folder.h"
 #include "app/process/version.h"
 #include "app/study/store/database.h"
+#include "app/verbs/checked_case.h"
 #include "core/base/files.h"
 #include "core/base/units.h"
 #include "core/case/case_file.h"
 #include "core/model/case.h"
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
@@ -58,6 +60,17 @@ std::string number_line(const char *name, const double value)
   return std::isfinite(value) ? fmt::format("{} = {}\n", name, number_text(value)) : "";
 }
 
+std::string numbers_line(const char *name, const std::vector<double> &values)
+{
+  std::string list;
+  for (const double value : values) {
+    if (!std::isfinite(value))
+      return "";
+    list += (list.empty() ? "" : ", ") + number_text(value);
+  }
+  return list.empty() ? "" : fmt::format("{} = [{}]\n", name, list);
+}
+
 std::string key_toml(const UncertainKey &uncertain)
 {
   const Spread &s = uncertain.spread;
@@ -68,6 +81,7 @@ std::string key_toml(const UncertainKey &uncertain)
   text += number_line("mean", s.mean) + number_line("sd", s.sd) + number_line("low", s.low) +
           number_line("high", s.high);
   const bool words = !uncertain.key.numbers.empty() && std::isnan(uncertain.key.numbers.front());
+  text += uncertain.key.pair ? "pair = true\n" : "";
   return text + (words ? "words = " + list_toml(uncertain.key.values) + "\n" : "");
 }
 
@@ -92,11 +106,21 @@ std::vector<std::string> texts_of(const Node &table, const std::string &key)
   return texts;
 }
 
+std::vector<double> numbers_of(const Node &table, const std::string &key)
+{
+  std::vector<double> numbers;
+  if (const Node::Entry *entry = table.find(key))
+    for (const Node &item : entry->value.items)
+      numbers.push_back(item.number);
+  return numbers;
+}
+
 UncertainKey key_of(const Node &table)
 {
   UncertainKey uncertain;
-  uncertain.key     = {text_of(table, "name"), text_of(table, "path"),   text_of(table, "meaning"),
-                       text_of(table, "unit"), texts_of(table, "words"), {}};
+  uncertain.key     = {text_of(table, "name"),       text_of(table, "path"),   text_of(table, "meaning"),
+                       text_of(table, "unit"),       texts_of(table, "words"), {},
+                       table.find("pair") != nullptr};
   uncertain.written = text_of(table, "written");
   uncertain.key.numbers.assign(uncertain.key.values.size(), not_given);
   uncertain.spread = {kind_named(text_of(table, "spread")), number_of(table, "mean"), number_of(table, "sd"),
@@ -138,6 +162,11 @@ DesignRow row_of(const Statement &rows)
 }
 }  // namespace
 
+long held_out_rows(const Study &study)
+{
+  return study.method == "chaos" ? std::max(20L, study.samples / 4) : 0;
+}
+
 std::string study_toml(const Study &study)
 {
   std::string text = fmt::format(
@@ -149,12 +178,16 @@ std::string study_toml(const Study &study)
       quoted(study.method), study.samples, study.seed, study.model == ModelKind::quick ? "\"quick\"" : "\"full\"",
       quoted(study.work), quoted(study.version), quoted(study.base), study.rows, list_toml(study.correlations));
   text += number_line("seconds", study.seconds);
+  if (!study.objective.empty())
+    text += fmt::format("objective = {}\nsearched = {}\n", quoted(study.objective),
+                        study.greatest ? "\"greatest\"" : "\"least\"");
   for (const UncertainKey &key : study.keys)
     text += key_toml(key);
   for (const WatchedResult &result : study.watched)
     text += fmt::format("\n[[result]]\nname = {}\nunit = {}\nmeaning = {}\n", quoted(result.name),
                         quoted(result.unit), quoted(result.meaning)) +
-            number_line("base", result.base) + number_line("error_estimate", result.error_estimate);
+            number_line("base", result.base) + number_line("error_estimate", result.error_estimate) +
+            numbers_line("slopes", result.slopes);
   return text;
 }
 
@@ -186,13 +219,16 @@ Study read_study(const std::string &folder)
   s.rows         = long(number_of(root, "rows"));
   s.seconds      = number_of(root, "seconds");
   s.correlations = texts_of(root, "correlations");
+  s.objective    = text_of(root, "objective");
+  s.greatest     = text_of(root, "searched") == "greatest";
   if (const Node::Entry *keys = root.find("key"))
     for (const Node &table : keys->value.items)
       s.keys.push_back(key_of(table));
   if (const Node::Entry *results = root.find("result"))
     for (const Node &table : results->value.items)
       s.watched.push_back({text_of(table, "name"), text_of(table, "unit"), text_of(table, "meaning"),
-                           number_of(table, "base"), number_of(table, "error_estimate")});
+                           number_of(table, "base"), number_of(table, "error_estimate"),
+                           numbers_of(table, "slopes")});
   return s;
 }
 
@@ -262,6 +298,11 @@ std::vector<std::string> sets_of(const Study &study, const std::vector<double> &
 std::int64_t row_key(const Case &row)
 {
   return std::int64_t(std::strtoull(hash_of(row.resolved).c_str(), nullptr, 16));
+}
+
+std::int64_t row_key_of(const Study &study, const std::vector<double> &inputs)
+{
+  return row_key(checked_row(study.case_path, sets_of(study, inputs)));
 }
 
 std::string row_name(const Study &study, const DesignRow &row)

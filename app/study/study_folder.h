@@ -15,6 +15,7 @@ struct WatchedResult {
   std::string name, unit, meaning;
   double base           = not_given;  ///< in `unit`, of the base case
   double error_estimate = not_given;  ///< relative, of the base case
+  std::vector<double> slopes;         ///< (keys) `unit` per unit of the key, at the means; empty: not known
 };
 
 struct Study {
@@ -25,9 +26,11 @@ struct Study {
   std::vector<UncertainKey> keys;
   std::vector<std::string> correlations;  ///< "KEY1,KEY2=0.5"
   std::vector<WatchedResult> watched;
-  std::string method;   ///< "latin-hypercube"
-  long samples    = 0;  ///< as asked for
-  int seed        = 1;
+  std::string method;  ///< "latin-hypercube"
+  long samples = 0;    ///< as asked for
+  int seed     = 1;
+  std::string objective;    ///< optimise: name of the watched result
+  bool greatest   = false;  ///< optimise: the greatest value is searched, not the least
   ModelKind model = ModelKind::full;
   std::string work;            ///< RowModel::work()
   std::string version;         ///< of the program that made it
@@ -43,6 +46,10 @@ struct DesignRow {
   std::int64_t key   = 0;       ///< hash of its resolved case
   std::vector<double> numbers;  ///< (keys), as set_value() takes them
 };
+
+/// Rows at the end of the design of `chaos` that are not fitted: a quarter of the others, 20 at least.  Otherwise
+/// 0.
+long held_out_rows(const Study &study);
 
 /// Text of study.toml.
 std::string study_toml(const Study &study);
@@ -70,6 +77,9 @@ std::vector<std::string> sets_of(const Study &study, const std::vector<double> &
 
 /// Key of a row from its resolved case.
 std::int64_t row_key(const Case &row);
+
+/// The same from inputs.  @throws InputError  the case refuses them
+std::int64_t row_key_of(const Study &study, const std::vector<double> &inputs);
 
 /// "row 7 (backup_roll.crown = 300 um)"
 std::string row_name(const Study &study, const DesignRow &row);

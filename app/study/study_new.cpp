@@ -4,6 +4,7 @@
 #include "app/run/run_setup.h"
 #include "app/run/scratch_folder.h"
 #include "app/study/analysis_program.h"
+#include "app/study/linear_estimate.h"
 #include "app/study/row_list.h"
 #include "app/study/study_folder.h"
 #include "app/verbs/checked_case.h"
@@ -25,6 +26,7 @@ namespace mill {
 namespace {
 constexpr long many_rows              = 10000000;
 constexpr std::size_t most_refusals   = 10;
+constexpr long starts_of_input        = 12;  // of optimise, where --samples is not given
 const char *const geometry_sections[] = {"work_roll.", "backup_roll.", "steel.", "intermediate_roll."};
 
 bool is_random(const std::string &method)
@@ -39,20 +41,37 @@ std::vector<UncertainKey> keys_of_command(const CommandLine &command, const Case
   const std::string &method = command.study.method;
   for (const std::string &written : command.sweep.vary) {
     if (is_random(method) && !is_distribution(written))
+      throw InputError("--vary " + written + ": --method " + method +
+                       (method == "optimise" ? " searches between bounds, KEY~uniform(low, high) UNIT"
+                                             : " draws from distributions, KEY~uniform(low, high) UNIT") +
+                       "; values KEY=a,b belong to --method grid");
+    if (!is_random(method) && is_distribution(written))
       throw InputError(
           "--vary " + written + ": --method " + method +
-          " draws from distributions, KEY~uniform(low, high) UNIT; values KEY=a,b belong to --method grid");
-    if (!is_random(method) && is_distribution(written))
-      throw InputError("--vary " + written + ": --method " + method +
-                       " takes values, KEY=a,b,c; distributions belong to latin-hypercube, monte-carlo and sobol");
+          " takes values, KEY=a,b,c; distributions belong to latin-hypercube, monte-carlo, sobol and chaos");
     if (is_distribution(written))
       keys.push_back(uncertain_key(base, command.sets, written));
     else
       keys.push_back({varied_key(base, command.sets, written), {}, split_variation(written, '=').values});
+    if (method == "optimise" && keys.back().spread.kind != Spread::Kind::uniform)
+      throw InputError("--vary \"" + written +
+                       "\": --method optimise takes the bounds of each key: KEY~uniform(low, high) UNIT");
     names.push_back(keys.back().key.name);
   }
   require_different_keys(names);
   return keys;
+}
+
+// The result whose least or greatest value is searched.
+void set_objective(const StudyOptions &options, Study &study)
+{
+  study.greatest  = !options.maximise.empty();
+  study.objective = study.greatest ? options.maximise : options.minimise;
+  if (study.method == "optimise" && study.objective.empty())
+    throw InputError(
+        "--method optimise has no objective: give --minimise RESULT or --maximise RESULT, a name of results.json");
+  if (study.method != "optimise" && !study.objective.empty())
+    throw InputError("--minimise and --maximise belong to --method optimise");
 }
 
 bool is_power_of_two(const long n)
@@ -97,12 +116,24 @@ std::vector<std::vector<double>> grid_rows(const std::vector<UncertainKey> &keys
   return rows;
 }
 
+// The rows of a method that draws.
+std::vector<std::vector<double>> drawn_rows_of(Study study)
+{
+  if (study.method != "chaos")
+    return draw_rows(study, study.method == "optimise" ? "latin-hypercube" : study.method, study.samples);
+  auto rows = draw_rows(study, "latin-hypercube", study.samples);
+  ++study.seed;
+  const auto held_out = draw_rows(study, "monte-carlo", held_out_rows(study));
+  rows.insert(rows.end(), held_out.begin(), held_out.end());
+  return rows;
+}
+
 long expected_rows(const Study &study)
 {
   if (study.method == "sobol")
     return study.samples * long(study.keys.size() + 2);
   if (study.method != "grid")
-    return study.samples;
+    return study.samples + held_out_rows(study);
   double rows = 1;
   for (const UncertainKey &key : study.keys)
     rows *= double(key.key.values.size());
@@ -181,20 +212,40 @@ void require_study_folder(const Study &study, const bool overwrite)
   }
   require_result_folder(study.folder, "study.toml", "study", overwrite);
   for (const char *old :
-       {"rows", "finished.db", "study.db", "study.toml", "results.csv", "report.html", "report.json"})
+       {"rows", "samples", "finished.db", "study.db", "study.toml", "results.csv", "report.html", "report.json"})
     std::filesystem::remove_all(study.folder + "/" + old, ignored);
+}
+
+NamedResults chosen(const CommandLine &command, const Study &study, RowModel &model, const Case &base)
+{
+  auto watched = command.sweep.watch;
+  if (study.objective.empty())
+    return model.choose(base, watched);
+  if (std::find(watched.begin(), watched.end(), study.objective) == watched.end())
+    watched.push_back(study.objective);
+  try {
+    return model.choose(base, watched);
+  } catch (const InputError &e) {
+    const std::string as_watched = "--watch " + study.objective + ":", message = e.what();
+    if (message.rfind(as_watched, 0) != 0)
+      throw;
+    throw InputError((study.greatest ? "--maximise " : "--minimise ") +
+                     message.substr(std::string("--watch ").size()));
+  }
 }
 
 // The watched results of the base case, and the seconds that it took.
 void watch(const CommandLine &command, const Case &base, const RunContext &setup, Study &study)
 {
   RowModel model({study.model, setup.cache, command.fresh, setup.threads});
-  for (const auto &[name, result] : model.choose(base, command.sweep.watch))
+  for (const auto &[name, result] : chosen(command, study, model, base))
     study.watched.push_back({name, result.unit, report::meaning_of(name), result.value, result.error_estimate});
   study.work       = model.work();
   const auto start = std::chrono::steady_clock::now();
   model.results(base);
   study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  if (is_random(study.method) && study.method != "optimise")
+    add_slopes(study, model);
 }
 }  // namespace
 
@@ -213,7 +264,9 @@ int study_new(const CommandLine &command)
   study.model        = command.sweep.model == "quick" ? ModelKind::quick : ModelKind::full;
   study.correlations = command.study.correlate;
   study.version      = version();
-  study.base         = hash_of(read_case(study.case_path, study.sets).resolved);
+  set_objective(command.study, study);
+  cache_limit(command);  // before anything is computed
+  study.base = hash_of(read_case(study.case_path, study.sets).resolved);
   std::vector<std::vector<double>> rows;
   if (study.method == "list") {
     RowList list = read_row_list(base, command.sets, command.study.list);
@@ -223,15 +276,19 @@ int study_new(const CommandLine &command)
     study.keys = keys_of_command(command, base);
     if (study.keys.empty())
       throw InputError("millstand study new needs --vary KEY~distribution, --vary KEY=values or --list FILE");
+    if (study.method == "optimise" && study.samples == 0)
+      study.samples = starts_of_input * long(study.keys.size());
     if (is_random(study.method))
       require_samples(study.method, study.samples);
+    if ((study.method == "chaos" || study.method == "optimise") && !study.correlations.empty())
+      throw InputError(study.method + " takes independent inputs; leave --correlate out, or use another method");
   }
   if (const long n = expected_rows(study); n > many_rows && !command.study.yes)
     throw InputError(fmt::format("the study has {} rows, more than ten million; give --yes if that is meant", n));
   if (study.method == "grid")
     rows = grid_rows(study.keys);
   else if (is_random(study.method))
-    rows = draw_rows(study, study.method, study.samples);
+    rows = drawn_rows_of(study);
   study.rows = long(rows.size());
 
   const ScratchFolder scratch("millstand-study");

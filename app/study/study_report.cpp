@@ -1,8 +1,8 @@
 #include "app/study/study_report.h"
 #include "app/process/console.h"
-#include "app/study/analysis_program.h"
-#include "app/study/json_number.h"
 #include "app/study/store/row_files.h"
+#include "app/study/study_document.h"
+#include "app/study/study_optimum.h"
 #include "app/study/study_statistics.h"
 #include "core/base/files.h"
 #include "core/base/short_number.h"
@@ -19,9 +19,7 @@
 
 namespace mill {
 namespace {
-constexpr double most_failed        = 0.05;
-constexpr std::size_t most_scatter  = 2000;  // points of a drawing
-constexpr std::size_t most_failures = 100;
+constexpr double most_failed = 0.05;
 
 std::string column_head(const std::string &name, const std::string &unit)
 {
@@ -57,98 +55,30 @@ void write_csv(const Study &study, const StudyRows &rows)
   write_atomically(study.folder + "/results.csv", text);
 }
 
+// The rows of a search behind those of the design, in the order in which they were asked for.
+void append_search(const Study &study, StudyRows &rows)
+{
+  if (study.method != "optimise")
+    return;
+  const auto stored = stored_optimum(study, rows);
+  if (!stored)
+    return;
+  for (std::size_t i = 0; i < stored->optimum.tried.size(); ++i) {
+    DesignRow row;
+    row.row = study.rows + std::int64_t(i) + 1;
+    if (!stored->results[i].empty())
+      row.key = row_key_of(study, stored->optimum.tried[i].inputs);
+    row.numbers = stored->optimum.tried[i].inputs;
+    rows.design.push_back(row);
+    rows.results.push_back(stored->results[i]);
+    rows.failures.push_back(stored->failures[i]);
+  }
+}
+
 void merge(const Study &study)
 {
   for (const std::string &note : merge_rows(study.folder))
     console::say("warning: " + note + "\n");
-}
-
-nlohmann::ordered_json estimated_json(const Estimated &e)
-{
-  return {{"value", json_number(e.value)}, {"low", json_number(e.low)}, {"high", json_number(e.high)}};
-}
-
-nlohmann::ordered_json statistics_json(const ResultStatistics &s)
-{
-  return {{"n", s.n},
-          {"mean", estimated_json(s.mean)},
-          {"sd", estimated_json(s.sd)},
-          {"q025", estimated_json(s.q025)},
-          {"median", estimated_json(s.median)},
-          {"q975", estimated_json(s.q975)},
-          {"shares", s.shares},
-          {"explained", json_number(s.explained)},
-          {"bin_edges", s.bin_edges},
-          {"bin_shares", s.bin_shares}};
-}
-
-nlohmann::ordered_json indices_json(const IndicesOfResult &s)
-{
-  return {{"first", s.first},  {"first_low", s.first_low}, {"first_high", s.first_high},
-          {"total", s.total},  {"total_low", s.total_low}, {"total_high", s.total_high},
-          {"groups", s.groups}};
-}
-
-std::vector<IndicesOfResult> sobol_of(const Study &study, const StudyRows &rows)
-{
-  std::vector<std::vector<double>> inputs, results(study.watched.size());
-  for (std::size_t i = 0; i < rows.design.size(); ++i) {
-    inputs.push_back(rows.design[i].numbers);
-    for (std::size_t r = 0; r < results.size(); ++r)
-      results[r].push_back(rows.results[i].empty() ? not_given : rows.results[i][r]);
-  }
-  return indices_of(inputs, results, study.samples);
-}
-
-// Rows of the design that are drawings of the inputs: of Saltelli's the groups A and B.
-long sample_rows(const Study &study)
-{
-  return study.method == "sobol" ? 2 * study.samples : 0;
-}
-
-nlohmann::ordered_json document_of(const Study &study, const StudyRows &rows)
-{
-  nlohmann::ordered_json document{{"schema", 1},
-                                  {"case", study.case_name},
-                                  {"case_path", study.case_path},
-                                  {"title", study.title},
-                                  {"method", study.method},
-                                  {"work", study.work},
-                                  {"samples", study.samples},
-                                  {"rows", study.rows},
-                                  {"finished", rows.finished},
-                                  {"failed", rows.failed}};
-  for (const UncertainKey &key : study.keys)
-    document["keys"].push_back({{"name", key.key.name},
-                                {"unit", key.key.unit},
-                                {"meaning", key.key.meaning},
-                                {"written", key.written},
-                                {"sd", json_number(deviation_of(key.spread))}});
-  const bool drawn = study.method != "grid" && study.method != "list";
-  const auto sobol = study.method == "sobol" ? sobol_of(study, rows) : std::vector<IndicesOfResult>();
-  const auto step  = std::max<std::size_t>(1, rows.design.size() / most_scatter);
-  for (std::size_t r = 0; r < study.watched.size(); ++r) {
-    const WatchedResult &watched = study.watched[r];
-    nlohmann::ordered_json result{{"name", watched.name},
-                                  {"unit", watched.unit},
-                                  {"meaning", watched.meaning},
-                                  {"base", json_number(watched.base)},
-                                  {"error_estimate", json_number(watched.error_estimate)}};
-    if (drawn)
-      result["statistics"] = statistics_json(statistics_of(study, rows, r, sample_rows(study)));
-    if (!sobol.empty())
-      result["sobol"] = indices_json(sobol[r]);
-    document["results"].push_back(result);
-  }
-  document["points"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < rows.design.size(); i += step)
-    if (!rows.results[i].empty())
-      document["points"].push_back({{"inputs", rows.design[i].numbers}, {"results", rows.results[i]}});
-  document["failures"] = nlohmann::ordered_json::array();
-  for (std::size_t i = 0; i < rows.design.size() && document["failures"].size() < most_failures; ++i)
-    if (!rows.failures[i].empty())
-      document["failures"].push_back({{"row", row_name(study, rows.design[i])}, {"reason", rows.failures[i]}});
-  return document;
 }
 
 std::string with_interval(const nlohmann::ordered_json &e)
@@ -163,8 +93,9 @@ std::string with_interval(const nlohmann::ordered_json &e)
 // Key with the largest share of the variance, and that share.
 std::string first_to_measure(const nlohmann::ordered_json &document, const nlohmann::ordered_json &result)
 {
-  const nlohmann::ordered_json &shares =
-      result.contains("sobol") ? result["sobol"]["first"] : result["statistics"]["shares"];
+  const nlohmann::ordered_json &shares = result.contains("sobol")   ? result["sobol"]["first"]
+                                         : result.contains("chaos") ? result["chaos"]["first"]
+                                                                    : result["statistics"]["shares"];
   if (shares.empty())
     return "";
   const auto largest = std::max_element(shares.begin(), shares.end());
@@ -173,9 +104,37 @@ std::string first_to_measure(const nlohmann::ordered_json &document, const nlohm
                      100 * largest->get<double>());
 }
 
+std::string chaos_text(const nlohmann::ordered_json &chaos)
+{
+  const auto percent = [&](const char *name) {
+    return chaos[name].is_number() ? fmt::format("{:.2g} %", 100 * chaos[name].get<double>()) : std::string("-");
+  };
+  return fmt::format(
+      "  polynomial of degree {} with {} terms: leave-one-out error {} of the variance, {} of {} rows "
+      "that were held out\n",
+      chaos["degree"].get<int>(), chaos["terms"].get<int>(), percent("leave_one_out"), percent("held_out"),
+      chaos["held_out_rows"].get<long>());
+}
+
+std::string optimum_text(const nlohmann::ordered_json &document)
+{
+  const nlohmann::ordered_json &optimum = document["optimum"];
+  if (optimum.is_null())
+    return "the search is not over; continue it with: millstand study run\n";
+  std::string text = fmt::format(
+      "{} of {}: {} at", optimum["searched"].get<std::string>(), optimum["objective"].get<std::string>(),
+      optimum["value"].is_number() ? short_number(optimum["value"].get<double>(), 5) : "-");
+  for (std::size_t k = 0; k < document["keys"].size(); ++k)
+    text += fmt::format("{} {} = {} {}{}", k > 0 ? "," : "", document["keys"][k]["name"].get<std::string>(),
+                        short_number(optimum["inputs"][k].get<double>(), 4),
+                        document["keys"][k]["unit"].get<std::string>(),
+                        optimum["at_bound"][k].get<bool>() ? " (bound)" : "");
+  return text + fmt::format("; {} rows searched\n", optimum["rows"].get<long>());
+}
+
 std::string summary_text(const nlohmann::ordered_json &document)
 {
-  std::string text;
+  std::string text = document.contains("optimum") ? optimum_text(document) : "";
   for (const nlohmann::ordered_json &result : document["results"]) {
     if (!result.contains("statistics"))
       continue;
@@ -185,6 +144,11 @@ std::string summary_text(const nlohmann::ordered_json &document)
                     result["name"].get<std::string>(), result["unit"].get<std::string>(), with_interval(s["mean"]),
                     with_interval(s["sd"]), short_number(s["q025"]["value"].get<double>(), 5),
                     short_number(s["q975"]["value"].get<double>(), 5), first_to_measure(document, result));
+    if (result.contains("linear"))
+      text += fmt::format("  by derivatives at the means: sd {}\n",
+                          short_number(result["linear"]["sd"].get<double>(), 5));
+    if (result.contains("chaos"))
+      text += chaos_text(result["chaos"]);
   }
   return visible(text);
 }
@@ -195,11 +159,15 @@ int study_status(const CommandLine &command)
   const Study study = read_study(command.target);
   std::set<std::int64_t> finished;
   long failed = 0, begun = 0;
-  for (const std::string &file : row_files(study.folder)) {
+  const auto read_file = [&](const std::string &file) {
     read_rows(file, 0, [&](FinishedRow &&row) {
       if (finished.insert(row.key).second && !row.failure.empty())
         ++failed;
     });
+  };
+  read_file(merged_file(study.folder));
+  for (const std::string &file : row_files(study.folder)) {
+    read_file(file);
     begun += long(begun_rows(file).size());
   }
   long rows = 0;
@@ -216,6 +184,8 @@ int study_status(const CommandLine &command)
                   study.folder, study.case_name, study.method, study.work, rows, study.rows,
                   100 * double(rows) / double(std::max(1L, study.rows)), failed, open.size(), begun,
                   row_files(study.folder).size()));
+  if (study.method == "optimise")
+    console::print(fmt::format("{} rows searched\n", std::max(0L, long(finished.size()) - rows)));
   return 0;
 }
 
@@ -223,7 +193,8 @@ int study_merge(const CommandLine &command)
 {
   const Study study = read_study(command.target);
   merge(study);
-  const StudyRows rows = study_rows(study);
+  StudyRows rows = study_rows(study);
+  append_search(study, rows);
   write_csv(study, rows);
   console::print(fmt::format("{}/results.csv: {} of {} rows\n", study.folder, rows.finished, study.rows));
   return 0;
@@ -242,9 +213,11 @@ int study_report(const CommandLine &command)
         fmt::format("{} of {} finished rows failed, more than 5 %: statistics of the others would mislead; "
                     "'millstand study merge {}' lists the reasons, --allow-failed takes the others",
                     rows.failed, rows.finished, study.folder));
-  write_csv(study, rows);
-  const nlohmann::ordered_json document = document_of(study, rows);
-  const std::string text                = document.dump(1) + "\n";
+  const nlohmann::ordered_json document = study_document(study, rows);
+  StudyRows all                         = rows;
+  append_search(study, all);
+  write_csv(study, all);
+  const std::string text = document.dump(1) + "\n";
   write_atomically(study.folder + "/report.json", text);
   write_atomically(study.folder + "/report.html", report::study_page(study.folder, text));
   if (!command.quiet)

@@ -3,6 +3,7 @@
 #include "app/process/cut_signal.h"
 #include "app/study/started_program.h"
 #include "app/study/store/row_files.h"
+#include "app/study/study_optimum.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
 #include <algorithm>
@@ -80,6 +81,10 @@ std::string options_of(const CommandLine &command)
     options += fmt::format(" --threads {}", command.threads);
   if (!command.cache.empty())
     options += " --cache " + shell_word(fs::absolute(command.cache).string());
+  if (cache_limit(command) > 0)
+    options += " --cache-limit " + shell_word(command.sweep.cache_limit);
+  if (command.study.keep)
+    options += " --keep";
   return options;
 }
 
@@ -98,6 +103,10 @@ public:
     common             = {"--threads", std::to_string(threads)};
     if (!command.cache.empty())
       common.insert(common.end(), {"--cache", command.cache});
+    if (cache_limit(command) > 0)
+      common.insert(common.end(), {"--cache-limit", command.sweep.cache_limit});
+    if (command.study.keep)
+      common.push_back("--keep");
     if (command.fresh)
       common.push_back("--fresh");
     if (command.quiet || jobs > 1)
@@ -232,7 +241,7 @@ int study_run(const CommandLine &command)
   }
   require_engine(engine);
   base_case(study);
-  if (all_finished(study)) {
+  if (all_finished(study) && study.method != "optimise") {
     console::print("all rows are finished; report: millstand study report " + study.folder + "\n");
     return 0;
   }
@@ -254,6 +263,10 @@ int study_run(const CommandLine &command)
            0)
     code = signal.asked() ? 130 : 3;
   say_notes(merge_rows(study.folder));
+  if (code == 0 && study.method == "optimise") {
+    code = run_search(study, command, signal);
+    say_notes(merge_rows(study.folder));
+  }
   if (code == 130)
     console::say("stopped; what is finished is kept. Continue with: millstand study run " + study.folder + "\n");
   else if (code == 0 && !command.quiet)

@@ -137,6 +137,27 @@ ResultStatistics statistics_of(const Study &study, const StudyRows &rows, const 
   return s;
 }
 
+double mean_of(const Spread &s)
+{
+  switch (s.kind) {
+  case Spread::Kind::uniform:
+    return 0.5 * (s.low + s.high);
+  case Spread::Kind::normal:
+    return s.mean;
+  case Spread::Kind::truncated:
+  case Spread::Kind::tolerance: {
+    const boost::math::normal law;
+    const double a = (s.low - s.mean) / s.sd, b = (s.high - s.mean) / s.sd;
+    return s.mean + s.sd * (pdf(law, a) - pdf(law, b)) / (cdf(law, b) - cdf(law, a));
+  }
+  case Spread::Kind::triangular:
+    return (s.low + s.mean + s.high) / 3;
+  case Spread::Kind::none:
+    break;
+  }
+  return not_given;
+}
+
 double deviation_of(const Spread &s)
 {
   const auto truncated = [&] {

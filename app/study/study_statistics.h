@@ -20,7 +20,7 @@ struct Estimated {
   double value = not_given, low = not_given, high = not_given;
 };
 
-/// What a sample says of one result.  theory 44
+/// What a sample says of one result.  theory 52.1, 52.2
 struct ResultStatistics {
   long n = 0;
   Estimated mean, sd, q025, median, q975;  ///< in the unit of the result; quantiles by order statistics
@@ -35,6 +35,7 @@ struct ResultStatistics {
 /// @throws InputError  fewer than three finished rows
 ResultStatistics statistics_of(const Study &study, const StudyRows &rows, std::size_t place, long sample_rows = 0);
 
-/// Spread of one input by its distribution: standard deviation in its unit.
+/// Mean and standard deviation of one input by its distribution, in its unit.
+double mean_of(const Spread &spread);
 double deviation_of(const Spread &spread);
 }  // namespace mill

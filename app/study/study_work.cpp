@@ -4,6 +4,8 @@
 #include "app/process/fast_blas.h"
 #include "app/run/run_setup.h"
 #include "app/run/scratch_folder.h"
+#include "app/study/computed_row.h"
+#include "app/study/earlier_ends.h"
 #include "app/study/store/row_files.h"
 #include "app/study/study_folder.h"
 #include "app/verbs/checked_case.h"
@@ -11,21 +13,12 @@
 #include "core/process/parallel.h"
 #include <algorithm>
 #include <chrono>
-#include <cmath>
-#include <csignal>
-#include <cstring>
-#include <fcntl.h>
-#include <filesystem>
 #include <fmt/format.h>
 #include <map>
-#include <new>
 #include <set>
-#include <unistd.h>
 
 namespace mill {
 namespace {
-constexpr int most_crashes        = 2;  // of a row, by itself
-constexpr int most_ends           = 6;  // with kills from outside: an operator, the end of a slot, no memory
 constexpr std::size_t most_block  = 4096;
 constexpr double seconds_of_block = 0.25;  // a crash costs no more
 
@@ -71,72 +64,13 @@ std::vector<std::int64_t> finished_keys(const std::string &folder, const Shard &
   return keys;
 }
 
-FinishedRow computed(RowModel &model, const Study &study, const DesignRow &design)
-{
-  FinishedRow row;
-  row.key = design.key;
-  try {
-    const NamedResults results = model.results(checked_row(study.case_path, sets_of(study, design.numbers)));
-    for (const WatchedResult &watched : study.watched) {
-      const auto entry = std::find_if(results.begin(), results.end(),
-                                      [&](const auto &result) { return result.first == watched.name; });
-      const bool known = entry != results.end() && std::isfinite(entry->second.value);
-      row.results.push_back(known ? entry->second.value : not_given);
-      if (!known && row.failure.empty())
-        row.failure = "no result " + watched.name +
-                      (entry != results.end() && !entry->second.method.empty() ? ": " + entry->second.method : "");
-    }
-  } catch (const SystemError &) {  // of this machine, not of the row
-    throw;
-  } catch (const SolverError &e) {
-    row.failure = e.report.what;
-  } catch (const std::bad_alloc &) {
-    row.failure = "not enough memory";
-  } catch (const InputError &e) {
-    row.failure = e.problems.empty() ? e.what() : e.problems.front().message;
-  }
-  if (!row.failure.empty())
-    row.results.clear();
-  return row;
-}
-
-// How often a row was under way when its program ended.
-struct Ends {
-  int all = 0, crashes = 0;
-};
-
-char mark_of_crash[4096];
-
-extern "C" void leave_mark(const int signal)
-{
-  if (const int mark = ::open(mark_of_crash, O_CREAT | O_WRONLY | O_CLOEXEC, 0666); mark >= 0)
-    ::close(mark);
-  std::signal(signal, SIG_DFL);
-  std::raise(signal);
-}
-
-// A fault of the program leaves a file; a kill from outside cannot.
-void mark_own_crash(const std::string &path)
-{
-  if (path.size() >= sizeof mark_of_crash)
-    return;
-  std::strcpy(mark_of_crash, path.c_str());
-  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
-    std::signal(signal, leave_mark);
-}
-
 // The loop over the rows of a shard.
 class Worker {
 public:
   Worker(const Study &asked, RowModel &row_model, const Shard &shard, const int n_threads, const bool is_quiet)
       : study(asked), model(row_model), threads(n_threads), file(new_row_file(asked.folder, shard.name())),
-        bar({{"rows", 1}}, is_quiet)
+        bar({{"rows", 1}}, is_quiet), ends(earlier_ends(asked.folder, shard.name()))
   {
-    for (const std::string &earlier : row_files(study.folder, shard.name())) {
-      const bool crashed = earlier != file.path() && std::filesystem::exists(crash_mark(earlier));
-      for (const std::int64_t key : begun_rows(earlier))
-        ends[key] = {ends[key].all + 1, ends[key].crashes + crashed};
-    }
     mark_own_crash(crash_mark(file.path()));
   }
 
@@ -171,15 +105,15 @@ private:
     std::vector<DesignRow> block;
     std::map<std::int64_t, int> started;
     while (done < rows.size() && block.size() < size) {
-      const DesignRow &row  = rows[done];
-      const auto earlier    = ends.find(row.key);
-      const Ends before     = earlier == ends.end() ? Ends() : earlier->second;
-      const bool suspicious = before.all > 0;
+      const DesignRow &row     = rows[done];
+      const auto earlier       = ends.find(row.key);
+      const EarlierEnds before = earlier == ends.end() ? EarlierEnds() : earlier->second;
+      const bool suspicious    = before.all > 0;
       if (suspicious && !block.empty())
         break;
       ++done;
-      if (before.crashes >= most_crashes || before.all >= most_ends) {
-        finished.push_back({row.key, {}, fmt::format("ended the program {} times; not tried again", before.all)});
+      if (gives_up(before)) {
+        finished.push_back({row.key, {}, sentence_of(before)});
         continue;
       }
       started[row.key] = before.all + 1;
@@ -197,7 +131,7 @@ private:
     const std::size_t before = finished.size();
     finished.resize(before + block.size());
     const auto one = [&](const long i) {
-      finished[before + std::size_t(i)] = computed(model, study, block[std::size_t(i)]);
+      finished[before + std::size_t(i)] = computed_row(model, study, block[std::size_t(i)]);
     };
     if (study.model == ModelKind::quick)
       share_tasks(long(block.size()), threads, one);
@@ -211,7 +145,7 @@ private:
   int threads;
   RowFile file;
   console::ProgressBar bar;
-  std::map<std::int64_t, Ends> ends;
+  std::map<std::int64_t, EarlierEnds> ends;
   std::vector<FinishedRow> finished;
 };
 
@@ -250,7 +184,8 @@ int study_work(const CommandLine &command)
   RunContext setup{base, out, cache_folder(command, study.folder + "/cache")};
   open_cache(setup, out.staging());
   set_up_threads(setup, command);
-  RowModel model({study.model, setup.cache, command.fresh, setup.threads});
+  RowModel model(
+      {study.model, setup.cache, command.fresh, setup.threads, cache_limit(command), command.study.keep});
   model.choose_work(study.work);
   Worker worker(study, model, shard, setup.threads, command.quiet);
   if (worker.work(rows, signal)) {

@@ -196,7 +196,7 @@ int sweep_command(const CommandLine &command)
   open_cache(setup, out.staging());
   set_up_threads(setup, command);
   RowModel model({command.sweep.model == "quick" ? ModelKind::quick : ModelKind::full, setup.cache, command.fresh,
-                  setup.threads});
+                  setup.threads, cache_limit(command)});
   table.watched = model.choose(base, command.sweep.watch);
   table.work    = model.work();
   compute_rows(command, model, setup.threads, table);

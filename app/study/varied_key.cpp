@@ -112,9 +112,11 @@ void share_unit(std::vector<Item> &items)
 
 void require_dimension(const std::string &written, const KnownKey &key, const Item &item)
 {
-  if (key.row.kind != Kind::quantity)
+  if (key.row.kind != Kind::quantity && key.row.kind != Kind::pair)
     return;
   const std::string takes = "; " + needed(key.row);
+  if (!item.word.empty() && key.row.kind == Kind::pair)
+    return;  // written as two, which the reader judges
   if (!item.word.empty())
     refuse(written, "'" + item.word + "' is not a quantity" + takes);
   if (item.unit.empty())
@@ -123,6 +125,12 @@ void require_dimension(const std::string &written, const KnownKey &key, const It
     refuse(written, number_text(item.number) + " " + item.unit + " is " + find_unit(item.unit)->quantity + takes);
 }
 }  // namespace
+
+std::string number_value(const double number, const std::string &unit, const bool pair)
+{
+  const std::string one = number_text(number) + (unit.empty() ? "" : " " + unit);
+  return pair ? "[\"" + one + "\", \"" + one + "\"]" : one;
+}
 
 WrittenVariation split_variation(const std::string &written, const char sign)
 {
@@ -150,12 +158,11 @@ VariedKey varied_key(const Case &the_case, const std::vector<std::string> &sets,
     for (const std::string &text : list_items(parts.values))
       items.push_back(item_of(written, text));
   share_unit(items);
-  VariedKey varied{key.name, key.path, key.row.meaning, items.back().unit, {}, {}};
+  VariedKey varied{key.name, key.path, key.row.meaning, items.back().unit, {}, {}, key.row.kind == Kind::pair};
   std::set<std::string> seen;
   for (const Item &item : items) {
     require_dimension(written, key, item);
-    const std::string value =
-        item.word.empty() ? number_text(item.number) + (item.unit.empty() ? "" : " " + item.unit) : item.word;
+    const std::string value = item.word.empty() ? number_value(item.number, item.unit, varied.pair) : item.word;
     if (!seen.insert(value).second)
       refuse(written, "the value " + value + " is there twice");
     varied.values.push_back(value);

@@ -14,7 +14,11 @@ struct VariedKey {
   std::string unit;                 ///< of `numbers`, "um"; empty: pure numbers or words
   std::vector<std::string> values;  ///< as --set takes them, "50 um", "solid"
   std::vector<double> numbers;      ///< in `unit`; NaN where the value is a word
+  bool pair = false;                ///< a pair of which both have the same value: bending of both chocks
 };
+
+/// A number as --set takes it: with its unit, twice for a pair.
+std::string number_value(double number, const std::string &unit, bool pair);
 
 /// The key of "KEY=..." or "KEY~..." and what follows it.
 /// @param sign  '=' or '~'

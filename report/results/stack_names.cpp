@@ -10,6 +10,7 @@ const std::map<std::string, std::string> stack_words{
     {"stack.crown", "crown of the strip, positive: thicker in the middle"},
     {"stack.edge_drop", "edge drop of the strip, mean of both sides"},
     {"stack.wedge", "wedge of the strip, drive less operator side"},
+    {"stack.profile_rms", "root mean square of the exit thickness about its mean over the width"},
     {"stack.opening", "opening of the gap by the force, middle of the strip"},
     {"stack.gap", "gap between the unloaded work rolls"},
     {"stack.modulus.mid", "modulus of the stack, force per thickness in the middle"},

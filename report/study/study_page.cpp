@@ -5,31 +5,18 @@
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/plot/svg_plot.h"
+#include "report/study/optimum_section.h"
+#include "report/study/study_values.h"
+#include "report/study/surrogate_section.h"
 #include "report/twin/analysis/written_document.h"
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <numeric>
 
 namespace mill::report {
 namespace {
 using nlohmann::json;
-
-constexpr double pair_width = 450;  // px, of two drawings side by side
-
-// Factor from SI to the unit of the mill floor, by the size of the base value.
-struct FloorUnit {
-  double factor;
-  std::string sign;
-};
-FloorUnit floor_unit(const json &result)
-{
-  const double base      = std::abs(number_in(result["base"]));
-  const std::string unit = result["unit"];
-  if (!(base > 0))
-    return {1, unit_sign(unit)};
-  const Shown shown = engineering(base, unit);
-  return {shown.value / base, unit_sign(shown.unit)};
-}
 
 std::string in_words(const json &estimate, const double factor)
 {
@@ -81,10 +68,21 @@ std::string histogram(const json &result)
   return svg_plot(plot);
 }
 
+// Indices with intervals: of Saltelli's rows, or of the polynomial.
+bool with_indices(const json &result)
+{
+  return result.contains("sobol") || result.contains("chaos");
+}
+
+const json &indices_in(const json &result)
+{
+  return result.contains("sobol") ? result["sobol"] : result["chaos"];
+}
+
 // Shares of the variance: first-order indices where there are some, else those of the regression.
 const json &shares_of(const json &result)
 {
-  return result.contains("sobol") ? result["sobol"]["first"] : result["statistics"]["shares"];
+  return with_indices(result) ? indices_in(result)["first"] : result["statistics"]["shares"];
 }
 
 std::string share_bars(const json &document, const json &result)
@@ -108,10 +106,47 @@ std::string share_bars(const json &document, const json &result)
     plot.x.categories.push_back(name.substr(name.rfind('.') + 1));
   }
   plot.y = {"share of the variance", "%"};
-  plot.bars.push_back({result.contains("sobol") ? "alone (S)" : "linear", column(shares), Pen::dark});
-  if (result.contains("sobol"))
-    plot.bars.push_back({"with interactions (T)", column(result["sobol"]["total"]), Pen::pale});
+  plot.bars.push_back({with_indices(result) ? "alone (S)" : "by regression", column(shares), Pen::dark});
+  if (with_indices(result))
+    plot.bars.push_back({"with interactions (T)", column(indices_in(result)["total"]), Pen::pale});
+  if (result.contains("linear"))
+    plot.bars.push_back({"by derivatives", column(result["linear"]["shares"]), Pen::warm});
   return svg_plot(plot);
+}
+
+// For each result the inputs in the order in which knowing them helps, and what is left of the spread.
+std::string ranking_table(const json &document)
+{
+  std::string rows;
+  for (const json &result : document["results"]) {
+    const json &shares = shares_of(result);
+    if (shares.empty())
+      continue;
+    std::vector<std::size_t> order(shares.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    std::stable_sort(order.begin(), order.end(), [&](const std::size_t a, const std::size_t b) {
+      return number_in(shares[a]) > number_in(shares[b]);
+    });
+    const FloorUnit unit = floor_unit(result);
+    const double sd      = unit.factor * number_in(result["statistics"]["sd"]["value"]);
+    const double linear =
+        result.contains("linear") ? unit.factor * number_in(result["linear"]["sd"]) : std::nan("");
+    std::string cells = cell(escaped(unit.sign)) + cell(significant(sd, 4)) + cell(significant(linear, 4));
+    double known      = 0;
+    for (std::size_t i = 0; i < 2; ++i) {
+      if (i >= order.size()) {
+        cells += "<td></td>" + cell("");
+        continue;
+      }
+      known += std::max(0.0, number_in(shares[order[i]]));
+      cells += "<td><code>" + escaped(document["keys"][order[i]]["name"]) + "</code></td>" +
+               cell(significant(sd * std::sqrt(std::max(0.0, 1 - known)), 3));
+    }
+    rows += named_row(result["name"], cells);
+  }
+  return table_of("<th>result</th><th>unit</th><th>standard deviation of the rows</th><th>linear estimate</th>"
+                  "<th>measure first</th><th>spread that stays</th><th>then</th><th>spread that stays</th>",
+                  rows);
 }
 
 std::string share_table(const json &document)
@@ -125,12 +160,14 @@ std::string share_table(const json &document)
     for (const json &result : document["results"]) {
       const json &shares = shares_of(result);
       std::string text   = shares.empty() ? "\u2013" : fixed(100 * number_in(shares[k]), 1) + " %";
-      if (result.contains("sobol")) {
-        const json &s = result["sobol"];
+      if (with_indices(result)) {
+        const json &s = indices_in(result);
         text += " <small>(" + fixed(100 * number_in(s["first_low"][k]), 1) + " .. " +
                 fixed(100 * number_in(s["first_high"][k]), 1) + "; T " + fixed(100 * number_in(s["total"][k]), 1) +
                 ")</small>";
       }
+      if (result.contains("linear"))
+        text += " <small>linear " + fixed(100 * number_in(result["linear"]["shares"][k]), 1) + "</small>";
       cells += cell(text);
     }
     rows += named_row(key["name"], cells);
@@ -185,15 +222,29 @@ void drawn_sections(Page &page, const json &document)
       page, document, [&](const std::size_t r) { return histogram(document["results"][r]); }, "Distribution of ");
   page.section("first", "Which input to measure better first");
   page.paragraph("The share of an input is the part of the variance that goes when this input is known exactly.");
-  page.table(share_table(document), document["method"] == "sobol"
-                                        ? "First-order Sobol indices with 95 % intervals; T: with interactions."
-                                        : "Shares by linear regression on the rows.");
+  page.table(ranking_table(document),
+             "Which input to know better first, and the standard deviation that is left then. The linear estimate "
+             "takes the derivatives at the means of the inputs; where it differs from the rows, the result is not "
+             "linear.");
+  const bool indices = !document["results"].empty() && with_indices(document["results"][0]);
+  page.table(share_table(document), std::string(indices ? "First-order Sobol indices with 95 % intervals; T: with "
+                                                          "interactions"
+                                                        : "Shares by linear regression on the rows") +
+                                        "; linear: by the derivatives.");
   pairs_of_figures(
       page, document, [&](const std::size_t r) { return share_bars(document, document["results"][r]); },
       "Shares of the variance. ");
   page.section("scatter", "Results over their strongest input");
   pairs_of_figures(
       page, document, [&](const std::size_t r) { return scatter(document, r); }, "Rows of ");
+}
+
+// Of an optimum, behind the start rows.
+std::string searched_rows(const json &document)
+{
+  if (!document.contains("optimum") || document["optimum"].is_null())
+    return "";
+  return ", " + std::to_string(document["optimum"]["rows"].get<long>()) + " rows searched";
 }
 
 void failed_rows(Page &page, const json &document)
@@ -218,17 +269,20 @@ std::string study_page(const std::string &directory, const std::string &text)
   run.status        = finished == rows && failed == 0 ? "ok" : "warnings";
   Page page(run);
   const bool drawn = !document["results"].empty() && document["results"][0].contains("statistics");
-  if (drawn)
+  optimum_section(page, document);
+  if (drawn) {
     drawn_sections(page, document);
-  else
+    surrogate_section(page, document);
+  } else if (!document.contains("optimum"))
     page.paragraph("The rows of a grid or list are in <code>results.csv</code>.");
   failed_rows(page, document);
   const std::string head =
       "<header><h1>Study of " + escaped(run.case_name) + "</h1></header>\n<div class=\"verdict " + run.status +
       "\"><p>" + std::to_string(finished) + " of " + std::to_string(rows) + " rows finished" +
-      (failed > 0 ? ", " + std::to_string(failed) + " failed" : "") + ". Method: " + escaped(document["method"]) +
-      ". Each row: " + escaped(document["work"]) + ".</p></div>\n<p>Case: <code>" +
-      escaped(document["case_path"]) + "</code>, " + escaped(document["title"]) + ".</p>\n";
+      searched_rows(document) + (failed > 0 ? ", " + std::to_string(failed) + " failed" : "") +
+      ". Method: " + escaped(document["method"]) + ". Each row: " + escaped(document["work"]) +
+      ".</p></div>\n<p>Case: <code>" + escaped(document["case_path"]) + "</code>, " + escaped(document["title"]) +
+      ".</p>\n";
   return html_document(run.case_name + ", study", run, page, head);
 }
 }  // namespace mill::report

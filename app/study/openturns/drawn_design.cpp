@@ -20,6 +20,7 @@
 namespace mill {
 namespace {
 constexpr long least_groups = 16;
+}  // namespace
 
 OT::Distribution distribution_of(const Spread &s)
 {
@@ -39,6 +40,7 @@ OT::Distribution distribution_of(const Spread &s)
   throw std::logic_error("an input without a distribution is drawn");
 }
 
+namespace {
 OT::Distribution joint(const std::vector<Spread> &spreads, const std::vector<Correlation> &correlations)
 {
   OT::ComposedDistribution::DistributionCollection marginals;

@@ -5,12 +5,18 @@
 
 // What OpenTURNS does for a study.  Its headers stay in this folder, and its library in a program of its own: it
 // brings Ipopt and with it a second MUMPS, whose names are also those of deal.II's libraries.
+namespace OT {
+class Distribution;
+}
 namespace mill {
 /// A correlation of two inputs, by their places among the keys.
 struct Correlation {
   std::size_t a = 0, b = 0;
   double value = 0;  ///< -, of the normal copula, -1 < value < 1
 };
+
+/// The law of one input.
+OT::Distribution distribution_of(const Spread &spread);
 
 enum class DrawMethod {
   latin_hypercube,  ///< one row in each of n equal strata of every input

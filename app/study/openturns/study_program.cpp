@@ -1,3 +1,4 @@
+#include "app/study/openturns/chaos.h"
 #include "app/study/openturns/drawn_design.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
@@ -56,20 +57,29 @@ json drawn(const json &request, const std::string &folder)
   return {{"rows", rows.size()}};
 }
 
+// Rows and results that the request has left in its folder.
+struct ComputedRows {
+  std::vector<std::vector<double>> rows, results;  // (rows, keys), (results)(rows)
+};
+
+ComputedRows computed_rows(const json &request, const std::string &folder)
+{
+  const auto numbers = numbers_of_file(folder + "/rows.bin"), values = numbers_of_file(folder + "/results.bin");
+  const auto d = request["keys"].get<std::size_t>();
+  ComputedRows all;
+  for (auto row = numbers.begin(); row != numbers.end(); row += std::ptrdiff_t(d))
+    all.rows.emplace_back(row, row + std::ptrdiff_t(d));
+  for (auto one = values.begin(); one != values.end(); one += std::ptrdiff_t(all.rows.size()))
+    all.results.emplace_back(one, one + std::ptrdiff_t(all.rows.size()));
+  return all;
+}
+
 json indices(const json &request, const std::string &folder)
 {
-  const auto numbers  = numbers_of_file(folder + "/rows.bin");
-  const auto d        = request["keys"].get<std::size_t>();
-  const auto results  = numbers_of_file(folder + "/results.bin");
-  const std::size_t n = numbers.size() / d;
-  std::vector<std::vector<double>> rows(n);
-  for (std::size_t i = 0; i < n; ++i)
-    rows[i].assign(numbers.begin() + std::ptrdiff_t(i * d), numbers.begin() + std::ptrdiff_t((i + 1) * d));
-  json answer = json::array();
-  for (std::size_t r = 0; r * n < results.size(); ++r) {
-    const std::vector<double> one(results.begin() + std::ptrdiff_t(r * n),
-                                  results.begin() + std::ptrdiff_t((r + 1) * n));
-    const SobolIndices s = sobol_indices(rows, one, request["n"].get<long>());
+  const ComputedRows computed = computed_rows(request, folder);
+  json answer                 = json::array();
+  for (const auto &result : computed.results) {
+    const SobolIndices s = sobol_indices(computed.rows, result, request["n"].get<long>());
     answer.push_back({{"first", s.first},
                       {"total", s.total},
                       {"first_low", s.first_low},
@@ -81,12 +91,50 @@ json indices(const json &request, const std::string &folder)
   return answer;
 }
 
+json chaos(const json &request, const std::string &folder)
+{
+  const ComputedRows computed = computed_rows(request, folder);
+  const auto spreads          = spreads_of(request);
+  json answer                 = json::array();
+  for (const auto &result : computed.results) {
+    const ChaosFit f =
+        chaos_fit(spreads, computed.rows, result, request["fitted"].get<long>(), request["seed"].get<int>());
+    answer.push_back(
+        {{"degree", f.degree},
+         {"terms", f.terms},
+         {"rows", f.rows},
+         {"held_out_rows", f.held_out_rows},
+         {"mean", f.mean},
+         {"sd", f.sd},
+         {"leave_one_out", f.leave_one_out},
+         {"held_out", f.held_out},
+         {"first", f.first},
+         {"total", f.total},
+         {"first_low", f.first_low},
+         {"first_high", f.first_high},
+         {"total_low", f.total_low},
+         {"total_high", f.total_high},
+         {"computed", f.computed},
+         {"predicted", f.predicted},
+         {"map", {{"x_key", f.map_x}, {"y_key", f.map_y}, {"x", f.x}, {"y", f.y}, {"height", f.height}}}});
+  }
+  return answer;
+}
+
+json answer_to(const json &request, const std::string &folder)
+{
+  const std::string task = request["task"];
+  return task == "draw"    ? drawn(request, folder)
+         : task == "chaos" ? chaos(request, folder)
+                           : indices(request, folder);
+}
+
 void carry_out(const std::string &folder)
 {
   json answer;
   try {
     const json request = json::parse(read_text(folder + "/request.json"));
-    answer["answer"]   = request["task"] == "draw" ? drawn(request, folder) : indices(request, folder);
+    answer["answer"]   = answer_to(request, folder);
   } catch (const InputError &e) {
     answer["refused"] = e.problems.empty() ? e.what() : e.problems.front().message;
   }

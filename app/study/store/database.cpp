@@ -55,6 +55,8 @@ Database::Database(std::string path, const Open how) : own(std::make_unique<Impl
   sqlite3_busy_timeout(own->file, 60000);
   if (how == Open::write)
     execute("PRAGMA journal_mode=DELETE; PRAGMA synchronous=FULL");
+  else if (how == Open::write_aside)
+    execute("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=FULL");
   else if (has_cut_transaction(own->file))
     open_copy();
 }

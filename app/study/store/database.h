@@ -11,7 +11,11 @@ class Statement;
 
 class Database {
 public:
-  enum class Open { read, write };
+  enum class Open {
+    read,
+    write,
+    write_aside  ///< a file that is thrown away when its writer ends early: its journal is in memory
+  };
   /// @throws SystemError  disk or permission refuse it; InputError  not a file of SQLite
   Database(std::string path, Open how);
   ~Database();

@@ -3,8 +3,10 @@
 #include "core/base/files.h"
 #include <algorithm>
 #include <cstdio>
+#include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <sys/file.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -133,6 +135,11 @@ std::string merged_file(const std::string &folder)
 }
 
 namespace {
+std::string damaged_rows(const std::size_t n)
+{
+  return (n == 1 ? "1 row" : fmt::format("{} rows", n)) + " with a wrong checksum";
+}
+
 // How far each file has been merged, by its name.
 std::map<std::string, std::int64_t> merged_places(Database &merged)
 {
@@ -141,6 +148,27 @@ std::map<std::string, std::int64_t> merged_places(Database &merged)
   while (rows.step())
     places[rows.text(0)] = rows.integer(1);
   return places;
+}
+
+// Rows of the merged file whose checksum is wrong leave it; what their files have of them comes again.
+void remove_damaged(Database &merged, const std::string &path, std::vector<std::string> &notes)
+{
+  std::vector<std::int64_t> damaged;
+  {
+    Statement rows = merged.prepare("SELECT place, key, results, failure, crc FROM row");
+    while (rows.step())
+      if (checksum({rows.integer(1), rows.numbers(2), rows.text(3)}) != rows.integer(4))
+        damaged.push_back(rows.integer(0));
+  }
+  if (damaged.empty())
+    return;
+  Transaction all(merged);
+  Statement row = merged.prepare("DELETE FROM row WHERE place = ?");
+  for (const std::int64_t place : damaged)
+    row.bind(0, place).run();
+  merged.execute("DELETE FROM merged");
+  all.commit();
+  notes.push_back(path + ": " + damaged_rows(damaged.size()) + " removed");
 }
 
 // Adds what the files have in addition.
@@ -155,13 +183,19 @@ void add_new_rows(Database &merged, const std::vector<std::string> &files, std::
     const ReadRows read    = read_rows(path, known == places.end() ? 0 : known->second,
                                        [&](FinishedRow &&finished) { insert(row, finished); });
     if (read.damaged > 0)
-      notes.push_back(fmt::format("{}: {} with a wrong checksum, computed again", path,
-                                  read.damaged == 1 ? "1 row" : fmt::format("{} rows", read.damaged)));
+      notes.push_back(path + ": " + damaged_rows(read.damaged) + ", computed again");
     if (!read.fault.empty())
       notes.push_back(read.fault + "; the rows behind it are computed again");
     place.bind(0, name).bind(1, read.last_place).run();
   }
   all.commit();
+}
+
+// Is a row of the merged file damaged, or the file itself?
+bool is_damaged(const std::string &path)
+{
+  const ReadRows read = read_rows(path, 0, [](FinishedRow &&) {});
+  return read.damaged > 0 || !read.fault.empty();
 }
 
 bool has_new_rows(const std::string &path, const std::vector<std::string> &files)
@@ -185,23 +219,69 @@ bool has_new_rows(const std::string &path, const std::vector<std::string> &files
 }
 }  // namespace
 
+// Shows others that whoever writes aside is alive: remove_stale_parts() leaves the file.
+class AsideLock {
+public:
+  explicit AsideLock(const std::string &path) : file(open_file(path, O_RDWR | O_CREAT | O_EXCL))
+  {
+    if (file >= 0)
+      lock_file(file, LOCK_EX);
+  }
+  ~AsideLock()
+  {
+    if (file >= 0)
+      ::close(file);
+  }
+  AsideLock(const AsideLock &)            = delete;
+  AsideLock &operator=(const AsideLock &) = delete;
+
+private:
+  int file;
+};
+
+// All of the merged file, or all of the workers' files again where it cannot be read.
+void merge_aside(const std::string &path, const std::string &aside, const bool damaged,
+                 const std::vector<std::string> &files, std::vector<std::string> &notes)
+{
+  bool there = fs::exists(path);
+  if (there)
+    fs::copy_file(path, aside, fs::copy_options::overwrite_existing);
+  for (int attempt = 0; attempt < 2; ++attempt) {
+    try {
+      Database merged(aside, Database::Open::write_aside);
+      if (!there)
+        merged.execute(std::string(row_table) +
+                       "CREATE TABLE merged(file TEXT PRIMARY KEY, place INTEGER NOT NULL)");
+      else if (damaged)
+        remove_damaged(merged, path, notes);
+      add_new_rows(merged, files, notes);
+      return;
+    } catch (const SystemError &) {
+      throw;
+    } catch (const InputError &e) {  // damaged pages
+      if (!there)
+        throw;
+      notes.push_back(path + " is damaged and made again from the files of the workers");
+      there = false;
+      fs::resize_file(aside, 0);
+    }
+  }
+}
+
 // Written aside and renamed, so that two that merge at once leave one whole file.
 std::vector<std::string> merge_rows(const std::string &folder)
 {
   std::vector<std::string> notes;
   const std::string path = merged_file(folder);
   const auto files       = row_files(folder);
-  if (!has_new_rows(path, files))
+  remove_stale_parts(folder);
+  const bool damaged = fs::exists(path) && is_damaged(path);
+  if (!damaged && !has_new_rows(path, files))
     return notes;
   const std::string aside = name_aside(path);
+  const AsideLock lock(aside);
   try {
-    if (fs::exists(path))
-      fs::copy_file(path, aside);
-    Database merged(aside, Database::Open::write);
-    if (!fs::exists(path))
-      merged.execute(std::string(row_table) +
-                     "CREATE TABLE merged(file TEXT PRIMARY KEY, place INTEGER NOT NULL)");
-    add_new_rows(merged, files, notes);
+    merge_aside(path, aside, damaged, files, notes);
   } catch (...) {
     std::error_code ignored;
     fs::remove(aside, ignored);

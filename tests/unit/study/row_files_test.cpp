@@ -77,6 +77,40 @@ TEST(RowFiles, ARowWithAWrongChecksumIsLeftOutAndNamed)
   EXPECT_EQ(rows_in(merged_file(folder)).size(), 1u);
 }
 
+TEST(RowFiles, ADamagedMergedRowIsReplacedByThatOfItsFile)
+{
+  const std::string folder = scratch("damaged-merged-row");
+  {
+    RowFile file(new_row_file(folder, "1-of-1"));
+    file.commit({{1, {1.5}, ""}, {2, {123.456}, ""}}, {});
+  }
+  merge_rows(folder);
+  std::string bytes    = read_text(merged_file(folder));
+  const double damaged = 123.456;
+  const auto place     = bytes.find(std::string(reinterpret_cast<const char *>(&damaged), sizeof damaged));
+  ASSERT_NE(place, std::string::npos);
+  bytes[place] ^= 1;
+  write_atomically(merged_file(folder), bytes);
+  const auto notes = merge_rows(folder);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("finished.db"), std::string::npos) << notes[0];
+  EXPECT_NE(notes[0].find("1 row with a wrong checksum removed"), std::string::npos) << notes[0];
+  EXPECT_EQ(rows_in(merged_file(folder)).at(2).results, std::vector<double>{123.456});
+  EXPECT_TRUE(merge_rows(folder).empty());
+}
+
+TEST(RowFiles, AMergedFileThatIsNoDatabaseIsMadeAgain)
+{
+  const std::string folder = scratch("damaged-merged-file");
+  {
+    RowFile file(new_row_file(folder, "1-of-1"));
+    file.commit({{1, {1.5}, ""}}, {});
+  }
+  write_atomically(merged_file(folder), std::string(5000, 'x'));
+  EXPECT_EQ(merge_rows(folder).size(), 1u);
+  EXPECT_EQ(rows_in(merged_file(folder)).at(1).results, std::vector<double>{1.5});
+}
+
 // A copy of file and journal in the middle of a transaction is what a kill leaves.
 TEST(RowFiles, ACutTransactionIsUndoneWithoutWritingIntoTheFile)
 {

@@ -175,6 +175,57 @@ TEST(StudyCommand, RefusesWhatCannotBeStudied)
                  "--hosts belongs to --engine parallel");
 }
 
+TEST(StudyCommand, RefusesObjectivesAndSurrogatesThatCannotBe)
+{
+  const std::string folder = scratch("study-objectives"), to = " -o " + folder + "/study";
+  const std::string bounds = "--vary 'given.K1~uniform(4, 8) MN/mm' ";
+  expect_refused(
+      chain + "--method optimise " + bounds + to,
+      "error: --method optimise has no objective: give --minimise RESULT or --maximise RESULT, a name of "
+      "results.json");
+  expect_refused(
+      chain + "--method optimise --minimise f33 " + bounds + to,
+      "error: --minimise f33: cases/published-1400.toml gives no result of this name; did you mean 'f3'?");
+  expect_refused(chain + "--method optimise --minimise f3 --vary 'given.K1~normal(10 %)'" + to,
+                 "--method optimise takes the bounds of each key: KEY~uniform(low, high) UNIT");
+  expect_refused(
+      chain + "--method optimise --minimise f3 --vary 'given.K1=4,8 MN/mm'" + to,
+      "--method optimise searches between bounds, KEY~uniform(low, high) UNIT; values KEY=a,b belong to "
+      "--method grid");
+  expect_refused(chain + "--samples 16 --minimise f3 " + bounds + to,
+                 "--minimise and --maximise belong to --method optimise");
+  expect_refused(chain + "--method chaos --samples 16 " + bounds +
+                     "--vary 'given.K7~normal(5 %)' --correlate given.K1,given.K7=0.5" + to,
+                 "chaos takes independent inputs; leave --correlate out, or use another method");
+  expect_refused(chain + "--samples 16 --cache-limit 20 " + bounds + to,
+                 "error: --cache-limit \"20\": a size is needed, for example --cache-limit 20GB (MB, GB, TB)");
+}
+
+TEST(StudyCommand, AnInvalidBaseCaseIsRefusedWithItsPlace)
+{
+  const std::string folder = scratch("study-invalid-base");
+  std::string text         = mill::read_text(MILLSTAND_SOURCE_DIR "/cases/published-1400.toml");
+  text.replace(text.find("kind "), 5, "knid ");
+  mill::write_atomically(folder + "/stand.toml", text);
+  const std::string message = refusal("study new " + folder +
+                                      "/stand.toml --samples 4 --vary 'given.K1~normal(1 %)' "
+                                      "-o " +
+                                      folder + "/study");
+  EXPECT_NE(message.find(folder + "/stand.toml:"), std::string::npos) << message;
+  EXPECT_FALSE(fs::exists(folder + "/study"));
+}
+
+TEST(StudyCommand, RowsOfAnotherVersionDoNotMix)
+{
+  const std::string folder = scratch("study-version") + "/study";
+  expect_done(chain + "--samples 4 --vary 'given.K1~normal(1 %)' --watch f1 -o " + folder);
+  std::string text = mill::read_text(folder + "/study.toml");
+  const auto place = text.find("version = \"");
+  text.insert(place + 11, "0.0.");
+  mill::write_atomically(folder + "/study.toml", text);
+  expect_refused("study run " + folder, "their rows do not mix: make the study again with 'millstand study new'");
+}
+
 TEST(StudyCommand, ACaseThatHasChangedIsRefusedWithWhatDiffers)
 {
   const std::string folder = scratch("study-changed");

@@ -94,13 +94,18 @@ TEST(StudyEngines, DryRunPrintsAShortScript)
 TEST(StudyEngines, AnEngineThatIsNotInstalledIsNamed)
 {
   const std::string folder = new_study(scratch("engine-absent") + "/study");
-  const Outcome outcome =
-      millstand("study run " + folder + " --engine slurm", MILLSTAND_SOURCE_DIR, "export PATH=/bin-not-there");
-  EXPECT_EQ(outcome.exit_code, 2);
-  EXPECT_NE(
-      outcome.err.find("--engine slurm needs sbatch, which is not installed on this machine: apt-get install "
-                       "slurm-client; --engine here works without it"),
-      std::string::npos)
-      << outcome.err;
+  const std::pair<const char *, const char *> absent[]{
+      {"slurm",
+       "--engine slurm needs sbatch, which is not installed on this machine: apt-get install slurm-client; "
+       "--engine here works without it"},
+      {"parallel",
+       "--engine parallel needs GNU parallel, which is not installed: apt-get install parallel; --engine "
+       "here works without it"}};
+  for (const auto &[engine, message] : absent) {
+    const Outcome outcome = millstand("study run " + folder + " --engine " + engine, MILLSTAND_SOURCE_DIR,
+                                      "export PATH=/bin-not-there");
+    EXPECT_EQ(outcome.exit_code, 2);
+    EXPECT_NE(outcome.err.find(message), std::string::npos) << outcome.err;
+  }
 }
 }  // namespace
