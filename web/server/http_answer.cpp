@@ -1,17 +1,15 @@
-#include "twin/live/page/http_answer.h"
+#include "web/server/http_answer.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
-namespace mill::live {
+namespace mill::web {
 namespace {
 // No line of CORS: what is not said is not allowed.
-const char *const security_lines =
-    "Content-Security-Policy: default-src 'self'; base-uri 'none'; form-action 'none'; "
-    "frame-ancestors 'none'\r\n"
-    "X-Content-Type-Options: nosniff\r\n"
-    "Referrer-Policy: no-referrer\r\n"
-    "Cross-Origin-Resource-Policy: same-origin\r\n"
-    "Cache-Control: no-store\r\n";
+const char *const own_files = "default-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'";
+const char *const security_lines = "X-Content-Type-Options: nosniff\r\n"
+                                   "Referrer-Policy: no-referrer\r\n"
+                                   "Cross-Origin-Resource-Policy: same-origin\r\n"
+                                   "Cache-Control: no-store\r\n";
 
 const char *reason(const int status)
 {
@@ -51,23 +49,23 @@ const char *reason(const int status)
 }  // namespace
 
 std::string http_answer(const int status, const std::string &type, const std::string &body, const bool keep,
-                        const std::string &more_lines)
+                        const std::string &more_lines, const std::string &policy)
 {
-  return fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n{}{}Connection: {}\r\n\r\n{}",
-                     status, reason(status), type, body.size(), security_lines, more_lines,
-                     keep ? "keep-alive" : "close", body);
+  return fmt::format("HTTP/1.1 {} {}\r\nContent-Type: {}\r\nContent-Length: {}\r\n"
+                     "Content-Security-Policy: {}\r\n{}{}Connection: {}\r\n\r\n{}",
+                     status, reason(status), type, body.size(), policy.empty() ? own_files : policy,
+                     security_lines, more_lines, keep ? "keep-alive" : "close", body);
 }
 
 std::string event_stream_head()
 {
-  return fmt::format(
-      "HTTP/1.1 200 OK\r\nContent-Type: text/event-stream; charset=utf-8\r\n{}Connection: close\r\n\r\n"
-      "retry: 1000\n\n",
-      security_lines);
+  return fmt::format("HTTP/1.1 200 OK\r\nContent-Type: text/event-stream; charset=utf-8\r\n"
+                     "Content-Security-Policy: {}\r\n{}Connection: close\r\n\r\nretry: 1000\n\n",
+                     own_files, security_lines);
 }
 
 std::string error_json(const std::string &message)
 {
   return nlohmann::json{{"error", message}}.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
 }
-}  // namespace mill::live
+}  // namespace mill::web

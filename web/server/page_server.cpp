@@ -1,13 +1,13 @@
-#include "twin/live/page/page_server.h"
+#include "web/server/page_server.h"
 #include "core/base/errors.h"
-#include "twin/live/page/page_connection.h"
+#include "web/server/page_connection.h"
 #include <boost/asio.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <thread>
 
 // Everything but publish() and statistics() runs in the thread of the server, so nothing here is locked.
-namespace mill::live {
+namespace mill::web {
 namespace {
 namespace asio = boost::asio;
 using asio::ip::tcp;
@@ -36,13 +36,16 @@ asio::ip::address literal_address(const std::string &text)
 }  // namespace
 
 struct PageServer::State {
-  PageShared shared;  // outlives what runs in `io`
+  PageShared shared;  // outlives what runs in `io` and `slow`
   asio::io_context io{1};
+  asio::thread_pool slow{1};
   tcp::acceptor acceptor{io};
   asio::steady_timer beat{io}, rest{io};
   std::string token, url, notice;
   int port = 0;
   std::thread thread;
+
+  explicit State(PageSite site) : shared(std::move(site)) {}
 
   void listen(const PageSettings &settings, const asio::ip::address &address)
   {
@@ -58,10 +61,9 @@ struct PageServer::State {
     go([&] { acceptor.bind(endpoint, failure); });
     go([&] { acceptor.listen(64, failure); });
     if (failure == asio::error::address_in_use)
-      throw InputError(
-          fmt::format("--listen: port {} of {} is taken, perhaps by another millstand live; another port, "
-                      "or 0 for any that is free",
-                      settings.port, settings.address));
+      throw InputError(fmt::format("--listen: port {} of {} is taken, perhaps by another {}; another port, "
+                                   "or 0 for any that is free",
+                                   settings.port, settings.address, shared.site.program));
     if (failure)
       throw InputError(fmt::format("--listen: cannot listen at {} port {}: {}", settings.address, settings.port,
                                    failure.message()));
@@ -84,7 +86,7 @@ struct PageServer::State {
       keep_to_ourselves(socket);
       const bool too_many = shared.connections >= most_connections;
       if (!too_many || shared.refusals < most_refusals)
-        serve_connection(io, socket.release(), acceptor_is_v6(), shared, too_many);
+        serve_connection(io, slow, socket.release(), acceptor_is_v6(), shared, too_many);
       else
         ++shared.refused;
       accept();
@@ -111,10 +113,8 @@ struct PageServer::State {
   }
 };
 
-PageServer::PageServer(const PageSettings &settings, std::string stand_json,
-                       std::function<CommandReply(const std::string &)> command,
-                       std::function<std::string()> metrics)
-    : state_(std::make_unique<State>())
+PageServer::PageServer(const PageSettings &settings, PageSite site)
+    : state_(std::make_unique<State>(std::move(site)))
 {
   State &state       = *state_;
   const auto address = literal_address(settings.address);
@@ -139,9 +139,6 @@ PageServer::PageServer(const PageSettings &settings, std::string stand_json,
   PageShared &shared = state.shared;
   shared.rules       = {host_lines(names, state.port), state.token};
   shared.port        = state.port;
-  shared.stand       = std::move(stand_json);
-  shared.command     = std::move(command);
-  shared.metrics     = std::move(metrics);
   state.accept();
   state.keep_alive();
   state.thread = std::thread([&state] { state.io.run(); });
@@ -149,16 +146,10 @@ PageServer::PageServer(const PageSettings &settings, std::string stand_json,
 
 PageServer::~PageServer()
 {
+  state_->slow.join();  // an answer that is on its way is finished
   state_->io.stop();
   if (state_->thread.joinable())
     state_->thread.join();
-}
-
-void PageServer::set_stand(std::string stand_json)
-{
-  asio::post(state_->io, [state = state_.get(), text = std::move(stand_json)]() mutable {
-    state->shared.stand = std::move(text);
-  });
 }
 
 void PageServer::publish(const std::string &event, const std::string &json)
@@ -194,4 +185,4 @@ PageStatistics PageServer::statistics() const
   return {shared.open_connections, shared.open_streams, shared.frames_sent,
           shared.frames_dropped,   shared.requests,     shared.refused};
 }
-}  // namespace mill::live
+}  // namespace mill::web

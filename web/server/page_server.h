@@ -1,11 +1,13 @@
 #pragma once
+#include "web/server/event_frames.h"
+#include "web/server/page_rules.h"
 #include <cstdint>
 #include <functional>
 #include <memory>
 #include <string>
 #include <vector>
 
-namespace mill::live {
+namespace mill::web {
 struct PageSettings {
   std::string address = "127.0.0.1";  ///< literal address; any but a loopback one needs a token that was given
   int port            = 8460;         ///< 0: any that is free
@@ -18,9 +20,28 @@ struct PageSettings {
       hosts;  ///< "mill-3.example.com": further names, of a TLS proxy in front, by which browsers ask
 };
 
-struct CommandReply {
-  int status = 200;  ///< 200 done, 202 begun (an event follows), 400 refused with {"error": "..."}, 409 not now
-  std::string json = "{}";
+/// A request that the rules have let through.
+struct PageRequest {
+  std::size_t route = 0;  ///< number in PageTable::routes
+  std::string path;       ///< "/run/7/report.html"
+  std::string body;       ///< of a POST
+};
+
+struct PageReply {
+  int status = 200;  ///< 200 done, 202 begun (an event follows), 400 refused with {"error": ".."}, 409 not now
+  std::string body   = "{}";
+  std::string type   = "application/json";
+  std::string policy = "";  ///< Content-Security-Policy of a page with scripts of its own; empty: the strict one
+};
+
+/// What a server serves.
+struct PageSite {
+  std::string program;  ///< "millstand live", for messages
+  PageTable table;
+  EventKinds events;
+  /// Answers a route that is no stream; a slow one in a thread of its own, the others in the thread of the server,
+  /// which all browsers wait for.  An InputError is answered with status 400.
+  std::function<PageReply(const PageRequest &request)> answer;
 };
 
 struct PageStatistics {
@@ -32,43 +53,24 @@ struct PageStatistics {
   std::int64_t requests_refused = 0;  ///< answered with 4xx or 5xx, or cut off by a limit
 };
 
-/// Serves the page of the live twin: a fixed table of routes, one stream of events for each browser, commands.
-/// One thread of its own; every operation has a time limit.
-///   GET  /  /page.css  /*.js  /icon.svg   the page, compiled in
-///   GET  /stand                           what the page draws (stand_text), token
-///   GET  /events                          server-sent events, token
-///   GET  /metrics                         OpenMetrics text, no token
-///   POST /command                         JSON, token
-/// The token travels as "X-Millstand-Token: T", "Authorization: Bearer T", or, for /events, which a browser opens
-/// without headers of ours, as "?token=T".
-/// Limits: header 8 kB, body 64 kB, 32 connections, 16 event streams, 5 s for a request, 30 s for a browser that
-/// takes nothing.  A slow browser has the two latest display frames waiting; older ones are dropped and counted.
-/// Alarms, proposals, parameters and advice are never dropped.
+/// Serves a page: its files, a fixed table of routes, one stream of events for each browser.
+/// One thread of its own, and one for slow answers; every operation has a time limit.
+/// The token travels as "X-Millstand-Token: T", "Authorization: Bearer T", or as "?token=T" where the route says
+/// so. Limits: header 8 kB, body as the route says, 32 connections, 16 event streams, 5 s for a request, 30 s for
+/// a browser that takes nothing.  A slow browser has the two latest display frames waiting; older ones are dropped
+/// and counted.  Events that the site names whole are never dropped.
 class PageServer {
 public:
   /// Listens when it returns.
-  /// @param stand_json  stand_text() of event_text.h
-  /// @param command     takes the JSON of a command (page_command() reads it); runs in the thread of the server,
-  /// so
-  ///                    it hands long work on and returns at once
-  /// @param metrics     OpenMetrics text without the closing "# EOF"; same thread
   /// @throws InputError  the address is not a literal, is not of this machine, is taken, is not loopback and no
-  /// token
-  ///                     was given; the token has less than 128 bit (22 characters)
-  PageServer(const PageSettings &settings, std::string stand_json,
-             std::function<CommandReply(const std::string &json_body)> command,
-             std::function<std::string()> metrics);
+  /// token was given; the token has less than 128 bit (22 characters)
+  PageServer(const PageSettings &settings, PageSite site);
   ~PageServer();  ///< closes every connection
   PageServer(const PageServer &)            = delete;
   PageServer &operator=(const PageServer &) = delete;
 
-  /// Another stand_text(), when more is known of it; who shows the old one reads it with the next "parameters".
-  /// From any thread.
-  void set_stand(std::string stand_json);
-
-  /// Sends an event to every browser, and keeps the latest of its kind for those that come later (of alarms and
-  /// proposals the last 200).  From any thread; returns at once.  Fits live::Publish.
-  /// @param event  a name of event_names (event_text.h)
+  /// Sends an event to every browser, and keeps what later browsers need (EventKinds).  From any thread; returns
+  /// at once.
   void publish(const std::string &event, const std::string &json);
 
   int port() const;
@@ -90,4 +92,4 @@ std::string made_token();
 /// First line of a file, at least 22 characters of printable ASCII without blanks.
 /// @throws InputError  file cannot be read, is readable by others than its owner, holds a short token
 std::string token_of_file(const std::string &path);
-}  // namespace mill::live
+}  // namespace mill::web
