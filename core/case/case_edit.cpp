@@ -190,7 +190,7 @@ std::string with_new_key(const std::string &text, const Location &where, const s
   if (!where.section) {
     std::string added = (lines.empty() ? "" : end) + where.header + end;
     if (where.is_item && key != "name")
-      added += line_with("name", quoted(fmt::format("pass {}", where.items + 1)), "", end);
+      added += line_with("name", mill::quoted(fmt::format("pass {}", where.items + 1)), "", end);
     return joined_lines(lines) + added + line_with(name, toml, "", end);
   }
   if (!where.header.empty() && !where.section->section)
@@ -203,7 +203,7 @@ std::string with_new_key(const std::string &text, const Location &where, const s
       const auto begin  = std::min(lines[i].find_first_not_of(" \t", equals + 1), lines[i].size());
       const auto old    = end_of_value(lines[i], begin);
       const auto sign   = lines[i].find('#', old);
-      lines[i]          = line_with(name, toml, sign == std::string::npos ? "" : stripped_line(lines[i].substr(sign)), end);
+      lines[i] = line_with(name, toml, sign == std::string::npos ? "" : stripped_line(lines[i].substr(sign)), end);
       return joined_lines(lines);
     }
   std::size_t last = of_section.begin;
@@ -223,12 +223,50 @@ std::string as_comment(const std::string &text, const Node::Entry &entry, const 
 {
   auto lines       = lines_of(text);
   const auto first = std::size_t(entry.key_place.line) - 1;
-  const auto last = std::size_t(std::count(text.begin(), text.begin() + std::ptrdiff_t(value_end), '\n'));
+  const auto last  = std::size_t(std::count(text.begin(), text.begin() + std::ptrdiff_t(value_end), '\n'));
   for (std::size_t i = first; i <= last && i < lines.size(); ++i)
     lines[i] = "# " + lines[i];
   return joined_lines(lines);
 }
 }  // namespace
+
+namespace {
+std::size_t byte_of_value(const std::vector<std::size_t> &begins, const std::string &text, const Place &place)
+{
+  const std::size_t begin = begins[std::size_t(place.line) - 1];
+  return begin + byte_of(text.substr(begin, text.find('\n', begin) - begin), place.column);
+}
+
+void add_values(const Node &node, const std::string &name, const std::string &text,
+                const std::vector<std::size_t> &begins, std::vector<WrittenValue> &all)
+{
+  for (const Node::Entry &entry : node.entries) {
+    const std::string full = (name.empty() ? "" : name + ".") + key_text(entry.key);
+    if (entry.value.kind == Node::Kind::table && entry.value.section) {
+      add_values(entry.value, full, text, begins, all);
+    } else if (entry.value.kind == Node::Kind::array && entry.value.section) {
+      for (std::size_t i = 0; i < entry.value.items.size(); ++i)
+        add_values(entry.value.items[i], full + "." + std::to_string(i), text, begins, all);
+    } else if (entry.value.kind == Node::Kind::text) {
+      all.push_back({full, entry.value.text, entry.key_place.line});
+    } else {
+      const std::size_t begin = byte_of_value(begins, text, entry.value.place);
+      all.push_back({full, text.substr(begin, end_of_value(text, begin) - begin), entry.key_place.line});
+    }
+  }
+}
+}  // namespace
+
+std::vector<WrittenValue> written_values(const std::string &text)
+{
+  std::vector<std::size_t> begins{0};
+  for (std::size_t i = 0; i < text.size(); ++i)
+    if (text[i] == '\n')
+      begins.push_back(i + 1);
+  std::vector<WrittenValue> all;
+  add_values(read_case_text("the case", text), "", text, begins, all);
+  return all;
+}
 
 std::string with_value(const std::string &text, const std::string &key, const std::string &toml)
 {
@@ -268,6 +306,6 @@ std::string toml_as_typed(const std::string &typed, const bool of_text)
   std::string one_line = bare;
   std::replace_if(
       one_line.begin(), one_line.end(), [](const unsigned char c) { return c < 0x20; }, ' ');
-  return quoted(one_line);
+  return mill::quoted(one_line);
 }
 }  // namespace mill

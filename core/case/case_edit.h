@@ -1,5 +1,6 @@
 #pragma once
 #include <string>
+#include <vector>
 
 namespace mill {
 /// A case file with one value changed; every other line, its comments and its order stay as they are.
@@ -13,6 +14,15 @@ namespace mill {
 /// @throws InputError  text that is not TOML; a key inside an inline table that does not stand there
 /// Cost: one or two parses.
 std::string with_value(const std::string &text, const std::string &key, const std::string &toml);
+
+/// A value as it stands in a case file.
+struct WrittenValue {
+  std::string key;   ///< full, as with_value() takes it
+  std::string text;  ///< of a text without its quotes; otherwise TOML
+  int line = 0;      ///< of the key
+};
+/// Every value of a case file, in its order.  @throws InputError  text that is not TOML
+std::vector<WrittenValue> written_values(const std::string &text);
 
 /// What a user typed for a key as TOML: what is TOML of a fitting form stays, the rest becomes a text, so that the
 /// reader of the case judges it.

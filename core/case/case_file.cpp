@@ -341,7 +341,7 @@ Node read_case_file(const std::string &path, const std::vector<std::string> &set
 
 Node read_case_text(const std::string &path, const std::string &text, const std::vector<std::string> &sets)
 {
-  Node root              = node_of(parsed(path, text), path);
+  Node root = node_of(parsed(path, text), path);
   std::vector<Problem> problems;
   for (const std::string &set : sets)
     try {

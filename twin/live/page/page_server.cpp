@@ -37,6 +37,7 @@ const web::PageTable &page_table()
   static const web::PageTable table{
       {
           {"/", "text/html; charset=utf-8", embedded::index_html},
+          {"/theme.css", "text/css; charset=utf-8", embedded::theme_css},
           {"/page.css", "text/css; charset=utf-8", embedded::page_css},
           {"/page.js", script, embedded::page_js},
           {"/canvas.js", script, embedded::canvas_js},
