@@ -60,7 +60,7 @@ void add_studio(CLI::App &app, CommandLine &c)
   studio->add_option("CASE", c.target,
                      "case file; a new one of kind four-high where it does not exist "
                      "(default stand.toml)");
-  studio->add_option("--listen", o.listen, "address of the page, ADDR:PORT (default 127.0.0.1 and a free port)");
+  studio->add_option("--listen", o.listen, "address of the page, ADDR:PORT (default 127.0.0.1:8470)");
   studio->add_option("--token-file", o.token_file,
                      "file with the token of the page; needed for addresses that are not loopback");
   studio->add_option("--host", o.host, "host name that a reverse proxy uses for the page");

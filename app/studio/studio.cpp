@@ -1,6 +1,5 @@
 #include "app/studio/studio.h"
 #include "app/process/console.h"
-#include "app/run/run_setup.h"
 #include "app/studio/answers/case_keys.h"
 #include "app/studio/answers/check_answer.h"
 #include "app/studio/answers/quick_answer.h"
@@ -88,10 +87,12 @@ std::string folder_of(const CommandLine &command)
                                 : command.output;
 }
 
-web::PageSettings settings_of(const CommandLine &command)
+constexpr int usual_port = 8470;
+
+web::PageSettings settings_of(const CommandLine &command, const std::string &folder)
 {
   web::PageSettings settings;
-  settings.port = 0;
+  settings.port = usual_port;
   if (!command.studio.listen.empty()) {
     const auto at    = web::address_and_port("--listen", command.studio.listen, "127.0.0.1:8470");
     settings.address = at.address;
@@ -103,12 +104,11 @@ web::PageSettings settings_of(const CommandLine &command)
   }
   if (!command.studio.host.empty())
     settings.hosts.push_back(command.studio.host);
-  // A page that is open finds a program that was started again at the same port.
-  const std::string cache = cache_folder(command, "");
+  // A page that is open finds a program that was started again.
   std::error_code error;
-  if (!settings.token_given && settings.port != 0 && !cache.empty() &&
-      (fs::create_directories(cache, error), fs::is_directory(cache, error)))
-    settings.token_keeper = fmt::format("{}/studio-{}.token", cache, settings.port);
+  fs::create_directories(folder, error);
+  if (!settings.token_given && !error)
+    settings.token_keeper = folder + "/page.token";
   return settings;
 }
 
@@ -161,11 +161,19 @@ Studio::Studio(const CommandLine &command)
     : command_(command), document_(path_of_case(command), [] { return template_of("four-high"); }),
       folder_(folder_of(command)), jobs_([this](const JobState &job) { publish_job(job); })
 {
-  server_.emplace(settings_of(command),
-                  web::PageSite{"millstand studio",
-                                page_table(),
-                                {{"document", "run"}, {}},
-                                [this](const web::PageRequest &request) { return answer(request); }});
+  const web::PageSite site{"millstand studio",
+                           page_table(),
+                           {{"document", "run"}, {}},
+                           [this](const web::PageRequest &request) { return answer(request); }};
+  web::PageSettings settings = settings_of(command, folder_);
+  try {
+    server_.emplace(settings, site);
+  } catch (const InputError &) {
+    if (!command.studio.listen.empty())
+      throw;
+    settings.port = 0;  // the usual one is taken, by the studio of another case
+    server_.emplace(settings, site);
+  }
 }
 
 std::string Studio::url() const
@@ -481,7 +489,8 @@ web::PageReply Studio::file_of_run(const std::string &path) const
   const fs::path file    = fs::path(folder_) / name;
   std::error_code error;
   const auto status = fs::symlink_status(file, error);
-  if (!is_plain_path(name) || error || !fs::is_regular_file(status) || fs::file_size(file, error) > largest_file)
+  const bool of_ours = name.rfind("run-", 0) == 0 || name.rfind("export-", 0) == 0 || name == "comparison.html";
+  if (!of_ours || !is_plain_path(name) || error || !fs::is_regular_file(status) || fs::file_size(file, error) > largest_file)
     return {404, text_of({{"error", "there is nothing at this path"}})};
   // A report has scripts of its own, and a title that others may have chosen: it gets no origin, so that it can
   // ask this server nothing.

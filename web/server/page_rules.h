@@ -21,7 +21,7 @@ struct PageRoute {
   bool query_token   = false;     ///< a browser opens it without headers: the token may stand in the query
   bool below         = false;     ///< every path below it belongs to it too, "/run/7/report.html"
   bool events        = false;     ///< a stream of server-sent events
-  bool slow          = false;     ///< answered in a thread of its own, one request after the other
+  bool slow          = false;     ///< answered in one of two threads, so that the server goes on
   std::size_t body   = 64 << 10;  ///< bytes of a body, at most
 };
 

@@ -38,7 +38,7 @@ asio::ip::address literal_address(const std::string &text)
 struct PageServer::State {
   PageShared shared;  // outlives what runs in `io` and `slow`
   asio::io_context io{1};
-  asio::thread_pool slow{1};
+  asio::thread_pool slow{2};
   tcp::acceptor acceptor{io};
   asio::steady_timer beat{io}, rest{io};
   std::string token, url, notice;

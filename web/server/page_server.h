@@ -39,7 +39,7 @@ struct PageSite {
   std::string program;  ///< "millstand live", for messages
   PageTable table;
   EventKinds events;
-  /// Answers a route that is no stream; a slow one in a thread of its own, the others in the thread of the server,
+  /// Answers a route that is no stream; a slow one in one of two threads, the others in the thread of the server,
   /// which all browsers wait for.  An InputError is answered with status 400.
   std::function<PageReply(const PageRequest &request)> answer;
 };
@@ -54,7 +54,7 @@ struct PageStatistics {
 };
 
 /// Serves a page: its files, a fixed table of routes, one stream of events for each browser.
-/// One thread of its own, and one for slow answers; every operation has a time limit.
+/// One thread of its own, and two for slow answers; every operation has a time limit.
 /// The token travels as "X-Millstand-Token: T", "Authorization: Bearer T", or as "?token=T" where the route says
 /// so. Limits: header 8 kB, body as the route says, 32 connections, 16 event streams, 5 s for a request, 30 s for
 /// a browser that takes nothing.  A slow browser has the two latest display frames waiting; older ones are dropped

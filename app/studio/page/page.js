@@ -72,7 +72,11 @@ async function begin() {
   byId("redo").addEventListener("click", () => step("redo"));
   addEventListener("keydown", keys);
   on("document", drawHead);
-  on("check", drawHead);
+  on("check", () => {
+    if (studio.values.kind && studio.values.kind !== studio.schema.kind && !studio.check.problems.some(p => p.key === "kind"))
+      location.reload();  // another kind has other rows
+    drawHead();
+  });
   on("back", () => reread().catch(() => {}));
   on("windows", data => {
     if (data.open > 1)
