@@ -23,16 +23,17 @@ bool stands_in(const std::string &message, const std::string &word)
   return false;
 }
 
-// The key that a problem is about: the one whose line it names, else one that it names in words.
+// The key that a problem is about: the one whose line it names, else the only one that it names in words.
 std::string key_of(const Problem &problem, const std::vector<WrittenValue> &values)
 {
   for (const WrittenValue &value : values)
     if (problem.place.line > 0 && value.line == problem.place.line)
       return value.key;
+  std::vector<std::string> named;
   for (const WrittenValue &value : values)
     if (stands_in(problem.message, value.key))
-      return value.key;
-  return "";
+      named.push_back(value.key);
+  return named.size() == 1 ? named.front() : "";
 }
 
 ordered_json problem_json(const Problem &problem, const char *severity, const std::vector<WrittenValue> &values)

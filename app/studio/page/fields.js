@@ -173,8 +173,7 @@ function instances(section) {
 function layout() {
   const groups = [], used = new Set();
   const add = (title, meaning, keys) => {
-    const fresh = keys.filter(key => !used.has(key));
-    fresh.forEach(key => used.add(key));
+    const fresh = keys.filter(key => !used.has(key) && used.add(key));
     if (fresh.length)
       groups.push({ title, meaning, keys: fresh });
   };
