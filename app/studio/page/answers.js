@@ -21,6 +21,8 @@ export function change(value, base) {
   return Math.abs(percent) < 0.005 ? "=" : `${percent > 0 ? "+" : "−"}${Math.abs(percent) < 10 ? Math.abs(percent).toFixed(2) : Math.abs(percent).toFixed(1)} %`;
 }
 
+const signed = slope => `${slope < 0 ? "−" : "+"}${plain(Math.abs(slope), 2)}`;
+
 const rows = [
   ["Gap modes", ["mode.gap_first_kind.frequency", "gap mode, first kind"], ["mode.gap_second_kind.frequency", "gap mode, second kind"],
     ["open.mode.gap_first_kind.frequency", "first kind, open stand"], ["f1", "lowest mode, f1"], ["f6", "highest mode, f6"]],
@@ -108,10 +110,10 @@ function drawQuick() {
   byId("quick").replaceChildren(...speeds, table);
   const named = { gap_first_kind: "the gap mode, first kind,", gap_second_kind: "the gap mode, second kind," };
   const moves = quick.moves.filter(m => m.mode === "gap_first_kind").slice(0, 4)
-    .map(m => `1 % of ${m.input} moves ${named[m.mode]} by ${plain(m.slope, 2)} %.`);
+    .map(m => `1 % of ${m.input} moves ${named[m.mode]} by ${signed(m.slope)} %.`);
   for (const s of quick.speeds.slice(0, 1))
     for (const input of s.inputs.filter(i => i.slope !== null).slice(0, 5))
-      moves.push(`1 % of ${input.name.replace(/_/g, " ")} moves the critical speed by ${plain(input.slope, 2)} %.`);
+      moves.push(`1 % of ${input.name.replace(/_/g, " ")} moves the critical speed by ${signed(input.slope)} %.`);
   byId("moves").replaceChildren(...moves.map(text => make("li", { textContent: text })));
   old();
 }

@@ -200,7 +200,7 @@ function layout() {
     }
   }
   const others = new Map();
-  for (const key of present.filter(k => !used.has(k))) {
+  for (const key of present.filter(k => !used.has(k) && k !== "schema")) {
     const prefix = key.slice(0, Math.max(key.lastIndexOf("."), 0));
     others.set(prefix, [...(others.get(prefix) || []), key]);
   }
@@ -256,7 +256,7 @@ function find() {
     const text = `${key} ${words(key)} ${row.meaning}`.toLowerCase();
     return wanted.every(w => text.includes(w)) && !shown.has(key);
   });
-  const few = hits.slice(0, 24).map(hit => hit.key), now = few.join();
+  const few = hits.slice(0, 24).map(hit => hit.key), now = [...wanted, ...few].join(" ");
   if (now === foundKeys && few.every(key => byId("found").querySelector(`[data-key="${CSS.escape(key)}"]`)))
     return;
   foundKeys = now;
