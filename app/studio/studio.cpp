@@ -3,15 +3,14 @@
 #include "app/studio/answers/case_keys.h"
 #include "app/studio/answers/check_answer.h"
 #include "app/studio/answers/quick_answer.h"
+#include "app/studio/request.h"
 #include "core/base/errors.h"
-#include "core/base/files.h"
 #include "core/case/case_edit.h"
 #include "core/case/case_file.h"
 #include "core/case/case_sheet.h"
 #include "core/case/case_template.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
-#include "report/compare/comparison.h"
 #include "web/server/listen_address.h"
 #include <algorithm>
 #include <filesystem>
@@ -37,38 +36,7 @@ enum Route : std::size_t {
   compare_route,
   file_route
 };
-constexpr std::size_t most_values = 61, most_edits = 2000, deepest = 8;
-constexpr std::uintmax_t largest_file = 64 << 20;
-
-std::string text_of(const ordered_json &json)
-{
-  return json.dump(-1, ' ', false, ordered_json::error_handler_t::replace);
-}
-
-// An object of a request, not nested deeper than any of ours is.
-nlohmann::json object_of(const std::string &body)
-{
-  try {
-    const auto json = nlohmann::json::parse(body.empty() ? "{}" : body,
-                                            [](const int depth, nlohmann::json::parse_event_t, auto &) {
-                                              if (depth > int(deepest))
-                                                throw InputError("the request is nested too deeply");
-                                              return true;
-                                            });
-    if (json.is_object())
-      return json;
-  } catch (const nlohmann::json::exception &) {
-  }
-  throw InputError("the request is no JSON object");
-}
-
-std::string word(const nlohmann::json &request, const char *name)
-{
-  const auto entry = request.find(name);
-  if (entry == request.end() || !entry->is_string())
-    throw InputError(fmt::format("\"{}\" is missing or is no text", name));
-  return entry->get<std::string>();
-}
+constexpr std::size_t most_values = 61, most_edits = 2000;
 
 ordered_json job_json(const JobState &job)
 {
@@ -110,43 +78,6 @@ web::PageSettings settings_of(const CommandLine &command, const std::string &fol
   if (!settings.token_given && !error)
     settings.token_keeper = folder + "/page.token";
   return settings;
-}
-
-// The number of the next run: no folder of an earlier one is written into.
-std::string next_id(const std::string &folder, const std::string &what)
-{
-  for (int n = 1;; ++n) {
-    const std::string id = fmt::format("{}-{}", what, n);
-    std::error_code ignored;
-    if (!fs::exists(folder + "/" + id, ignored) && !fs::exists(folder + "/" + id + ".toml", ignored))
-      return id;
-  }
-}
-
-const char *type_of(const std::string &ending)
-{
-  constexpr const char *types[][2] = {
-      {".html", "text/html; charset=utf-8"}, {".json", "application/json"},
-      {".csv", "text/csv; charset=utf-8"},   {".toml", "text/plain; charset=utf-8"},
-      {".log", "text/plain; charset=utf-8"}, {".m", "text/plain; charset=utf-8"},
-      {".mo", "text/plain; charset=utf-8"}};
-  for (const auto &type : types)
-    if (ending == type[0])
-      return type[1];
-  return "application/octet-stream";
-}
-
-// "run-3/curves/modes.csv": letters, digits, points and lines, no hidden file and no way up.
-bool is_plain_path(const std::string &path)
-{
-  bool begins = true;
-  for (const char c : path) {
-    const bool letter = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
-    if (c == '/' ? begins : begins ? !letter : !letter && c != '-' && c != '.')
-      return false;
-    begins = c == '/';
-  }
-  return !path.empty() && !begins;
 }
 
 bool is_of_text(const std::string &kind, const std::string &key)
@@ -409,46 +340,6 @@ web::PageReply Studio::sweep(const std::string &body)
   return {200, text_of(out)};
 }
 
-web::PageReply Studio::run(const std::string &body)
-{
-  const auto request     = object_of(body);
-  const std::string what = word(request, "what");
-  if (what == "cancel") {
-    jobs_.cancel();
-    return {202, "{}"};
-  }
-  const auto &formats = export_formats();
-  const bool exported = std::find(formats.begin(), formats.end(), what) != formats.end() && what != "statespace";
-  if (what != "run" && !exported)
-    throw InputError("\"what\" is run, fmu, modelica, matlab or cancel");
-  if (jobs_.state().status == "running")
-    return {409, text_of({{"error", jobs_.state().id + " is running; wait for its end, or cancel it"}})};
-  std::error_code error;
-  fs::create_directories(folder_, error);
-  const std::string id = next_id(folder_, exported ? "export" : "run"), text = document_.state().text,
-                    file = folder_ + "/" + id + ".toml";
-  write_atomically(file, text);
-  std::vector<std::string> words;
-  if (exported) {
-    fs::create_directories(folder_ + "/" + id, error);
-    const std::string ending = what == "fmu" ? ".fmu" : what == "modelica" ? ".mo" : ".m";
-    const auto name          = fs::path(document_.path()).stem().string();
-    words = {"export",           what, document_.path(), "-o", folder_ + "/" + id + "/" + name + ending,
-             "--force-overwrite"};
-  } else {
-    words = {"run", document_.path(), "-o", folder_ + "/" + id};
-  }
-  for (const char *word : {"--progress-step", "1", "--text"})
-    words.emplace_back(word);
-  words.push_back(file);
-  if (!command_.cache.empty())
-    words.insert(words.end(), {"--cache", command_.cache});
-  jobs_.start(id, exported ? "millstand-all" : "millstand", words);
-  if (!exported)
-    document_.add_run({id, text});
-  return {202, text_of({{"id", id}})};
-}
-
 web::PageReply Studio::save()
 {
   document_.save();
@@ -456,50 +347,4 @@ web::PageReply Studio::save()
   return document();
 }
 
-web::PageReply Studio::compare(const std::string &body)
-{
-  const auto request = object_of(body);
-  const auto names   = request.find("pins");
-  if (names == request.end() || !names->is_array() || names->size() < 2 || names->size() > 6)
-    throw InputError("\"pins\" is a list of two to six names");
-  const DocumentState s = document_.state();
-  std::vector<std::string> directories;
-  for (const auto &name : *names) {
-    const std::string wanted = name.is_string() ? name.get<std::string>() : "";
-    const auto pin = std::find_if(s.pins.begin(), s.pins.end(), [&](const Pin &p) { return p.name == wanted; });
-    std::string directory;
-    std::error_code ignored;
-    for (const StoredRun &run : s.runs)
-      if (pin != s.pins.end() && run.text == pin->text &&
-          fs::exists(folder_ + "/" + run.id + "/results.json", ignored))
-        directory = folder_ + "/" + run.id;
-    if (directory.empty())
-      return {409, text_of({{"error", "the pin \"" + wanted + "\" has no run; go back to it and press Run"}})};
-    if (std::find(directories.begin(), directories.end(), directory) != directories.end())
-      return {409, text_of({{"error", "these pins are one state; nothing differs"}})};
-    directories.push_back(directory);
-  }
-  write_atomically(folder_ + "/comparison.html", report::comparison_of(directories));
-  return {200, text_of({{"path", "/run/comparison.html"}})};
-}
-
-web::PageReply Studio::file_of_run(const std::string &path) const
-{
-  const std::string name = path.substr(std::min(path.size(), std::string("/run/").size()));
-  const fs::path file    = fs::path(folder_) / name;
-  std::error_code error;
-  const auto status = fs::symlink_status(file, error);
-  const bool of_ours = name.rfind("run-", 0) == 0 || name.rfind("export-", 0) == 0 || name == "comparison.html";
-  if (!of_ours || !is_plain_path(name) || error || !fs::is_regular_file(status) || fs::file_size(file, error) > largest_file)
-    return {404, text_of({{"error", "there is nothing at this path"}})};
-  // A report has scripts of its own, and a title that others may have chosen: it gets no origin, so that it can
-  // ask this server nothing.
-  const bool page = file.extension() == ".html";
-  return {
-      200, read_text(file.string()), type_of(file.extension().string()),
-      page ? "sandbox allow-scripts allow-popups allow-downloads; default-src 'none'; script-src 'unsafe-inline'; "
-             "style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'; "
-             "frame-ancestors 'self'"
-           : ""};
-}
 }  // namespace mill::studio

@@ -207,7 +207,7 @@ export function begin() {
     if (what === "page" && (lastRun || studio.document.run))
       openReport(`/run/${lastRun || studio.document.run}/report.html`, "Report");
     else if (what === "page")
-      banner("There is no run yet; press Run first.", 5000);
+      banner("Press Run first: the page is that of a run.", 5000);
     else if (what)
       startRun(what);
   });

@@ -1,7 +1,7 @@
 // The middle column: the stand to scale while one types, with the dimension of the value in hand, overlaps in red,
 // and a mode that moves.
 import { standToScale } from "./stand_to_scale.js";
-import { byId, isOld, make, on, studio } from "./state.js";
+import { byId, make, on, studio } from "./state.js";
 import { inSi, rowOf, valueOf } from "./fields.js";
 
 const svgName = "http://www.w3.org/2000/svg";
@@ -199,7 +199,8 @@ function drawBite() {
   root.append(svg("polygon", { class: "strip", points: outline.join(" ") }));
   for (const side of [1, -1])
     root.append(svg("polyline", { class: "centreline", fill: "none", points: points.map(([px, py]) => `${px.toFixed(1)},${(side > 0 ? py : 2 * y - py).toFixed(1)}`).join(" ") }));
-  root.append(svg("text", { class: "axis", x: 20, y: 245 }, `${(1e3 * h0).toPrecision(4)} → ${(1e3 * h1).toPrecision(4)} mm, reduction ${(100 * (1 - h1 / h0)).toFixed(1)} %, arc of contact ${(1e3 * arc).toPrecision(3)} mm (rigid roll); heights enlarged`));
+  root.append(svg("text", { class: "axis", x: 20, y: 232 }, `${(1e3 * h0).toPrecision(4)} → ${(1e3 * h1).toPrecision(4)} mm, reduction ${(100 * (1 - h1 / h0)).toFixed(1)} %`),
+    svg("text", { class: "axis", x: 20, y: 250 }, `arc of contact ${(1e3 * arc).toPrecision(3)} mm with a rigid roll; heights ${(upright / scale).toPrecision(2)} times enlarged`));
   byId("picture").replaceChildren(root);
 }
 
@@ -304,4 +305,3 @@ export function begin() {
   });
 }
 
-export { isOld };
