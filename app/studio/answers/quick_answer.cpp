@@ -36,7 +36,7 @@ void add_modes(QuickAnswer &answer, const ClosedFormStand &closed, const GapStat
         const auto &name = named.names[std::size_t(i)];
         if (name.key.rfind("gap_", 0) != 0)
           continue;
-        const double w2 = std::pow(2 * M_PI * named.modes.frequency[i], 2);  // (22.9a): (dK - w2 dM) / (2 w2)
+        const double w2 = std::pow(2 * M_PI * named.modes.frequency[i], 2);  // theory.md (22.9a), 24.5
         answer.moves.push_back({input.name, name.key, (input.dK(i, i) - w2 * input.dM(i, i)) / (2 * w2)});
       }
 }
