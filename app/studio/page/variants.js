@@ -38,7 +38,7 @@ function drawPins() {
     return;
   }
   const speeds = [...new Set([...answers.values()].flatMap(a => a.speeds || []).map(s => s.pass))].slice(0, 1).map(p => [`critical_speed.${p}`, "critical speed"]);
-  const columns = [...results(), ...speeds].filter(([name]) => (now[name] && Number.isFinite(now[name].value)) || pins.some(p => { const r = numbersOf(answers.get(p.name))[name]; return r && Number.isFinite(r.value); }));
+  const columns = [...speeds, ...results()].filter(([name]) => (now[name] && Number.isFinite(now[name].value)) || pins.some(p => { const r = numbersOf(answers.get(p.name))[name]; return r && Number.isFinite(r.value); }));
   const head = make("thead", {}, make("tr", {}, make("th", { textContent: "pin" }), ...columns.map(([, label]) => make("th", { textContent: label })), make("th", { textContent: "values that differ" }), make("th", {})));
   const body = make("tbody");
   for (const pin of pins) {
