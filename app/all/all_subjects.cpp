@@ -4,6 +4,7 @@
 #include "app/export/stream_command.h"
 #include "app/process/console.h"
 #include "app/run/run_kind.h"
+#include "app/studio/studio_command.h"
 #include "app/study/study_command.h"
 #include "app/study/sweep_command.h"
 #include "app/twin/advice/advise_command.h"
@@ -67,6 +68,8 @@ int subject_command(const CommandLine &command)
     return study_command(command);
   if (command.verb == "sweep")
     return sweep_command(command);
+  if (command.verb == "studio")
+    return studio_command(command);
   if (command.verb == "live")
     return live_command(command, read_case(command.target, command.sets));
   CommandLine without_record = command;  // which is too long to be looked at before

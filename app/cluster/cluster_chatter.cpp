@@ -341,7 +341,7 @@ StabilityQuestion stability_question(const RunContext &run, const ClusterStand &
       uncertain.numbers.push_back(std::move(one));
     }
   uncertain.assumed = fmt::format("{:g} % for contacts and supports", 100 * usual_error::spring_or_mass);
-  add_pass_numbers(uncertain, run, from.bite, stand.span, not_given);
+  add_pass_numbers(uncertain, fitted_errors(run), from.bite, stand.span, not_given);
   q.uncertain = std::move(uncertain.numbers);
   q.assumed   = std::move(uncertain.assumed);
   q.inputs    = from.inputs;

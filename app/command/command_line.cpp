@@ -44,6 +44,30 @@ void add_common(CLI::App *verb, CommandLine &c)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+// For a program that holds the case and starts this one (studio); without a word in the help.
+void add_held_case(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--text", c.text, "file whose content stands in the place of that of CASE")->group("");
+  verb->add_option("--progress-step", c.progress_step, "per cent between two lines of progress")
+      ->check(CLI::Range(1, 100))
+      ->group("");
+}
+
+void add_studio(CLI::App &app, CommandLine &c)
+{
+  auto *studio     = app.add_subcommand("studio", "the stand in a browser: values, drawing, quick answer, run");
+  StudioOptions &o = c.studio;
+  studio->add_option("CASE", c.target,
+                     "case file; a new one of kind four-high where it does not exist "
+                     "(default stand.toml)");
+  studio->add_option("--listen", o.listen, "address of the page, ADDR:PORT (default 127.0.0.1:8470)");
+  studio->add_option("--token-file", o.token_file,
+                     "file with the token of the page; needed for addresses that are not loopback");
+  studio->add_option("--host", o.host, "host name that a reverse proxy uses for the page");
+  add_output(studio, c, "folder of the runs (default out/<case name>-studio)");
+  add_cache(studio, c);
+}
+
 void add_simulate(CLI::App *verb, CommandLine &c)
 {
   verb->add_option("--force", c.force, "force record that replaces those of the passes (CSV)");
@@ -325,6 +349,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
     auto *command = app.add_subcommand(verb, what);
     command->add_option("CASE", c.target, "case file")->required();
     add_common(command, c);
+    add_held_case(command, c);
     if (std::string(verb) == "simulate")
       add_simulate(command, c);
   }
@@ -345,6 +370,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   unit->add_option("--pass", c.pass,
                    "pass whose load and force are used, or condition of a chatter case (default: the first)");
   add_common(unit, c);
+  add_held_case(unit, c);
   unit->get_option("--output")
       ->description("file to write, a folder for statespace (default out/<case name>.fmu, .mo, .m, -statespace)");
 
@@ -373,6 +399,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   add_calibrate(app, c);
   add_advise(app, c);
   add_live(app, c);
+  add_studio(app, c);
   add_sweep(app, c);
   add_study(app, c);
   auto *trace =

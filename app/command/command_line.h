@@ -3,6 +3,7 @@
 #include "app/command/described_verbs.h"
 #include "app/command/live_options.h"
 #include "app/command/marks_options.h"
+#include "app/command/studio_options.h"
 #include "app/command/study_options.h"
 #include "app/command/sweep_options.h"
 #include <optional>
@@ -17,6 +18,9 @@ struct CommandLine {
   std::string target;              ///< case file, kind (new) or folder (report)
   std::string output;              ///< -o; empty: default
   std::string force;               ///< simulate --force
+  std::string text;                ///< run, export --text: content of the case in place of that of its file
+  int progress_step = 10;          ///< --progress-step: per cent between two lines of progress
+  StudioOptions studio;            ///< studio
   std::string from;                ///< new --from: sheet of keys and values
   std::string key;                 ///< trace: input that is followed
   std::string format;              ///< export: one of export_formats()

@@ -33,7 +33,7 @@ bool is_of_subjects(const CommandLine &command)
 {
   const auto &verb = command.verb;
   return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live" || verb == "export" ||
-         verb == "sweep" || verb == "study" || is_streamed(command) ||
+         verb == "sweep" || verb == "study" || verb == "studio" || is_streamed(command) ||
          (verb == "report" && is_folder_of_records(command.target));
 }
 

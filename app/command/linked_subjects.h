@@ -37,7 +37,8 @@ constexpr long long longest_in_memory = 256LL << 20;
 /// Is this a simulate whose force is read in blocks: --stream, or a file of --force beyond longest_in_memory?
 bool is_streamed(const CommandLine &command);
 
-/// analyse, calibrate, advise, live, export, sweep, study, a streamed simulate, and report of a folder of records.
+/// analyse, calibrate, advise, live, export, sweep, study, studio, a streamed simulate, and report of a folder of
+/// records.
 bool is_of_subjects(const CommandLine &command);
 
 /// Carries out a command for which is_of_subjects() holds, here or by millstand-all.  Returns the exit code.

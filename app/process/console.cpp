@@ -58,6 +58,7 @@ struct CommandProgress {
   double done                                 = 0;  // share of the command, never falls
   double next_end                             = 1;
   int last_percent                            = -1;
+  int line_every                              = 10;  // per cent
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
 };
 CommandProgress of_command;
@@ -74,6 +75,12 @@ void next_bar_ends_at(const double share)
 {
   const std::lock_guard lock(progress_access);
   of_command.next_end = share;
+}
+
+void progress_line_every(const int percent)
+{
+  const std::lock_guard lock(progress_access);
+  of_command.line_every = percent;
 }
 
 struct ProgressBar::State {
@@ -123,7 +130,7 @@ void ProgressBar::show(const std::string &stage, const double fraction)
         c.done > 0.02 ? fmt::format("{:.0f} s left", elapsed.count() * (1 - c.done) / c.done) : "";
     put(fmt::format("\r\033[K[{}{}] {:3} %  {}  {}", std::string(filled, '#'), std::string(30 - filled, '.'),
                     percent, visible(stage, true), left));
-  } else if (percent / 10 > c.last_percent / 10 || c.last_percent < 0) {
+  } else if (percent / c.line_every > c.last_percent / c.line_every || c.last_percent < 0) {
     say(fmt::format("{:3} %  {}\n", percent, stage));
     c.last_percent = percent;
   }

@@ -319,6 +319,7 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
     loads.push_back(std::isnan(pass.load) ? remembered_force(pass, memory).force.mean() : pass.load);
   stand.strip = quickly_fitted_strip(fit_question(stand, loads));
   ClosedFormResults all;
+  memory.stands.clear();
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass         = stand.passes[p];
     const std::string prefix = p == 0 ? "" : pass.name + ".";
@@ -326,6 +327,7 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
     add_springs(all, stand, p, prefix, load, memory, factors);
     const auto chain         = add_chain(all, stand, p, load, factors);
     const LumpedModel &model = chain.model;
+    memory.stands.push_back({std::make_shared<FourHigh>(stand), model});
     if (p == 0) {
       add_quick_modulus(all, stand, load, factors);
       add_modes_of_states(all, model, stand.dynamics, "rolls as reduced finite elements");

@@ -1,9 +1,11 @@
 #pragma once
 #include "app/trace/closed_form_parts.h"
+#include "core/model/lumped_model.h"
 #include "core/records/records.h"
 #include "reduce/bearing/assembly.h"
 #include <array>
 #include <map>
+#include <memory>
 #include <string>
 #include <utility>
 #include <vector>
@@ -13,9 +15,17 @@ struct FourHigh;
 
 struct Case;
 
+/// A stand as its closed forms see it at the load of a pass.
+struct ClosedFormStand {
+  std::shared_ptr<const FourHigh> stand;  ///< frame on its measured modulus, strip fitted
+  LumpedModel model;
+};
+
 /// What evaluations of neighbouring cases share: forces that are read once, bearings and responses already solved;
 /// and what is asked of them.
 struct ClosedFormMemory {
+  /// Chains of the last stand that was evaluated, one for each pass, before their modes.
+  std::vector<ClosedFormStand> stands;
   bool with_responses = true;  ///< false: no levels of the passes, which take longest
   /// Chains of cases as they stand, by file and settings.
   std::map<std::string, std::vector<ClosedFormResult>> cases;

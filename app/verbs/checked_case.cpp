@@ -5,6 +5,7 @@
 #include "app/run/run_kind.h"
 #include "app/stages/bearing/bearing_model.h"
 #include "core/base/errors.h"
+#include "core/base/files.h"
 
 namespace mill {
 namespace {
@@ -20,11 +21,25 @@ void add_pass_of_record(Case &the_case, const std::string &force_file)
   pass.force_file = force_file;
   lumped->passes.push_back(pass);
 }
+
+CaseReview reviewed(const Case &the_case, const std::string &force)
+{
+  if (const auto check = run_kind(the_case).check)
+    check(the_case);
+  CaseReview review;
+  if (const auto of_kind = run_kind(the_case).review)
+    review = of_kind(the_case, force);
+  if (!review.problems.empty())
+    throw InputError(review.problems);
+  return review;
+}
 }  // namespace
 
 CheckedCase checked_case(const CommandLine &command)
 {
-  CheckedCase checked{read_case(command.target, command.sets), {}};
+  CheckedCase checked{command.text.empty() ? read_case(command.target, command.sets)
+                                           : read_case_of(command.target, read_text(command.text), command.sets),
+                      {}};
   add_pass_of_record(checked.the_case, command.force);
   const Case &the_case = checked.the_case;
   require_linked(the_case, command);
@@ -32,13 +47,32 @@ CheckedCase checked_case(const CommandLine &command)
   check_fits(the_case);
   if (command.verb != "check")  // before records are read, which would be read twice
     use_fast_blas(command.arguments);
-  if (const auto check = run_kind(the_case).check)
-    check(the_case);
-  if (const auto review = run_kind(the_case).review)
-    checked.review = review(the_case, command.force);
-  if (!checked.review.problems.empty())
-    throw InputError(checked.review.problems);
+  checked.review = reviewed(the_case, command.force);
   return checked;
+}
+
+CheckedCase checked_text(const std::string &path, const std::string &text)
+{
+  CheckedCase checked{read_case_of(path, text), {}};
+  check_file_names(checked.the_case);
+  check_fits(checked.the_case);
+  checked.review = reviewed(checked.the_case, "");
+  return checked;
+}
+
+std::vector<Problem> remarks_of(const CheckedCase &checked)
+{
+  std::vector<Problem> remarks;
+  for (const auto *list : {&checked.the_case.warnings, &checked.review.warnings, &checked.review.said_by_run})
+    remarks.insert(remarks.end(), list->begin(), list->end());
+  return remarks;
+}
+
+std::vector<std::string> facts_of(const CheckedCase &checked)
+{
+  std::vector<std::string> facts = said_of_bearings(checked.the_case);
+  facts.insert(facts.end(), checked.review.facts.begin(), checked.review.facts.end());
+  return facts;
 }
 
 Case checked_row(const std::string &path, const std::vector<std::string> &sets)

@@ -12,7 +12,6 @@
 #include "app/run/run_log.h"
 #include "app/run/run_setup.h"
 #include "app/run/run_summary.h"
-#include "app/stages/bearing/bearing_model.h"
 #include "app/stages/stand/mass_table.h"
 #include "app/trace/trace_text.h"
 #include "app/verbs/checked_case.h"
@@ -85,17 +84,15 @@ void require_fitting(const std::string &verb, const Case &the_case)
 
 int check_case(const CommandLine &command)
 {
-  const auto [the_case, review] = checked_case(command);
+  const CheckedCase checked = checked_case(command);
+  const Case &the_case      = checked.the_case;
   console::print(
       fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
-  for (const auto *warnings : {&the_case.warnings, &review.warnings, &review.said_by_run})
-    for (Problem problem : *warnings) {
-      problem.message = visible(problem.message, true);
-      console::print(render(problem, "warning") + "\n");
-    }
-  for (const std::string &sentence : said_of_bearings(the_case))
-    console::print(visible(sentence, true) + "\n");
-  for (const std::string &sentence : review.facts)
+  for (Problem problem : remarks_of(checked)) {
+    problem.message = visible(problem.message, true);
+    console::print(render(problem, "warning") + "\n");
+  }
+  for (const std::string &sentence : facts_of(checked))
     console::print(visible(sentence, true) + "\n");
   return 0;
 }
@@ -232,6 +229,7 @@ std::string current_manifest()
 int carry_out(const CommandLine &command)
 {
   console::begin_progress();
+  console::progress_line_every(command.progress_step);
   if (command.verb == "new")
     return write_template(command);
   if (command.verb == "check")

@@ -336,8 +336,12 @@ std::string shown(const Node &node)
 
 Node read_case_file(const std::string &path, const std::vector<std::string> &sets)
 {
-  const std::string text = read_toml_text(path);
-  Node root              = node_of(parsed(path, text), path);
+  return read_case_text(path, read_toml_text(path), sets);
+}
+
+Node read_case_text(const std::string &path, const std::string &text, const std::vector<std::string> &sets)
+{
+  Node root = node_of(parsed(path, text), path);
   std::vector<Problem> problems;
   for (const std::string &set : sets)
     try {

@@ -36,4 +36,6 @@ std::string shown(const Node &node);
 /// key
 ///                     given twice), override malformed
 Node read_case_file(const std::string &path, const std::vector<std::string> &sets = {});
+/// The same of a text that stands in the place of the file `path`.
+Node read_case_text(const std::string &path, const std::string &text, const std::vector<std::string> &sets = {});
 }  // namespace mill

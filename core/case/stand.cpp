@@ -104,9 +104,9 @@ void add_template_warning(const std::vector<std::string> &left, Reading &reading
 }
 }  // namespace
 
-Case read_case(const std::string &path, const std::vector<std::string> &sets)
+namespace {
+Case case_of(Node root, const std::string &path)
 {
-  Node root                          = read_case_file(path, sets);
   const std::filesystem::path file   = path;
   const std::filesystem::path folder = file.parent_path();
   Reading reading;
@@ -136,5 +136,16 @@ Case read_case(const std::string &path, const std::vector<std::string> &sets)
   result.resolved = std::move(reading.echo);
   result.places   = std::move(reading.places);
   return result;
+}
+}  // namespace
+
+Case read_case(const std::string &path, const std::vector<std::string> &sets)
+{
+  return case_of(read_case_file(path, sets), path);
+}
+
+Case read_case_of(const std::string &path, const std::string &text, const std::vector<std::string> &sets)
+{
+  return case_of(read_case_text(path, text, sets), path);
 }
 }  // namespace mill

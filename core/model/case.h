@@ -37,4 +37,6 @@ const OilFilmBearing *oil_film_of(const std::vector<OilFilmBearing> &bearings, c
 /// Reads, checks and converts a case.  `sets` are overrides "section.key=value" that go through the same rows.
 /// @throws InputError with every problem of the case in one go, sorted by place
 Case read_case(const std::string &path, const std::vector<std::string> &sets = {});
+/// The same of a text that stands in the place of the file `path`: records are looked for from its folder.
+Case read_case_of(const std::string &path, const std::string &text, const std::vector<std::string> &sets = {});
 }  // namespace mill

@@ -118,3 +118,8 @@ long LiveProgram::counter(const std::string &name) const
   const auto position    = text.find("\nmillstand_" + name + " ");
   return position == std::string::npos ? -1 : std::atol(text.c_str() + text.find(' ', position + 1) + 1);
 }
+
+pid_t LiveProgram::process() const
+{
+  return pid_;
+}

@@ -27,6 +27,7 @@ public:
   const std::string &url() const;    ///< "http://127.0.0.1:41234/#token"
   const std::string &token() const;  ///< what stands behind the #
   int port() const;
+  pid_t process() const;
   std::string printed() const;
   /// Value of a counter at /metrics; -1: there is none.
   long counter(const std::string &name) const;

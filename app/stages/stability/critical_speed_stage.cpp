@@ -99,8 +99,9 @@ void add_critical_speed(RunContext &run, const FourHigh &stand, const std::size_
   };
   q.leading.stand = around(dynamics::structure_of(modes));
   q.others = {{"six masses", around(dynamics::structure_of(dynamics::mill_model(chain.model, open.dynamics)))}};
-  UncertainNumbers uncertain = uncertain_numbers(
-      run, stand, q.leading.bite, inputs_of_modes(open, chain, open_models, components), modes.frequency.size());
+  UncertainNumbers uncertain =
+      uncertain_numbers(fitted_errors(run), stand, q.leading.bite,
+                        inputs_of_modes(open, chain, open_models, components), modes.frequency.size());
   q.uncertain = std::move(uncertain.numbers);
   q.assumed   = std::move(uncertain.assumed);
   q.inputs    = keys_of_search(stand, p, chain);

@@ -191,6 +191,17 @@ dynamics::SpeedRange speed_range(const ChatterAnalysis &analysis)
   return range;
 }
 
+SpeedVerdict speed_verdict(const StabilityQuestion &question)
+{
+  try {
+    return verdict_of(question, stability_of(question));
+  } catch (const InputError &) {
+    return failed_search(question, reason_of(std::current_exception()));
+  } catch (const SolverError &) {
+    return failed_search(question, reason_of(std::current_exception()));
+  }
+}
+
 void add_critical_speed(RunContext &run, const StabilityQuestion &question)
 {
   StageTimer timer(run, "critical speed, " + question.pass);

@@ -2,6 +2,7 @@
 #include "app/run/run_context.h"
 #include "core/case/provenance.h"
 #include "core/model/chatter.h"
+#include "core/records/speed_verdict.h"
 #include "dynamics/chatter/speed_interval.h"
 #include <string>
 #include <utility>
@@ -27,6 +28,9 @@ struct StabilityQuestion {
   std::string assumed = {};  ///< which of these errors the case does not state: a sentence
   KeyList inputs      = {};  ///< keys behind the results
 };
+
+/// The verdict alone.
+SpeedVerdict speed_verdict(const StabilityQuestion &question);
 
 /// chatter.<pass>.critical_speed with its interval and the mode that becomes unstable, growth rate and damping of
 /// the gap mode at the speed of the pass, and the verdict.  A bite without a steady state is a sentence of the

@@ -80,15 +80,18 @@ std::vector<PassNumber> friction_numbers(const bite::RollBite &bite)
   return factors;
 }
 
-// Error of a number that bite.fit has found; else the usual one.
-double fitted_or(const RunContext &run, const char *number, const double usual)
-{
-  const Parameter *fitted = run.find(result_name({family::bite, bite_fit, number}));
-  return fitted && !std::isnan(fitted->error_estimate) ? fitted->error_estimate : usual;
-}
 }  // namespace
 
-void add_pass_numbers(UncertainNumbers &all, const RunContext &run, const bite::RollBite &bite,
+FittedErrors fitted_errors(const RunContext &run)
+{
+  const auto error_of = [&](const char *number) {
+    const Parameter *fitted = run.find(result_name({family::bite, bite_fit, number}));
+    return fitted ? fitted->error_estimate : not_given;
+  };
+  return {error_of("friction"), error_of("flow_stress")};
+}
+
+void add_pass_numbers(UncertainNumbers &all, const FittedErrors &fitted, const bite::RollBite &bite,
                       const StandSpan &span, const double damping_tolerance)
 {
   const auto assume = [&](const std::string &name, const double error) {
@@ -102,8 +105,8 @@ void add_pass_numbers(UncertainNumbers &all, const RunContext &run, const bite::
       assume(name, error);
     return all.numbers.emplace_back(std::move(number));
   };
-  const double friction = fitted_or(run, "friction", usual_error::friction),
-               stress   = fitted_or(run, "flow_stress", usual_error::flow_stress);
+  const double friction = std::isnan(fitted.friction) ? usual_error::friction : fitted.friction,
+               stress   = std::isnan(fitted.flow_stress) ? usual_error::flow_stress : fitted.flow_stress;
   add("friction", friction, friction_numbers(bite), friction == usual_error::friction);
   add("flow_stress", stress, {PassNumber::stress_factor}, stress == usual_error::flow_stress);
   add("entry_thickness", usual_error::entry_thickness, {PassNumber::entry_thickness});
@@ -122,12 +125,12 @@ void add_pass_numbers(UncertainNumbers &all, const RunContext &run, const bite::
   all.assumed  = "the interval of the critical speed takes, where the case states no error: " + all.assumed;
 }
 
-UncertainNumbers uncertain_numbers(const RunContext &run, const FourHigh &stand, const bite::RollBite &bite,
+UncertainNumbers uncertain_numbers(const FittedErrors &fitted, const FourHigh &stand, const bite::RollBite &bite,
                                    const std::vector<reduce::ModalSensitivity> &inputs, const Eigen::Index n)
 {
   UncertainNumbers all;
   add_structure(all, stand, inputs, n);
-  add_pass_numbers(all, run, bite, stand.span, stand.frequency_response.damping_tolerance);
+  add_pass_numbers(all, fitted, bite, stand.span, stand.frequency_response.damping_tolerance);
   return all;
 }
 }  // namespace mill

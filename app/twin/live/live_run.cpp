@@ -47,7 +47,7 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
     throw InputError(
         "--keep sets how much of a recording is kept; name the folder of the recording with --record");
   if (!options.token_file.empty())
-    token_ = live::token_of_file(options.token_file);
+    token_ = web::token_of_file(options.token_file);
   engine_ = std::make_unique<live::Engine>(model_, hooks());
   if (model_.dynamics.contact == "curve")
     print("note: contacts on their curves are not followed here; the twin has their slopes\n");

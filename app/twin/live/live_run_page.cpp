@@ -7,6 +7,7 @@
 #include "core/base/errors.h"
 #include "core/base/visible_text.h"
 #include "core/model/case.h"
+#include "web/server/listen_address.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -69,7 +70,7 @@ void LiveRun::open_page()
     return;
   live::PageSettings settings;
   if (!options.listen.empty()) {
-    const auto at    = address_and_port("--listen", options.listen, "127.0.0.1:8460");
+    const auto at    = web::address_and_port("--listen", options.listen, "127.0.0.1:8460");
     settings.address = at.address;
     settings.port    = at.port;
   }

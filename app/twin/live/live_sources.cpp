@@ -1,6 +1,7 @@
 #include "app/twin/live/live_sources.h"
 #include "core/base/errors.h"
 #include "twin/live/source/file_sources.h"
+#include "web/server/listen_address.h"
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -33,7 +34,7 @@ LiveSources::LiveSources(const LiveInput &input, const LiveOptions &options, con
     start([rules, &queue](const std::atomic<bool> &stop) { live::read_json_lines(0, rules, queue, stop); });
     break;
   case Kind::tcp: {
-    const auto at = address_and_port("--input", input.target, "tcp:127.0.0.1:8461");
+    const auto at = web::address_and_port("--input", input.target, "tcp:127.0.0.1:8461");
     port_         = std::make_unique<live::DataPort>(live::DataPortSettings{at.address, at.port, rules}, queue);
     description_  = fmt::format("tcp {}:{}", at.address, port_->port());
     break;

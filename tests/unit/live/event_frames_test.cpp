@@ -1,10 +1,11 @@
-#include "twin/live/page/event_frames.h"
+#include "twin/live/page/page_server.h"
 #include <gtest/gtest.h>
 
 namespace live = mill::live;
+namespace web  = mill::web;
 
 namespace {
-std::vector<std::string> texts(const std::vector<live::FramePointer> &frames)
+std::vector<std::string> texts(const std::vector<web::FramePointer> &frames)
 {
   std::vector<std::string> out;
   for (const auto &frame : frames)
@@ -15,15 +16,15 @@ std::vector<std::string> texts(const std::vector<live::FramePointer> &frames)
 
 TEST(EventFrames, AFrameHasAnIdAndOneLineOfData)
 {
-  live::FrameStore store;
+  web::FrameStore store(live::event_kinds());
   EXPECT_EQ(store.add("numbers", R"({"s":1})")->text, "id: 1\nevent: numbers\ndata: {\"s\":1}\n\n");
   EXPECT_EQ(store.add("alarm", "{\n\"id\":\r\n1}")->text, "id: 2\nevent: alarm\ndata: { \"id\":  1}\n\n");
 }
 
 TEST(EventFrames, KeepsTwoFramesOfEachKindAndAllAlarms)
 {
-  live::FrameStore store;
-  live::FrameQueue queue;
+  web::FrameStore store(live::event_kinds());
+  web::FrameQueue queue;
   for (int k = 1; k <= 5; ++k) {
     queue.push(store.add("numbers", std::to_string(k)));
     queue.push(store.add("spectrum", std::to_string(10 * k)));
@@ -43,8 +44,8 @@ TEST(EventFrames, KeepsTwoFramesOfEachKindAndAllAlarms)
 
 TEST(EventFrames, DisconnectsABrowserWithHundredsOfWaitingAlarms)
 {
-  live::FrameStore store;
-  live::FrameQueue queue;
+  web::FrameStore store(live::event_kinds());
+  web::FrameQueue queue;
   for (int k = 0; k < 400; ++k)
     queue.push(store.add("alarm", "{}"));
   EXPECT_FALSE(queue.overfull());
@@ -55,7 +56,7 @@ TEST(EventFrames, DisconnectsABrowserWithHundredsOfWaitingAlarms)
 
 TEST(EventFrames, ThePresentStateIsTheLatestOfEachKindInOrder)
 {
-  live::FrameStore store;
+  web::FrameStore store(live::event_kinds());
   for (const char *event : {"numbers", "alarm", "modes", "numbers", "alarm", "parameters", "numbers"})
     store.add(event, "{}");
   std::string ids;

@@ -1,5 +1,5 @@
 #include "twin/live/page/event_text.h"
-#include "twin/live/page/json_writer.h"
+#include "web/server/json_writer.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -30,10 +30,10 @@ TEST(EventText, TracesHoldTheExtremesOfEveryPiece)
 TEST(EventText, FloatsAreLittleEndianBase64)
 {
   // 1.0f is 00 00 80 3f; base64 of RFC 4648.
-  EXPECT_EQ(live::base64_floats({1.0f}), "AACAPw==");
-  EXPECT_EQ(live::base64_floats({1.0f, -2.0f}), "AACAPwAAAMA=");
-  EXPECT_EQ(live::base64_floats({1.0f, -2.0f, 0.0f}), "AACAPwAAAMAAAAAA");
-  EXPECT_EQ(live::base64_floats({}), "");
+  EXPECT_EQ(mill::web::base64_floats({1.0f}), "AACAPw==");
+  EXPECT_EQ(mill::web::base64_floats({1.0f, -2.0f}), "AACAPwAAAMA=");
+  EXPECT_EQ(mill::web::base64_floats({1.0f, -2.0f, 0.0f}), "AACAPwAAAMAAAAAA");
+  EXPECT_EQ(mill::web::base64_floats({}), "");
 }
 
 TEST(EventText, UnknownNumbersAreNullAndTextsAreEscaped)

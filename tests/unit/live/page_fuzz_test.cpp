@@ -1,7 +1,6 @@
 #include "core/base/errors.h"
 #include "tests/support/raw_client.h"
 #include "twin/live/page/page_command.h"
-#include "twin/live/page/page_rules.h"
 #include "twin/live/page/page_server.h"
 #include <cstdlib>
 #include <gtest/gtest.h>

@@ -1,20 +1,21 @@
-#include "twin/live/page/page_rules.h"
+#include "twin/live/page/page_server.h"
 #include <gtest/gtest.h>
 
 namespace live = mill::live;
+namespace web  = mill::web;
 
 namespace {
 const std::string token = "0123456789abcdefghijklmnop";
 
-live::RequestRules rules()
+web::RequestRules rules()
 {
-  return {live::host_lines({"127.0.0.1", "localhost", "[::1]", "mill-3.example.com", "proxy:9000"}, 8460), token};
+  return {web::host_lines({"127.0.0.1", "localhost", "[::1]", "mill-3.example.com", "proxy:9000"}, 8460), token};
 }
 
-live::RequestHead head(const std::string &method, const std::string &target,
-                       const std::string &host = "127.0.0.1:8460")
+web::RequestHead head(const std::string &method, const std::string &target,
+                      const std::string &host = "127.0.0.1:8460")
 {
-  live::RequestHead out;
+  web::RequestHead out;
   out.method       = method;
   out.target       = target;
   out.host         = {host};
@@ -23,9 +24,9 @@ live::RequestHead head(const std::string &method, const std::string &target,
   return out;
 }
 
-int status(const live::RequestHead &request)
+int status(const web::RequestHead &request)
 {
-  return live::judge(request, rules()).status;
+  return web::judge(request, rules(), live::page_table()).status;
 }
 }  // namespace
 
@@ -83,8 +84,8 @@ TEST(PageRules, OriginIsAbsentOrTheOneAsked)
 
 TEST(PageRules, PathsAreATable)
 {
-  for (const auto &file : live::page_files()) {
-    const auto verdict = live::judge(head("GET", file.path), rules());
+  for (const auto &file : live::page_table().files) {
+    const auto verdict = web::judge(head("GET", file.path), rules(), live::page_table());
     EXPECT_EQ(verdict.status, 200) << file.path;
     ASSERT_NE(verdict.file, nullptr);
     EXPECT_GT(std::string(verdict.file->text).size(), 100u) << file.path;
@@ -99,7 +100,7 @@ TEST(PageRules, MethodTokenAndTypeAreAskedFor)
 {
   for (const char *method : {"POST", "HEAD", "OPTIONS", "PUT", "DELETE", "TRACE", "CONNECT", "get"})
     EXPECT_EQ(status(head(method, "/stand")), 405) << method;
-  EXPECT_EQ(live::judge(head("GET", "/command"), rules()).allow, "POST");
+  EXPECT_EQ(web::judge(head("GET", "/command"), rules(), live::page_table()).allow, "POST");
 
   auto request = head("POST", "/command");
   for (const std::string &wrong :
@@ -133,7 +134,7 @@ TEST(PageRules, MethodTokenAndTypeAreAskedFor)
 
 TEST(PageRules, AnEmptyTokenOpensNothing)
 {
-  EXPECT_FALSE(live::same_token("", ""));
-  EXPECT_FALSE(live::same_token(token, ""));
-  EXPECT_TRUE(live::same_token(token, token));
+  EXPECT_FALSE(web::same_token("", ""));
+  EXPECT_FALSE(web::same_token(token, ""));
+  EXPECT_TRUE(web::same_token(token, token));
 }

@@ -352,8 +352,8 @@ TEST(PageServer, AnAddressThatCannotBeUsedIsExplained)
 
 TEST(PageServer, TokensAreLongKeptAndGuarded)
 {
-  EXPECT_EQ(live::made_token().size(), 43u);
-  EXPECT_NE(live::made_token(), live::made_token());
+  EXPECT_EQ(mill::web::made_token().size(), 43u);
+  EXPECT_NE(mill::web::made_token(), mill::web::made_token());
   auto settings         = Served::at_any_port();
   settings.token_keeper = own_folder() + "/page.token";
   std::string first;
@@ -372,16 +372,16 @@ TEST(PageServer, TokensAreLongKeptAndGuarded)
   const std::string path = own_folder() + "/given.token";
   std::ofstream(path) << "0123456789abcdefghijklmnop\n";
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
-  EXPECT_EQ(live::token_of_file(path), "0123456789abcdefghijklmnop");
+  EXPECT_EQ(mill::web::token_of_file(path), "0123456789abcdefghijklmnop");
   fs::permissions(path, fs::perms::group_read, fs::perm_options::add);
-  EXPECT_EQ(refusal([&] { live::token_of_file(path); }), "others than its owner may read the token; chmod 600 it");
+  EXPECT_EQ(refusal([&] { mill::web::token_of_file(path); }), "others than its owner may read the token; chmod 600 it");
   std::ofstream(path) << "short\n";
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(
-      refusal([&] { live::token_of_file(path); }),
+      refusal([&] { mill::web::token_of_file(path); }),
       "a token is 22 to 256 letters, digits, - _ . ~ without blanks (128 bit and more); `openssl rand -hex 24` "
       "makes one");
-  EXPECT_EQ(refusal([&] { live::token_of_file(own_folder()); }),
+  EXPECT_EQ(refusal([&] { mill::web::token_of_file(own_folder()); }),
             "is not a file; the token must be the first line of a file");
   fs::remove_all(own_folder());
 }

@@ -1,9 +1,10 @@
 #include "twin/live/page/event_text.h"
-#include "twin/live/page/json_writer.h"
+#include "web/server/json_writer.h"
 #include <algorithm>
 #include <cmath>
 
 namespace mill::live {
+using web::JsonWriter;
 namespace {
 constexpr int short_digits = 4;  // of what is only drawn
 

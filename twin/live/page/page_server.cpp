@@ -1,113 +1,91 @@
 #include "twin/live/page/page_server.h"
-#include "core/base/errors.h"
-#include "twin/live/page/page_connection.h"
-#include <boost/asio.hpp>
-#include <fcntl.h>
+#include "twin/live/page/embedded.h"
+#include "twin/live/page/event_text.h"
 #include <fmt/format.h>
-#include <thread>
+#include <mutex>
+#include <optional>
 
-// Everything but publish() and statistics() runs in the thread of the server, so nothing here is locked.
 namespace mill::live {
 namespace {
-namespace asio = boost::asio;
-using asio::ip::tcp;
-using Seconds = std::chrono::milliseconds;
-using Failure = boost::system::error_code;
+enum Route : std::size_t { stand_route, events_route, metrics_route, command_route };
 
-constexpr int most_connections = 32;
-constexpr int most_refusals    = 16;  // connections beyond the limit that get the answer "too many"
-constexpr Seconds heartbeat{10000};
-
-// A program that this one starts gets no copy of a socket, which would hold the port after our end.
-template <class Socket> void keep_to_ourselves(Socket &socket)
+web::PageRoute stream_of_events()
 {
-  fcntl(socket.native_handle(), F_SETFD, FD_CLOEXEC);
+  web::PageRoute route{"/events"};
+  route.query_token = true;
+  route.events      = true;
+  return route;
 }
 
-asio::ip::address literal_address(const std::string &text)
+std::string with_statistics(std::string text, const PageStatistics &statistics)
 {
-  Failure failure;
-  const auto address = asio::ip::make_address(text, failure);
-  if (failure)
-    throw InputError(
-        fmt::format("--listen: '{}' is not a literal address; write for example 127.0.0.1 or ::1", text));
-  return address;
+  const auto row = [&](const char *name, const char *type, const char *ending, const std::int64_t value) {
+    text += fmt::format("# TYPE millstand_page_{0} {1}\nmillstand_page_{0}{2} {3}\n", name, type, ending, value);
+  };
+  row("event_streams", "gauge", "", statistics.event_streams);
+  row("frames_sent", "counter", "_total", statistics.frames_sent);
+  row("frames_dropped", "counter", "_total", statistics.frames_dropped);
+  row("requests", "counter", "_total", statistics.requests);
+  row("requests_refused", "counter", "_total", statistics.requests_refused);
+  return text + "# EOF\n";
 }
 }  // namespace
 
+const web::PageTable &page_table()
+{
+  static const char *const script = "text/javascript; charset=utf-8";
+  static const web::PageTable table{
+      {
+          {"/", "text/html; charset=utf-8", embedded::index_html},
+          {"/theme.css", "text/css; charset=utf-8", embedded::theme_css},
+          {"/page.css", "text/css; charset=utf-8", embedded::page_css},
+          {"/page.js", script, embedded::page_js},
+          {"/canvas.js", script, embedded::canvas_js},
+          {"/stand.js", script, embedded::stand_js},
+          {"/charts.js", script, embedded::charts_js},
+          {"/histories.js", script, embedded::histories_js},
+          {"/tables.js", script, embedded::tables_js},
+          {"/answers.js", script, embedded::answers_js},
+          {"/icon.svg", "image/svg+xml", embedded::icon_svg},
+      },
+      {{"/stand"}, stream_of_events(), {"/metrics", "GET", false}, {"/command", "POST"}}};
+  return table;
+}
+
+const web::EventKinds &event_kinds()
+{
+  static const web::EventKinds kinds{
+      {event_names::alarm, event_names::proposal, event_names::parameters, event_names::advice},
+      {event_names::alarm, event_names::proposal}};
+  return kinds;
+}
+
 struct PageServer::State {
-  PageShared shared;  // outlives what runs in `io`
-  asio::io_context io{1};
-  tcp::acceptor acceptor{io};
-  asio::steady_timer beat{io}, rest{io};
-  std::string token, url, notice;
-  int port = 0;
-  std::thread thread;
+  std::mutex access;
+  std::string stand;
+  std::function<CommandReply(const std::string &)> command;
+  std::function<std::string()> metrics;
+  std::optional<web::PageServer> server;
 
-  void listen(const PageSettings &settings, const asio::ip::address &address)
+  web::PageReply answer(const web::PageRequest &request)
   {
-    const tcp::endpoint endpoint(address, static_cast<unsigned short>(settings.port));
-    Failure failure;
-    const auto go = [&](auto step) {
-      if (!failure)
-        step();
-    };
-    acceptor.open(endpoint.protocol(), failure);
-    go([&] { keep_to_ourselves(acceptor); });
-    go([&] { acceptor.set_option(asio::socket_base::reuse_address(true), failure); });
-    go([&] { acceptor.bind(endpoint, failure); });
-    go([&] { acceptor.listen(64, failure); });
-    if (failure == asio::error::address_in_use)
-      throw InputError(
-          fmt::format("--listen: port {} of {} is taken, perhaps by another millstand live; another port, "
-                      "or 0 for any that is free",
-                      settings.port, settings.address));
-    if (failure)
-      throw InputError(fmt::format("--listen: cannot listen at {} port {}: {}", settings.address, settings.port,
-                                   failure.message()));
-    port = acceptor.local_endpoint().port();
+    if (request.route == command_route) {
+      const CommandReply reply = command(request.body);
+      return {reply.status, reply.json};
+    }
+    const std::lock_guard lock(access);
+    if (request.route == metrics_route)
+      return {200, with_statistics(metrics_text(), server->statistics()),
+              "application/openmetrics-text; version=1.0.0; charset=utf-8"};
+    return {200, stand};
   }
-
-  void accept()
+  std::string metrics_text() const
   {
-    acceptor.async_accept([this](const Failure &failure, tcp::socket socket) {
-      if (failure == asio::error::operation_aborted)
-        return;
-      if (failure) {  // out of file numbers, most likely: later there are some again
-        rest.expires_after(Seconds(100));
-        rest.async_wait([this](const Failure &stopped) {
-          if (!stopped)
-            accept();
-        });
-        return;
-      }
-      keep_to_ourselves(socket);
-      const bool too_many = shared.connections >= most_connections;
-      if (!too_many || shared.refusals < most_refusals)
-        serve_connection(io, socket.release(), acceptor_is_v6(), shared, too_many);
-      else
-        ++shared.refused;
-      accept();
-    });
-  }
-
-  bool acceptor_is_v6() const
-  {
-    Failure ignored;
-    return acceptor.local_endpoint(ignored).address().is_v6();
-  }
-
-  // A comment line now and then: a connection whose other end has vanished shows when it is written to.
-  void keep_alive()
-  {
-    static const auto comment = std::make_shared<const EventFrame>(EventFrame{"", ":\n\n", true});
-    beat.expires_after(heartbeat);
-    beat.async_wait([this](const Failure &stopped) {
-      if (stopped)
-        return;
-      send_to_all(shared, comment);
-      keep_alive();
-    });
+    try {
+      return metrics();
+    } catch (const std::exception &) {
+      return "";
+    }
   }
 };
 
@@ -116,82 +94,50 @@ PageServer::PageServer(const PageSettings &settings, std::string stand_json,
                        std::function<std::string()> metrics)
     : state_(std::make_unique<State>())
 {
-  State &state       = *state_;
-  const auto address = literal_address(settings.address);
-  if (settings.port < 0 || settings.port > 65535)
-    throw InputError(fmt::format("--listen: port {} is not in 0 .. 65535", settings.port));
-  if (!address.is_loopback() && !settings.token_given)
-    throw InputError(
-        fmt::format("--listen: {} is reached from other machines, so a token is needed that its users know: "
-                    "add --token-file FILE",
-                    settings.address));
-  state.token = page_token(settings);
-  state.listen(settings, address);
-  const std::string literal = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
-  state.url                 = fmt::format("http://{}:{}/#{}", literal, state.port, state.token);
-  if (!address.is_loopback())
-    state.notice =
-        fmt::format("the page at {}:{} is not encrypted: whoever is on the way reads it and its token; put a "
-                    "TLS proxy in front",
-                    literal, state.port);
-  std::vector<std::string> names{"127.0.0.1", "localhost", "[::1]", literal};
-  names.insert(names.end(), settings.hosts.begin(), settings.hosts.end());
-  PageShared &shared = state.shared;
-  shared.rules       = {host_lines(names, state.port), state.token};
-  shared.port        = state.port;
-  shared.stand       = std::move(stand_json);
-  shared.command     = std::move(command);
-  shared.metrics     = std::move(metrics);
-  state.accept();
-  state.keep_alive();
-  state.thread = std::thread([&state] { state.io.run(); });
+  state_->stand   = std::move(stand_json);
+  state_->command = std::move(command);
+  state_->metrics = std::move(metrics);
+  const std::lock_guard lock(state_->access);  // a request that comes at once waits for the server
+  state_->server.emplace(
+      settings, web::PageSite{"millstand live", page_table(), event_kinds(),
+                              [state = state_.get()](const web::PageRequest &r) { return state->answer(r); }});
 }
 
-PageServer::~PageServer()
-{
-  state_->io.stop();
-  if (state_->thread.joinable())
-    state_->thread.join();
-}
+PageServer::~PageServer() = default;
 
 void PageServer::set_stand(std::string stand_json)
 {
-  asio::post(state_->io, [state = state_.get(), text = std::move(stand_json)]() mutable {
-    state->shared.stand = std::move(text);
-  });
+  const std::lock_guard lock(state_->access);
+  state_->stand = std::move(stand_json);
 }
 
 void PageServer::publish(const std::string &event, const std::string &json)
 {
-  asio::post(state_->io, [state = state_.get(), event, json] {
-    send_to_all(state->shared, state->shared.store.add(event, json));
-  });
+  state_->server->publish(event, json);
 }
 
 int PageServer::port() const
 {
-  return state_->port;
+  return state_->server->port();
 }
 
 const std::string &PageServer::token() const
 {
-  return state_->token;
+  return state_->server->token();
 }
 
 std::string PageServer::url() const
 {
-  return state_->url;
+  return state_->server->url();
 }
 
 std::string PageServer::notice() const
 {
-  return state_->notice;
+  return state_->server->notice();
 }
 
 PageStatistics PageServer::statistics() const
 {
-  const PageShared &shared = state_->shared;
-  return {shared.open_connections, shared.open_streams, shared.frames_sent,
-          shared.frames_dropped,   shared.requests,     shared.refused};
+  return state_->server->statistics();
 }
 }  // namespace mill::live

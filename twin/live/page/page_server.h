@@ -1,60 +1,37 @@
 #pragma once
-#include <cstdint>
+#include "web/server/page_server.h"
 #include <functional>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace mill::live {
-struct PageSettings {
-  std::string address = "127.0.0.1";  ///< literal address; any but a loopback one needs a token that was given
-  int port            = 8460;         ///< 0: any that is free
-  std::string token;                  ///< empty: made (at least 128 bit)
-  bool token_given = false;           ///< the user named the token (--token-file)
-  /// Where a made token is kept for the next start, so that a page that is open finds a restarted program again;
-  /// written with mode 0600.  Empty: a new token at every start.
-  std::string token_keeper;
-  std::vector<std::string>
-      hosts;  ///< "mill-3.example.com": further names, of a TLS proxy in front, by which browsers ask
-};
+using web::PageSettings;
+using web::PageStatistics;
 
 struct CommandReply {
   int status = 200;  ///< 200 done, 202 begun (an event follows), 400 refused with {"error": "..."}, 409 not now
   std::string json = "{}";
 };
 
-struct PageStatistics {
-  int connections               = 0;  ///< now
-  int event_streams             = 0;  ///< now
-  std::int64_t frames_sent      = 0;
-  std::int64_t frames_dropped   = 0;  ///< display frames that a slow browser did not take in time
-  std::int64_t requests         = 0;  ///< answered with 2xx
-  std::int64_t requests_refused = 0;  ///< answered with 4xx or 5xx, or cut off by a limit
-};
-
-/// Serves the page of the live twin: a fixed table of routes, one stream of events for each browser, commands.
-/// One thread of its own; every operation has a time limit.
+/// Files and routes of the page of the live twin.
 ///   GET  /  /page.css  /*.js  /icon.svg   the page, compiled in
 ///   GET  /stand                           what the page draws (stand_text), token
 ///   GET  /events                          server-sent events, token
 ///   GET  /metrics                         OpenMetrics text, no token
 ///   POST /command                         JSON, token
-/// The token travels as "X-Millstand-Token: T", "Authorization: Bearer T", or, for /events, which a browser opens
-/// without headers of ours, as "?token=T".
-/// Limits: header 8 kB, body 64 kB, 32 connections, 16 event streams, 5 s for a request, 30 s for a browser that
-/// takes nothing.  A slow browser has the two latest display frames waiting; older ones are dropped and counted.
-/// Alarms, proposals, parameters and advice are never dropped.
+const web::PageTable &page_table();
+/// Alarms, proposals, parameters and advice are never dropped; of the first two the last 200 are kept.
+const web::EventKinds &event_kinds();
+
+/// Serves the page of the live twin.
 class PageServer {
 public:
   /// Listens when it returns.
   /// @param stand_json  stand_text() of event_text.h
   /// @param command     takes the JSON of a command (page_command() reads it); runs in the thread of the server,
-  /// so
-  ///                    it hands long work on and returns at once
+  ///                    so it hands long work on and returns at once
   /// @param metrics     OpenMetrics text without the closing "# EOF"; same thread
-  /// @throws InputError  the address is not a literal, is not of this machine, is taken, is not loopback and no
-  /// token
-  ///                     was given; the token has less than 128 bit (22 characters)
+  /// @throws InputError  as web::PageServer
   PageServer(const PageSettings &settings, std::string stand_json,
              std::function<CommandReply(const std::string &json_body)> command,
              std::function<std::string()> metrics);
@@ -66,8 +43,7 @@ public:
   /// From any thread.
   void set_stand(std::string stand_json);
 
-  /// Sends an event to every browser, and keeps the latest of its kind for those that come later (of alarms and
-  /// proposals the last 200).  From any thread; returns at once.  Fits live::Publish.
+  /// Sends an event to every browser.  From any thread; returns at once.  Fits live::Publish.
   /// @param event  a name of event_names (event_text.h)
   void publish(const std::string &event, const std::string &json);
 
@@ -81,13 +57,4 @@ private:
   struct State;
   std::unique_ptr<State> state_;
 };
-
-/// The token of these settings: given, kept from an earlier start, or made (and kept).
-/// @throws InputError  shorter than 22 characters; SystemError  it cannot be kept
-std::string page_token(const PageSettings &settings);
-/// 43 characters of 258 random bits from the system.
-std::string made_token();
-/// First line of a file, at least 22 characters of printable ASCII without blanks.
-/// @throws InputError  file cannot be read, is readable by others than its owner, holds a short token
-std::string token_of_file(const std::string &path);
 }  // namespace mill::live

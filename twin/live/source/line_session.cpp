@@ -1,7 +1,7 @@
 #include "twin/live/source/line_session.h"
 #include "core/base/errors.h"
 #include "core/base/visible_text.h"
-#include "twin/live/page/page_rules.h"
+#include "web/server/page_rules.h"
 #include "twin/live/source/row_times.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/channel_scale.h"
@@ -94,7 +94,7 @@ LineSession::Answer LineSession::head(const LineContent &content)
 {
   if (content.version != 1.0)
     return refuse("\"millstand\" is not 1, the only version there is");
-  if (!rules_.token.empty() && !same_token(content.token, rules_.token))
+  if (!rules_.token.empty() && !web::same_token(content.token, rules_.token))
     return refuse("\"token\" is missing or wrong");
   if (!content.rate || !(*content.rate >= lowest_rate && *content.rate <= highest_rate))
     return refuse(fmt::format("\"rate\" is {}; {:g} to {:g} samples per second are allowed",

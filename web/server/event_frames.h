@@ -3,10 +3,11 @@
 #include <deque>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
-namespace mill::live {
+namespace mill::web {
 /// One server-sent event as it goes over the line, shared by all browsers.
 struct EventFrame {
   std::string event;
@@ -15,14 +16,22 @@ struct EventFrame {
 };
 using FramePointer = std::shared_ptr<const EventFrame>;
 
+/// How the events of a page are kept and dropped, by their names.
+struct EventKinds {
+  std::set<std::string> whole;    ///< never dropped; all others are display: a newer one replaces an older one
+  std::set<std::string> history;  ///< of these the last 200 are kept, not the latest alone
+};
+
 /// Makes frames and keeps those that a new browser needs.
 class FrameStore {
 public:
+  explicit FrameStore(EventKinds kinds) : kinds_(std::move(kinds)) {}
   FramePointer add(const std::string &event, const std::string &json);
-  /// The latest of each kind, and the last 200 alarms and proposals, in the order in which they came.
+  /// The latest of each kind, and the last 200 of a history, in the order in which they came.
   std::vector<FramePointer> present_state() const;
 
 private:
+  EventKinds kinds_;
   std::int64_t last_id_ = 0;
   std::map<std::string, std::pair<std::int64_t, FramePointer>> latest_;
   std::deque<std::pair<std::int64_t, FramePointer>> kept_;
@@ -43,4 +52,4 @@ private:
   std::deque<FramePointer> waiting_;
   std::int64_t dropped_ = 0;
 };
-}  // namespace mill::live
+}  // namespace mill::web

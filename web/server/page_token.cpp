@@ -1,6 +1,6 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
-#include "twin/live/page/page_server.h"
+#include "web/server/page_server.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>
@@ -12,7 +12,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-namespace mill::live {
+namespace mill::web {
 namespace {
 const char *const token_rule = "a token is 22 to 256 letters, digits, - _ . ~ without blanks (128 bit and more); "
                                "`openssl rand -hex 24` makes one";
@@ -97,4 +97,4 @@ std::string token_of_file(const std::string &path)
     throw InputError({path, 1, 1}, token_rule);
   return token;
 }
-}  // namespace mill::live
+}  // namespace mill::web

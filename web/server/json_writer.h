@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-namespace mill::live {
+namespace mill::web {
 /// Writes one JSON text from front to back.  Numbers that are not finite become null; text that is not UTF-8 gets
 /// replacement characters.
 class JsonWriter {
@@ -36,4 +36,4 @@ private:
 };
 
 std::string base64_floats(const std::vector<float> &values);
-}  // namespace mill::live
+}  // namespace mill::web

@@ -1,6 +1,6 @@
-#include "twin/live/page/page_connection.h"
+#include "web/server/page_connection.h"
 #include "core/base/errors.h"
-#include "twin/live/page/http_answer.h"
+#include "web/server/http_answer.h"
 #include <algorithm>
 #include <boost/asio.hpp>
 #include <boost/beast/core/flat_buffer.hpp>
@@ -10,7 +10,7 @@
 
 // One connection of the page: requests, answers, events.  All of it runs in the thread of the server, so nothing
 // here is locked.
-namespace mill::live {
+namespace mill::web {
 namespace {
 namespace asio = boost::asio;
 namespace http = boost::beast::http;
@@ -18,11 +18,11 @@ using asio::ip::tcp;
 using Seconds = std::chrono::milliseconds;
 using Failure = boost::system::error_code;
 
-constexpr std::size_t header_limit = 8 * 1024;
-constexpr std::size_t body_limit   = 64 * 1024;
-constexpr std::size_t buffer_limit = header_limit + body_limit + 16 * 1024;
-constexpr int most_streams         = 16;
-constexpr int send_buffer          = 64 * 1024;  // bytes: what lies in the system's buffer is late already
+constexpr std::size_t header_limit  = 8 * 1024;
+constexpr std::size_t buffer_limit  = header_limit + 80 * 1024;  // of what is read and not yet parsed
+constexpr std::size_t smallest_body = 64 << 10;
+constexpr int most_streams          = 16;
+constexpr int send_buffer           = 64 * 1024;  // bytes: what lies in the system's buffer is late already
 constexpr Seconds request_time{5000}, answer_time{5000}, stream_time{30000}, farewell_time{1000};
 
 // Runs one step at a time against one deadline.
@@ -50,12 +50,23 @@ private:
   std::uint64_t number_ = 0;
 };
 
+PageReply reply_to(const PageSite &site, const PageRequest &request)
+{
+  try {
+    return site.answer(request);
+  } catch (const InputError &mistake) {
+    return {400, error_json(mistake.problems.empty() ? mistake.what() : mistake.problems.front().message)};
+  } catch (const std::exception &) {  // the answer stands; the program goes on
+    return {500, error_json("the program failed; its log says why")};
+  }
+}
 }  // namespace
 
 class PageConnection : public std::enable_shared_from_this<PageConnection> {
 public:
-  PageConnection(tcp::socket socket, PageShared &shared, const bool too_many)
-      : socket_(std::move(socket)), deadline_(socket_.get_executor()), shared_(shared), too_many_(too_many)
+  PageConnection(tcp::socket socket, asio::thread_pool &slow, PageShared &shared, const bool too_many)
+      : socket_(std::move(socket)), slow_(slow), deadline_(socket_.get_executor()), shared_(shared),
+        too_many_(too_many)
   {
     ++(too_many_ ? shared_.refusals : shared_.connections);
     shared_.open_connections = shared_.connections;
@@ -105,7 +116,7 @@ private:
     late_ = false;
     parser_.emplace();
     parser_->header_limit(header_limit);
-    parser_->body_limit(body_limit);
+    parser_->body_limit(smallest_body);  // until the route is known
     deadline_.set(request_time, shared_from_this(), [this] {
       late_ = true;
       Failure ignored;
@@ -120,13 +131,17 @@ private:
   {
     if (failure)
       return cannot_read(failure);
-    const auto verdict = judge(request_head(), rules_here());
+    const auto verdict = judge(request_head(), rules_here(), shared_.site.table);
     if (verdict.status != 200)
       return refuse(verdict.status, verdict.error,
                     !verdict.allow.empty()  ? "Allow: " + verdict.allow + "\r\n"
                     : verdict.status == 401 ? "WWW-Authenticate: Bearer\r\n"
                                             : "");
     verdict_ = verdict;
+    if (!verdict.file)
+      parser_->body_limit(route().body);
+    if (parser_->content_length() && *parser_->content_length() > body_limit())
+      return refuse_body();
     if (http::token_list{parser_->get()[http::field::expect]}.exists("100-continue")) {
       static const std::string go_on = "HTTP/1.1 100 Continue\r\n\r\n";
       asio::async_write(socket_, asio::buffer(go_on),
@@ -158,11 +173,26 @@ private:
     if (failure == http::error::header_limit || failure == http::error::buffer_overflow)
       return refuse(431, "the head of a request has at most 8 kB");
     if (failure == http::error::body_limit)
-      return refuse(413, "the body of a request has at most 64 kB");
+      return refuse_body();
     if (failure != http::error::end_of_stream && failure != http::error::partial_message &&
         failure.category() == http::make_error_code(http::error::end_of_stream).category())
       return refuse(400, "this is not a request of HTTP/1.1");
     close();
+  }
+
+  const PageRoute &route() const
+  {
+    return shared_.site.table.routes[verdict_.route];
+  }
+
+  std::size_t body_limit() const
+  {
+    return verdict_.file ? smallest_body : route().body;
+  }
+
+  void refuse_body()
+  {
+    refuse(413, fmt::format("the body of a request has at most {} kB", body_limit() >> 10));
   }
 
   RequestHead request_head() const
@@ -205,49 +235,20 @@ private:
   // -- answers -------------------------------------------------------------------------------------------------
   void answer()
   {
-    switch (verdict_.route) {
-    case PageRoute::file:
-      return respond(200, verdict_.file->type, verdict_.file->text);
-    case PageRoute::stand:
-      return respond(200, "application/json", shared_.stand);
-    case PageRoute::metrics:
-      return respond(200, "application/openmetrics-text; version=1.0.0; charset=utf-8", metrics_text());
-    case PageRoute::command:
-      return answer_command();
-    case PageRoute::events:
+    if (verdict_.file)
+      return respond({200, verdict_.file->text, verdict_.file->type});
+    if (route().events)
       return begin_stream();
-    }
-  }
-
-  void answer_command()
-  {
-    CommandReply reply{500, error_json("the program failed; its log says why")};
-    try {
-      reply = shared_.command(parser_->get().body());
-    } catch (const InputError &mistake) {
-      reply = {400, error_json(mistake.problems.front().message)};
-    } catch (const std::exception &) {  // the answer stands; the vibration goes on
-    }
-    respond(reply.status, "application/json", reply.json);
-  }
-
-  std::string metrics_text() const
-  {
-    std::string text;
-    try {
-      text = shared_.metrics();
-    } catch (const std::exception &) {
-      text.clear();
-    }
-    const auto row = [&](const char *name, const char *type, const char *ending, const std::int64_t value) {
-      text += fmt::format("# TYPE millstand_page_{0} {1}\nmillstand_page_{0}{2} {3}\n", name, type, ending, value);
-    };
-    row("event_streams", "gauge", "", shared_.open_streams);
-    row("frames_sent", "counter", "_total", shared_.frames_sent);
-    row("frames_dropped", "counter", "_total", shared_.frames_dropped);
-    row("requests", "counter", "_total", shared_.requests);
-    row("requests_refused", "counter", "_total", shared_.refused);
-    return text + "# EOF\n";
+    PageRequest request{verdict_.route, verdict_.path, std::move(parser_->get().body())};
+    if (!route().slow)
+      return respond(reply_to(shared_.site, request));
+    deadline_.clear();
+    asio::post(slow_, [self = shared_from_this(), request = std::move(request)] {
+      asio::post(self->socket_.get_executor(), [self, reply = reply_to(self->shared_.site, request)] {
+        if (self->socket_.is_open())
+          self->respond(reply);
+      });
+    });
   }
 
   void refuse(const int status, const std::string &message, const std::string &more_lines = "")
@@ -256,11 +257,11 @@ private:
     send(http_answer(status, "application/json", error_json(message), false, more_lines), false);
   }
 
-  void respond(const int status, const std::string &type, const std::string &body)
+  void respond(const PageReply &reply)
   {
-    ++(status < 400 ? shared_.requests : shared_.refused);
+    ++(reply.status < 400 ? shared_.requests : shared_.refused);
     const bool keep = parser_->get().keep_alive();
-    send(http_answer(status, type, body, keep), keep);
+    send(http_answer(reply.status, reply.type, reply.body, keep, "", reply.policy), keep);
   }
 
   void send(std::string text, const bool keep)
@@ -348,6 +349,7 @@ private:
   }
 
   tcp::socket socket_;
+  asio::thread_pool &slow_;
   Deadline deadline_;
   PageShared &shared_;
   bool too_many_;
@@ -361,11 +363,11 @@ private:
   std::vector<FramePointer> sending_;
 };
 
-void serve_connection(asio::io_context &io, const int accepted, const bool v6, PageShared &shared,
-                      const bool too_many)
+void serve_connection(asio::io_context &io, asio::thread_pool &slow, const int accepted, const bool v6,
+                      PageShared &shared, const bool too_many)
 {
   tcp::socket socket(io, v6 ? tcp::v6() : tcp::v4(), accepted);
-  std::make_shared<PageConnection>(std::move(socket), shared, too_many)->start();
+  std::make_shared<PageConnection>(std::move(socket), slow, shared, too_many)->start();
 }
 
 void send_to_all(PageShared &shared, const FramePointer &frame)
@@ -375,4 +377,4 @@ void send_to_all(PageShared &shared, const FramePointer &frame)
     if (shared.streams.count(stream))
       stream->push(frame);
 }
-}  // namespace mill::live
+}  // namespace mill::web

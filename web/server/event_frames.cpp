@@ -1,33 +1,18 @@
-#include "twin/live/page/event_frames.h"
-#include "twin/live/page/event_text.h"
+#include "web/server/event_frames.h"
 #include <algorithm>
-#include <set>
 
-namespace mill::live {
+namespace mill::web {
 namespace {
 constexpr std::size_t kept_frames  = 200;
 constexpr std::size_t most_waiting = 400;
 constexpr int waiting_of_a_kind    = 2;
-
-bool is_display(const std::string &event)
-{
-  static const std::set<std::string> others{event_names::alarm, event_names::proposal, event_names::parameters,
-                                            event_names::advice};
-  return others.count(event) == 0;
-}
-
-// Of these every event is sent, not the latest alone.
-bool is_history(const std::string &event)
-{
-  return event == event_names::alarm || event == event_names::proposal;
-}
 }  // namespace
 
 FramePointer FrameStore::add(const std::string &event, const std::string &json)
 {
   auto frame          = std::make_shared<EventFrame>();
   frame->event        = event;
-  frame->display      = is_display(event);
+  frame->display      = kinds_.whole.count(event) == 0;
   frame->text         = "id: " + std::to_string(++last_id_) + "\nevent: " + event + "\ndata: ";
   const auto position = frame->text.size();
   frame->text += json;
@@ -36,7 +21,7 @@ FramePointer FrameStore::add(const std::string &event, const std::string &json)
       frame->text.begin() + std::ptrdiff_t(position), frame->text.end(),
       [](const char c) { return c == '\n' || c == '\r'; }, ' ');
   frame->text += "\n\n";
-  if (is_history(event)) {
+  if (kinds_.history.count(event) > 0) {
     kept_.emplace_back(last_id_, frame);
     if (kept_.size() > kept_frames)
       kept_.pop_front();
@@ -90,4 +75,4 @@ bool FrameQueue::overfull() const
 {
   return waiting_.size() > most_waiting;
 }
-}  // namespace mill::live
+}  // namespace mill::web

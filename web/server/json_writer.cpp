@@ -1,9 +1,9 @@
-#include "twin/live/page/json_writer.h"
+#include "web/server/json_writer.h"
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>
 
-namespace mill::live {
+namespace mill::web {
 void JsonWriter::comma()
 {
   if (!first_)
@@ -138,4 +138,4 @@ std::string base64_floats(const std::vector<float> &values)
   }
   return out;
 }
-}  // namespace mill::live
+}  // namespace mill::web

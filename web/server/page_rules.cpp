@@ -1,8 +1,7 @@
-#include "twin/live/page/page_rules.h"
-#include "twin/live/page/embedded.h"
+#include "web/server/page_rules.h"
 #include <algorithm>
 
-namespace mill::live {
+namespace mill::web {
 namespace {
 std::string lower_case(std::string text)
 {
@@ -10,20 +9,6 @@ std::string lower_case(std::string text)
                  [](const unsigned char c) { return c >= 'A' && c <= 'Z' ? char(c + 32) : char(c); });
   return text;
 }
-
-// One row for each path that is not a file.
-struct RouteRow {
-  const char *path;
-  PageRoute route;
-  const char *method;
-  bool token;
-};
-constexpr RouteRow route_rows[] = {
-    {"/stand", PageRoute::stand, "GET", true},
-    {"/events", PageRoute::events, "GET", true},
-    {"/metrics", PageRoute::metrics, "GET", false},
-    {"/command", PageRoute::command, "POST", true},
-};
 
 RequestVerdict refused(const int status, const char *error)
 {
@@ -48,63 +33,50 @@ bool is_json(const std::string &content_type)
   return type == "application/json";
 }
 
-RequestVerdict judge_route(const RequestHead &head, const RequestRules &rules)
+const PageRoute *route_of(const PageTable &table, const std::string &path)
+{
+  const auto row = std::find_if(table.routes.begin(), table.routes.end(), [&](const PageRoute &r) {
+    return path == r.path || (r.below && path.compare(0, r.path.size() + 1, r.path + "/") == 0);
+  });
+  return row == table.routes.end() ? nullptr : &*row;
+}
+
+RequestVerdict judge_route(const RequestHead &head, const RequestRules &rules, const PageTable &table)
 {
   const auto mark         = head.target.find('?');
   const std::string path  = head.target.substr(0, mark);
   const std::string query = mark == std::string::npos ? "" : head.target.substr(mark + 1);
   RequestVerdict out;
-  std::string method = "GET";
-  bool needs_token   = false;
-  const auto row     = std::find_if(std::begin(route_rows), std::end(route_rows),
-                                    [&](const RouteRow &r) { return path == r.path; });
-  if (row != std::end(route_rows)) {
-    out.route   = row->route;
-    method      = row->method;
-    needs_token = row->token;
+  out.path               = path;
+  const PageRoute *route = route_of(table, path);
+  if (route) {
+    out.route = std::size_t(route - table.routes.data());
   } else {
     const auto file =
-        std::find_if(page_files().begin(), page_files().end(), [&](const PageFile &f) { return path == f.path; });
-    if (file == page_files().end())
+        std::find_if(table.files.begin(), table.files.end(), [&](const PageFile &f) { return path == f.path; });
+    if (file == table.files.end())
       return refused(404, "there is nothing at this path");
     out.file = &*file;
   }
+  const std::string method = route ? route->method : "GET";
   if (head.method != method) {
     auto wrong  = refused(405, "this path takes another method");
     wrong.allow = method;
     return wrong;
   }
   std::string token = head.token;
-  if (token.empty() && out.route == PageRoute::events)
+  if (token.empty() && route && route->query_token)
     token = token_of_query(query);
-  if (needs_token && !same_token(token, rules.token))
+  if (route && route->token && !same_token(token, rules.token))
     return refused(401,
                    "the token is missing or is not that of the running program; open the address that it printed");
-  if (out.route == PageRoute::command && !is_json(head.content_type))
+  if (method == "POST" && !is_json(head.content_type))
     return refused(415, "Content-Type application/json is needed");
   return out;
 }
 }  // namespace
 
-const std::vector<PageFile> &page_files()
-{
-  static const char *const script = "text/javascript; charset=utf-8";
-  static const std::vector<PageFile> all{
-      {"/", "text/html; charset=utf-8", embedded::index_html},
-      {"/page.css", "text/css; charset=utf-8", embedded::page_css},
-      {"/page.js", script, embedded::page_js},
-      {"/canvas.js", script, embedded::canvas_js},
-      {"/stand.js", script, embedded::stand_js},
-      {"/charts.js", script, embedded::charts_js},
-      {"/histories.js", script, embedded::histories_js},
-      {"/tables.js", script, embedded::tables_js},
-      {"/answers.js", script, embedded::answers_js},
-      {"/icon.svg", "image/svg+xml", embedded::icon_svg},
-  };
-  return all;
-}
-
-RequestVerdict judge(const RequestHead &head, const RequestRules &rules)
+RequestVerdict judge(const RequestHead &head, const RequestRules &rules, const PageTable &table)
 {
   if (head.host.size() != 1)
     return refused(400, "one Host line is needed");
@@ -116,7 +88,7 @@ RequestVerdict judge(const RequestHead &head, const RequestRules &rules)
     if (origin != "http://" + host && origin != "https://" + host)
       return refused(403, "requests from pages of another origin are refused");
   }
-  return judge_route(head, rules);
+  return judge_route(head, rules, table);
 }
 
 std::vector<std::string> host_lines(const std::vector<std::string> &names, const int port)
@@ -140,4 +112,4 @@ bool same_token(const std::string &given, const std::string &right)
                  unsigned(static_cast<unsigned char>(i < given.size() ? given[i] : 0));
   return different == 0 && !right.empty();
 }
-}  // namespace mill::live
+}  // namespace mill::web

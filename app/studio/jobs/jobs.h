@@ -1,0 +1,38 @@
+#pragma once
+#include <functional>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace mill::studio {
+/// Progress of the work that runs, or how the last one ended.
+struct JobState {
+  std::string id;      ///< "run-3"; empty: none yet
+  std::string status;  ///< "running", "done", "failed", "cancelled"
+  std::string stage;
+  int percent    = 0;
+  double seconds = 0;   ///< since its begin
+  double left    = -1;  ///< s; -1: not known yet
+  std::string said;     ///< last lines that the program printed
+};
+
+/// One program at a time, in a process of its own, so that neither its memory nor its end is ours.
+class Jobs {
+public:
+  /// @param changed  called from a thread of its own with every change
+  explicit Jobs(std::function<void(const JobState &)> changed);
+  ~Jobs();  ///< ends what runs
+  Jobs(const Jobs &)            = delete;
+  Jobs &operator=(const Jobs &) = delete;
+
+  /// Starts the program in the folder of this one.
+  /// @throws InputError  something runs; it cannot be started
+  void start(const std::string &id, const std::string &program, const std::vector<std::string> &arguments);
+  void cancel();
+  JobState state() const;
+
+private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+}  // namespace mill::studio

@@ -1,0 +1,350 @@
+#include "app/studio/studio.h"
+#include "app/process/console.h"
+#include "app/studio/answers/case_keys.h"
+#include "app/studio/answers/check_answer.h"
+#include "app/studio/answers/quick_answer.h"
+#include "app/studio/request.h"
+#include "core/base/errors.h"
+#include "core/case/case_edit.h"
+#include "core/case/case_file.h"
+#include "core/case/case_sheet.h"
+#include "core/case/case_template.h"
+#include "core/case/input_reference.h"
+#include "core/model/case.h"
+#include "web/server/listen_address.h"
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace fs = std::filesystem;
+
+namespace mill::studio {
+namespace {
+using nlohmann::ordered_json;
+
+enum Route : std::size_t {
+  schema_route,
+  document_route,
+  events_route,
+  edit_route,
+  check_route,
+  quick_route,
+  sweep_route,
+  run_route,
+  save_route,
+  compare_route,
+  file_route
+};
+constexpr std::size_t most_values = 61, most_edits = 2000;
+
+ordered_json job_json(const JobState &job)
+{
+  return {{"id", job.id},           {"status", job.status}, {"stage", job.stage}, {"percent", job.percent},
+          {"seconds", job.seconds}, {"left", job.left},     {"said", job.said}};
+}
+
+std::string path_of_case(const CommandLine &command)
+{
+  return command.target.empty() ? "stand.toml" : command.target;
+}
+
+std::string folder_of(const CommandLine &command)
+{
+  return command.output.empty() ? "out/" + fs::path(path_of_case(command)).stem().string() + "-studio"
+                                : command.output;
+}
+
+constexpr int usual_port = 8470;
+
+web::PageSettings settings_of(const CommandLine &command, const std::string &folder)
+{
+  web::PageSettings settings;
+  settings.port = usual_port;
+  if (!command.studio.listen.empty()) {
+    const auto at    = web::address_and_port("--listen", command.studio.listen, "127.0.0.1:8470");
+    settings.address = at.address;
+    settings.port    = at.port;
+  }
+  if (!command.studio.token_file.empty()) {
+    settings.token       = web::token_of_file(command.studio.token_file);
+    settings.token_given = true;
+  }
+  if (!command.studio.host.empty())
+    settings.hosts.push_back(command.studio.host);
+  // A page that is open finds a program that was started again.
+  std::error_code error;
+  fs::create_directories(folder, error);
+  if (!settings.token_given && !error)
+    settings.token_keeper = folder + "/page.token";
+  return settings;
+}
+
+bool is_of_text(const std::string &kind, const std::string &key)
+{
+  const Row *row = row_of_key(kind, key);
+  return row && (row->kind == Kind::quantity || row->kind == Kind::choice || row->kind == Kind::text ||
+                 row->kind == Kind::path);
+}
+}  // namespace
+
+Studio::Studio(const CommandLine &command)
+    : command_(command), document_(path_of_case(command), [] { return template_of("four-high"); }),
+      folder_(folder_of(command)), jobs_([this](const JobState &job) { publish_job(job); })
+{
+  const web::PageSite site{"millstand studio",
+                           page_table(),
+                           {{"document", "run"}, {}},
+                           [this](const web::PageRequest &request) { return answer(request); }};
+  web::PageSettings settings = settings_of(command, folder_);
+  try {
+    server_.emplace(settings, site);
+  } catch (const InputError &) {
+    if (!command.studio.listen.empty())
+      throw;
+    settings.port = 0;  // the usual one is taken, by the studio of another case
+    server_.emplace(settings, site);
+  }
+}
+
+std::string Studio::url() const
+{
+  return server_->url();
+}
+
+std::string Studio::notice() const
+{
+  const std::string of_page = server_->notice();
+  return document_.notice() + (of_page.empty() || document_.notice().empty() ? "" : "\n") +
+         (of_page.empty() ? "" : "warning: " + of_page);
+}
+
+web::PageReply Studio::answer(const web::PageRequest &request)
+{
+  switch (Route(request.route)) {
+  case schema_route:
+    return {200, schema_json(kind_of_text(document_.state().text))};
+  case document_route:
+    return document();
+  case edit_route:
+    return edit(request.body);
+  case check_route:
+    return check(request.body);
+  case quick_route:
+    return quick(request.body);
+  case sweep_route:
+    return sweep(request.body);
+  case run_route:
+    return run(request.body);
+  case save_route:
+    return save();
+  case compare_route:
+    return compare(request.body);
+  case file_route:
+    return file_of_run(request.path);
+  case events_route:
+    break;
+  }
+  return {404, "{}"};
+}
+
+// The kind that the text names; a four-high stand where it names none.
+std::string Studio::kind_of_text(const std::string &text) const
+{
+  const Node root   = read_case_text(document_.path(), text);
+  const auto *entry = root.find("kind");
+  const auto &kinds = case_kinds();
+  const bool known  = entry && std::find(kinds.begin(), kinds.end(), entry->value.text) != kinds.end();
+  return known ? entry->value.text : "four-high";
+}
+
+web::PageReply Studio::document() const
+{
+  const DocumentState s = document_.state();
+  ordered_json out{{"revision", s.revision},
+                   {"path", document_.path()},
+                   {"notice", document_.notice()},
+                   {"saved", s.saved},
+                   {"undo", s.undo},
+                   {"redo", s.redo},
+                   {"folder", folder_},
+                   {"pins", ordered_json::array()},
+                   {"job", job_json(jobs_.state())}};
+  const auto run_of = [&](const std::string &text) {
+    std::string id;
+    std::error_code ignored;
+    for (const StoredRun &run : s.runs)
+      if (run.text == text && fs::exists(folder_ + "/" + run.id + "/results.json", ignored))
+        id = run.id;
+    return id;
+  };
+  out["run"] = run_of(s.text);
+  for (const Pin &pin : s.pins)
+    out["pins"].push_back({{"name", pin.name}, {"run", run_of(pin.text)}, {"same", pin.text == s.text}});
+  for (const WrittenValue &value : written_values(s.text))
+    out["values"][value.key] = value.text;
+  return {200, text_of(out)};
+}
+
+void Studio::publish_document(const std::string &by)
+{
+  server_->publish("document", text_of({{"revision", document_.state().revision}, {"by", by}}));
+}
+
+void Studio::publish_job(const JobState &job)
+{
+  if (server_)
+    server_->publish("run", text_of(job_json(job)));
+}
+
+// A case file in place of the present one, or a sheet that fills a template.
+void Studio::import(const nlohmann::json &request)
+{
+  const std::string text = word(request, "text"), name = word(request, "name");
+  if (word(request, "as") == "case") {
+    document_.replace(text);
+    return;
+  }
+  document_.replace(
+      template_from_sheet(kind_of_text(document_.state().text), name.empty() ? "the sheet" : name, text));
+}
+
+web::PageReply Studio::edit(const std::string &body)
+{
+  const auto request   = object_of(body);
+  const std::string op = word(request, "op");
+  if (op == "hello") {
+    server_->publish("windows", text_of({{"open", server_->statistics().event_streams}}));
+    return document();
+  }
+  try {
+    if (op == "undo")
+      document_.undo();
+    else if (op == "redo")
+      document_.redo();
+    else if (op == "import")
+      import(request);
+    else if (op == "pin")
+      document_.pin(word(request, "name"));
+    else if (op == "unpin")
+      document_.unpin(word(request, "name"));
+    else if (op == "back")
+      document_.back_to(word(request, "name"));
+    else
+      throw InputError("an unknown operation");
+  } catch (const InputError &error) {
+    ordered_json problems = ordered_json::array();
+    for (const Problem &problem : error.problems)
+      problems.push_back({{"line", problem.place.line}, {"message", problem.message}});
+    return {400, text_of({{"error", error.problems.empty() ? error.what() : error.problems.front().message},
+                          {"problems", problems}})};
+  }
+  publish_document(request.value("by", ""));
+  return document();
+}
+
+web::PageReply Studio::check(const std::string &body)
+{
+  const auto request = object_of(body);
+  std::vector<Edit> edits;
+  const std::string kind = kind_of_text(document_.state().text);
+  if (const auto list = request.find("edits"); list != request.end()) {
+    if (!list->is_array() || list->size() > most_edits)
+      throw InputError(fmt::format("\"edits\" is a list of at most {}", most_edits));
+    for (const auto &edit : *list) {
+      if (!edit.is_object())
+        throw InputError("an edit has id, key and value");
+      const std::string key = word(edit, "key");
+      const auto value      = edit.find("value");
+      const bool removed    = value == edit.end() || value->is_null();
+      edits.push_back(
+          {word(edit, "id"), key, removed ? "" : toml_as_typed(word(edit, "value"), is_of_text(kind, key))});
+    }
+  }
+  const long before = document_.state().revision;
+  document_.set(edits);
+  const DocumentState s    = document_.state();
+  const CheckAnswer answer = check_answer(document_.path(), s.text);
+  ordered_json out         = check_json(answer, s.text);
+  out["revision"]          = s.revision;
+  out["saved"]             = s.saved;
+  out["undo"]              = s.undo;
+  out["redo"]              = s.redo;
+  if (s.revision != before)
+    publish_document(request.value("by", ""));
+  return {200, text_of(out)};
+}
+
+web::PageReply Studio::quick(const std::string &body)
+{
+  const auto request = object_of(body);
+  DocumentState s    = document_.state();
+  ordered_json out;
+  if (request.contains("pin")) {
+    const auto pin = std::find_if(s.pins.begin(), s.pins.end(),
+                                  [name = word(request, "pin")](const Pin &p) { return p.name == name; });
+    if (pin == s.pins.end())
+      throw InputError("no state is pinned under this name");
+    s.text = pin->text;
+    for (const WrittenValue &value : written_values(s.text))
+      out["values"][value.key] = value.text;
+  }
+  const std::lock_guard lock(memory_access_);
+  const auto begin = std::chrono::steady_clock::now();
+  try {
+    const Case the_case = read_case_of(document_.path(), s.text);
+    out.update(quick_json(quick_answer(the_case, memory_)));
+  } catch (const InputError &error) {
+    out["error"] = error.problems.empty() ? error.what() : error.problems.front().message;
+  } catch (const SolverError &error) {
+    out["error"] = error.report.what;
+  }
+  out["revision"] = s.revision;
+  out["seconds"]  = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  return {200, text_of(out)};
+}
+
+// One key through a list of values, all else as it is: a row for each, without an answer where the value is
+// refused.
+web::PageReply Studio::sweep(const std::string &body)
+{
+  const auto request    = object_of(body);
+  const std::string key = word(request, "key");
+  const auto values     = request.find("values");
+  if (values == request.end() || !values->is_array() || values->size() > most_values)
+    throw InputError(fmt::format("\"values\" is a list of at most {} texts", most_values));
+  const DocumentState s  = document_.state();
+  const std::string kind = kind_of_text(s.text);
+  ordered_json out{{"key", key}, {"revision", s.revision}, {"rows", ordered_json::array()}};
+  const std::lock_guard lock(memory_access_);
+  for (const auto &value : *values) {
+    ordered_json row{{"value", value}};
+    try {
+      if (!value.is_string())
+        throw InputError("a value is a text");
+      const auto text = with_value(s.text, key, toml_as_typed(value.get<std::string>(), is_of_text(kind, key)));
+      const QuickAnswer answer = quick_answer(read_case_of(document_.path(), text), memory_);
+      for (const ClosedFormResult &r : answer.results)
+        if (std::isfinite(r.parameter.value))
+          row["results"][r.name] = r.parameter.value;
+      for (const SpeedVerdict &v : answer.speeds)
+        if (std::isfinite(v.critical))
+          row["results"]["critical_speed." + v.pass] = v.critical;
+    } catch (const InputError &error) {
+      row["error"] = error.problems.empty() ? error.what() : error.problems.front().message;
+    } catch (const SolverError &error) {
+      row["error"] = error.report.what;
+    }
+    out["rows"].push_back(std::move(row));
+  }
+  return {200, text_of(out)};
+}
+
+web::PageReply Studio::save()
+{
+  document_.save();
+  publish_document("");
+  return document();
+}
+
+}  // namespace mill::studio
