@@ -4,6 +4,7 @@
 #include <cstring>
 #include <dlfcn.h>
 #include <filesystem>
+#include <link.h>
 #include <new>
 #include <string>
 
@@ -26,9 +27,20 @@ bool has_no_room(const std::string &why)
 }
 }  // namespace
 
+std::string own_folder()
+{
+  Dl_info info{};
+  void *map = nullptr;
+  // The loader knows a library by its path and the program by an empty name.
+  if (dladdr1(reinterpret_cast<void *>(&own_folder), &info, &map, RTLD_DL_LINKMAP) != 0 && map != nullptr)
+    if (const std::string name = static_cast<const link_map *>(map)->l_name; !name.empty())
+      return std::filesystem::absolute(name).parent_path();
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
+
 void *function_of_own_library(const char *library, const char *function)
 {
-  const std::string path = std::filesystem::read_symlink("/proc/self/exe").parent_path() / library;
+  const std::string path = own_folder() + "/" + library;
   void *const opened     = dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
   if (opened == nullptr) {
     const std::string why = dlerror();
