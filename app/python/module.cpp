@@ -18,12 +18,12 @@ const LinkedSubjects linked_subjects{chatter_kind, cluster_kind, solve_stand_cha
 PYBIND11_MODULE(_millstand, module)
 {
   using namespace mill::python;
-  module.doc() = "The functions of millstand; the package millstand is the door.";
+  module.doc()               = "The functions of millstand; the package millstand is the door.";
   module.attr("__version__") = mill::version();
   register_errors();
   add_results(module);
   auto the_case = add_case(module);
-  auto run = add_run(module, the_case);
+  auto run      = add_run(module, the_case);
   add_roll_pair(module, the_case);
   add_bearing(module, the_case);
   add_chain(module, run);

@@ -27,9 +27,7 @@ NamedResult result_of_bearing(const LoadedState &state, const std::string &name)
 
 void add_state(py::module_ &module)
 {
-  const auto matrix = [](auto member) {
-    return [member](const LoadedState &s) { return s.at.*member; };
-  };
+  const auto matrix = [](auto member) { return [member](const LoadedState &s) { return s.at.*member; }; };
   const auto result = [](const char *name) {
     return [name](const LoadedState &s) { return result_of_bearing(s, name); };
   };
@@ -39,7 +37,8 @@ void add_state(py::module_ &module)
                              "(5, 5) N/m, N, N m: d load / d motion in x, y, z, rotation about x, about y.")
       .def_property_readonly("motion", matrix(&bearing::AssemblyState::motion), "(5) m, rad, of the inner ring")
       .def_property_readonly("load", matrix(&bearing::AssemblyState::load), "(5) N, N m, on the inner ring")
-      .def_property_readonly("azimuth", matrix(&bearing::AssemblyState::azimuth), "(rollers) rad, from the support")
+      .def_property_readonly("azimuth", matrix(&bearing::AssemblyState::azimuth),
+                             "(rollers) rad, from the support")
       .def_property_readonly("row_share", matrix(&bearing::AssemblyState::row_share), "(rows) of the radial load")
       .def_property_readonly("tangent", result("tangent"))
       .def_property_readonly("secant", result("secant"))
@@ -68,7 +67,8 @@ void add_bearing(py::module_ &module, py::class_<HeldCase> &the_case)
           "solve",
           [](const HeldBearing &b, const py::handle radial, const py::handle axial, const py::handle tilt,
              const py::object &progress) {
-            const BearingLoading load{quantity(radial, "radial", "488 kN"), quantity_or(axial, "axial", "20 kN", 0),
+            const BearingLoading load{quantity(radial, "radial", "488 kN"),
+                                      quantity_or(axial, "axial", "20 kN", 0),
                                       quantity_or(tilt, "tilt", "0.2 mrad", 0)};
             return long_call<LoadedState>(progress, [bearing = b.bearing, load](const Progress &shown) {
               set_blas_threads(1);

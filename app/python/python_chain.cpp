@@ -24,8 +24,9 @@ struct HeldChain {
 HeldChain chain_of(const HeldRun &run)
 {
   if (run.chain_text.empty())
-    throw InputError("this run has no chain of six masses: the verbs masses, modes and run of kind = \"four-high\" or "
-                     "\"lumped\" make one");
+    throw InputError(
+        "this run has no chain of six masses: the verbs masses, modes and run of kind = \"four-high\" or "
+        "\"lumped\" make one");
   const HeldCase written("lumped_model", run.chain_text);
   const auto read = written.read();
   HeldChain held;
@@ -49,8 +50,8 @@ ForceRecord force_record(const py::object &force, const double rate)
   }
   const auto n = record.time.size();
   if (n < 2 || record.force.size() != n)
-    throw InputError(fmt::format("force has {} values at {} times; two at least of each are needed",
-                                 record.force.size(), n));
+    throw InputError(
+        fmt::format("force has {} values at {} times; two at least of each are needed", record.force.size(), n));
   if (!record.force.allFinite() || !record.time.allFinite() ||
       !((record.time.tail(n - 1) - record.time.head(n - 1)).array() > 0).all())
     throw InputError("force is finite numbers at times that increase");
@@ -94,9 +95,7 @@ std::vector<NamedResult> named(const LumpedModel &model, const bool masses)
 
 void add_modes(py::module_ &module)
 {
-  const auto matrix = [](auto member) {
-    return [member](const ChainModes &m) { return m.modes.*member; };
-  };
+  const auto matrix = [](auto member) { return [member](const ChainModes &m) { return m.modes.*member; }; };
   py::class_<ChainModes>(module, "Modes", "Modes of the chain, ascending.")
       .def_property_readonly("frequency", matrix(&dynamics::Modes::frequency), "(n) Hz")
       .def_property_readonly("shape", matrix(&dynamics::Modes::shape), "(n, n) kg^-1/2, one column for each mode")
@@ -118,15 +117,19 @@ void add_chain(py::module_ &module, py::class_<HeldRun> &run)
 {
   add_modes(module);
   py::class_<HeldChain>(module, "Chain", "Six masses: M y'' + C y' + K y = b F.")
-      .def_property_readonly("M",
-                             [](const HeldChain &c) { return Eigen::MatrixXd(c.chain.M.asDiagonal()); },
-                             "(6, 6) kg")
-      .def_property_readonly("K", [](const HeldChain &c) { return c.chain.K; }, "(6, 6) N/m")
-      .def_property_readonly("C", [](const HeldChain &c) { return c.chain.C; }, "(6, 6) N s/m")
-      .def_property_readonly("b", [](const HeldChain &c) { return c.chain.b; }, "(6) force on each mass")
+      .def_property_readonly(
+          "M", [](const HeldChain &c) { return Eigen::MatrixXd(c.chain.M.asDiagonal()); }, "(6, 6) kg")
+      .def_property_readonly(
+          "K", [](const HeldChain &c) { return c.chain.K; }, "(6, 6) N/m")
+      .def_property_readonly(
+          "C", [](const HeldChain &c) { return c.chain.C; }, "(6, 6) N s/m")
+      .def_property_readonly(
+          "b", [](const HeldChain &c) { return c.chain.b; }, "(6) force on each mass")
       .def_property_readonly("labels", [](const HeldChain &c) { return c.chain.labels; })
-      .def_property_readonly("masses", [](const HeldChain &c) { return named(c.model, true); }, "M1..M6")
-      .def_property_readonly("springs", [](const HeldChain &c) { return named(c.model, false); }, "K1..K7")
+      .def_property_readonly(
+          "masses", [](const HeldChain &c) { return named(c.model, true); }, "M1..M6")
+      .def_property_readonly(
+          "springs", [](const HeldChain &c) { return named(c.model, false); }, "K1..K7")
       .def("modes", [](const HeldChain &c) { return chain_modes(c.model, c.settings); })
       .def("simulate", &simulate, py::arg("force"), py::arg("rate") = 20e3,
            "Accelerations under a force in N: samples at `rate` (Hz), or (times, forces).");

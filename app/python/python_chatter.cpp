@@ -77,8 +77,8 @@ std::string mode(const HeldChatter &chatter, const std::string &pass)
     return verdict->mode;
   const auto critical = critical_speed(chatter, pass);
   const auto &q       = asked.question;
-  const auto point    = dynamics::working_point(q.bite, critical ? critical->parameter.value : asked.speed, q.scheme);
-  const auto roots    = dynamics::eigenvalues(dynamics::chatter_matrix(q.stand, point.by));
+  const auto point = dynamics::working_point(q.bite, critical ? critical->parameter.value : asked.speed, q.scheme);
+  const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(q.stand, point.by));
   return text_of_root(q.stand, point.by, std::abs(roots[0].imag()) / (2 * M_PI));
 }
 
@@ -88,8 +88,8 @@ dynamics::GrowthMap growth_map(const HeldChatter &chatter, const std::string &x,
 {
   if (n < 2 || n > 2000)
     throw InputError(fmt::format("a map of n = {} by n cells; n lies between 2 and 2000", n));
-  const AskedSpeed asked = chatter.asked(pass);
-  auto question          = asked.question;
+  const AskedSpeed asked   = chatter.asked(pass);
+  auto question            = asked.question;
   question.bite.roll_speed = quantity_or(speed, "speed", "16 m/s", asked.speed);
   if (!(question.bite.roll_speed > 0))
     throw InputError("the case does not state the speed of '" + asked.pass + "'; give speed=\"16 m/s\"");
@@ -133,10 +133,9 @@ void add_map(py::module_ &module)
 void add_chatter(py::module_ &module, py::class_<HeldCase> &the_case)
 {
   add_map(module);
-  const auto first = [](auto function) {
-    return [function](const HeldChatter &c) { return function(c, ""); };
-  };
-  py::class_<HeldChatter>(module, "Chatter", "Critical speeds of a case; those without an argument are of the worst pass.")
+  const auto first = [](auto function) { return [function](const HeldChatter &c) { return function(c, ""); }; };
+  py::class_<HeldChatter>(module, "Chatter",
+                          "Critical speeds of a case; those without an argument are of the worst pass.")
       .def_property_readonly("critical_speed", first(&critical_speed), "None: stable at every speed of the range.")
       .def_property_readonly("interval", first(&interval),
                              "(low, high) in m/s; None: not known, or outside the range that was searched.")

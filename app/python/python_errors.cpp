@@ -52,8 +52,7 @@ void translate(std::exception_ptr thrown)
     raise("SolverError", py::make_tuple(r.what, r.where, r.cause, r.remedy, r.kept));
   } catch (const std::filesystem::filesystem_error &e) {
     const std::string path = e.path1().string();
-    PyErr_SetObject(PyExc_OSError,
-                    py::make_tuple(e.code().value(), e.code().message(), path).ptr());
+    PyErr_SetObject(PyExc_OSError, py::make_tuple(e.code().value(), e.code().message(), path).ptr());
   } catch (const std::string &message) {  // what Gmsh throws
     PyErr_SetString(PyExc_RuntimeError, ("Gmsh: " + message).c_str());
   }

@@ -1,9 +1,9 @@
+#include "app/process/address_space.h"
 #include "app/python/long_call.h"
 #include "app/python/python_parts.h"
 #include "app/python/python_values.h"
-#include "app/process/address_space.h"
 #include "app/run/run_setup.h"
-#include "app/stages/contact/roll_pair.h"
+#include "app/verbs/roll_pair.h"
 #include "core/numerics/sparse.h"
 #include <algorithm>
 #include <filesystem>
@@ -97,8 +97,7 @@ void add_state(py::module_ &module)
                              [](const HeldState &s) { return stiffness(s, "secant", s.state->secant, "N/m"); })
       .def_property_readonly("approach",
                              [](const HeldState &s) { return stiffness(s, "approach", s.state->approach, "m"); })
-      .def_property_readonly("force",
-                             [](const HeldState &s) { return stiffness(s, "force", s.state->load, "N"); })
+      .def_property_readonly("force", [](const HeldState &s) { return stiffness(s, "force", s.state->load, "N"); })
       .def_property_readonly("z", profile(&BarrelProfile::z), "(m) m, stations along the barrel.")
       .def_property_readonly("line_load", profile(&BarrelProfile::line_load), "(m) N/m")
       .def_property_readonly("half_width", profile(&BarrelProfile::half_width), "(m) m")

@@ -34,7 +34,8 @@ std::string text_of(const NamedResult &result)
 {
   const Parameter &p = result.parameter;
   return result.name + " = " + engineering(p) +
-         (std::isnan(p.error_estimate) ? "" : " +- " + percent_text(p.error_estimate)) + " (" + source_text(p) + ")";
+         (std::isnan(p.error_estimate) ? "" : " +- " + percent_text(p.error_estimate)) + " (" + source_text(p) +
+         ")";
 }
 
 template <class List> py::list list_of(const List &all)
@@ -63,9 +64,9 @@ void refuse_name(const std::string &what, const std::string &name, const std::ve
 
 std::shared_ptr<const HeldTable> held(const Table &table)
 {
-  auto out   = std::make_shared<HeldTable>();
-  out->names = table.names;
-  out->units = table.units;
+  auto out            = std::make_shared<HeldTable>();
+  out->names          = table.names;
+  out->units          = table.units;
   const std::size_t m = table.columns.size(), n = m == 0 ? 0 : std::size_t(table.columns[0].size());
   out->rows.resize(n * m);
   for (std::size_t c = 0; c < m; ++c)
@@ -82,10 +83,9 @@ py::object view_of(const std::shared_ptr<const HeldTable> &table)
     fields.append(py::make_tuple(table->names[c], "f8"));
     units[py::str(table->names[c])] = table->units[c];
   }
-  metadata["units"] = units;
-  const py::object type =
-      py::module_::import("numpy").attr("dtype")(fields, py::arg("metadata") = metadata);
-  auto *share = new std::shared_ptr<const HeldTable>(table);
+  metadata["units"]     = units;
+  const py::object type = py::module_::import("numpy").attr("dtype")(fields, py::arg("metadata") = metadata);
+  auto *share           = new std::shared_ptr<const HeldTable>(table);
   const py::capsule owner(share, [](void *held) { delete static_cast<std::shared_ptr<const HeldTable> *>(held); });
   const std::size_t m = table->names.size(), n = m == 0 ? 0 : table->rows.size() / m;
   py::array view(py::reinterpret_borrow<py::dtype>(type), {n}, {m * sizeof(double)}, table->rows.data(), owner);

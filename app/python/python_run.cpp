@@ -54,8 +54,9 @@ std::string report(const HeldRun &run, const py::handle where, const bool overwr
 {
   const std::string target = path_of(where);
   if (run.folder.empty())
-    throw InputError("this run came out of a pickle, which holds results and curves but not the files of its page; "
-                     "call report() before, or give out= to run()");
+    throw InputError(
+        "this run came out of a pickle, which holds results and curves but not the files of its page; "
+        "call report() before, or give out= to run()");
   const auto the_case = run.the_case.read();
   const py::gil_scoped_release others_run;
   const OutputDir out(target, *the_case, overwrite, run_id_of(*the_case, run.verb, ""));
@@ -103,7 +104,8 @@ void add_curves(py::module_ &module)
 {
   py::class_<HeldCurves>(module, "Curves", "Curves and responses of a run, by name.")
       .def(
-          "__getitem__", [](const HeldCurves &c, const std::string &name) { return view_of(curve_named(c, name)); },
+          "__getitem__",
+          [](const HeldCurves &c, const std::string &name) { return view_of(curve_named(c, name)); },
           py::arg("name"), "A structured view without a copy, one field for each column, SI.")
       .def(
           "units",
@@ -222,7 +224,8 @@ py::class_<HeldRun> add_run(py::module_ &module, py::class_<HeldCase> &the_case)
            })
       .def("__repr__",
            [](const HeldRun &r) {
-             return "<millstand.Run of " + r.the_case.path() + ", " + std::to_string(r.results.size()) + " results>";
+             return "<millstand.Run of " + r.the_case.path() + ", " + std::to_string(r.results.size()) +
+                    " results>";
            })
       .def(py::pickle(&state_of_run, &run_of_state));
   for (const char *verb : {"run", "stiffness", "masses", "modes", "simulate"}) {
@@ -235,7 +238,8 @@ py::class_<HeldRun> add_run(py::module_ &module, py::class_<HeldCase> &the_case)
         },
         py::arg("progress") = py::none(), py::kw_only(), py::arg("out") = py::none(),
         py::arg("force") = py::none(), py::arg("threads") = 0, py::arg("fresh") = false,
-        py::arg("cache") = py::none(), ("millstand " + name + ".  progress(stage, fraction) is called on the way.").c_str());
+        py::arg("cache") = py::none(),
+        ("millstand " + name + ".  progress(stage, fraction) is called on the way.").c_str());
   }
   return type;
 }

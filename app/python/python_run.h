@@ -29,8 +29,8 @@ struct HeldRun {
 struct RunWishes {
   pybind11::object progress = pybind11::none(), out = pybind11::none(), force = pybind11::none(),
                    cache = pybind11::none();
-  int threads = 0;
-  bool fresh  = false;
+  int threads            = 0;
+  bool fresh             = false;
 };
 HeldRun run_case(const HeldCase &the_case, const std::string &verb, const RunWishes &wishes);
 /// @throws KeyError  no result of this name, with the nearest one

@@ -70,8 +70,9 @@ std::string text_of_value(const py::handle value)
   }
   if (is_number(value))
     return number_of(value);
-  throw py::type_error("a key takes a text, a pair (number, unit), a number, True or False, a list or a dict, not " +
-                       py::str(py::type::of(value)).cast<std::string>());
+  throw py::type_error(
+      "a key takes a text, a pair (number, unit), a number, True or False, a list or a dict, not " +
+      py::str(py::type::of(value)).cast<std::string>());
 }
 
 double quantity(const py::handle value, const char *name, const char *example)

@@ -22,8 +22,8 @@ struct FinishedRun {
 /// Folder of a run: that of the command, or out/ and the name of the case.
 std::string folder_of_run(const CommandLine &command, const Case &the_case);
 
-/// Carries out run, stiffness, masses, modes, chatter or simulate of a case and publishes its folder with the page.
-/// Uses of the command: verb, target, output, force, log, cache, fresh, threads, force_overwrite, verbose.
+/// Carries out run, stiffness, masses, modes, chatter or simulate of a case and publishes its folder with the
+/// page. Uses of the command: verb, target, output, force, log, cache, fresh, threads, force_overwrite, verbose.
 /// @param shown  what the caller shows of the progress; may be empty
 /// @throws InputError   the kind does not serve the verb; the folder; the stages
 /// @throws SolverError  a stage failed, or no memory is left: the folder then holds what is good

@@ -65,7 +65,7 @@ public:
 private:
   const long count;
   const std::function<void(long)> &task;
-  StageWork *const stage               = StageWork::current();
+  StageWork *const stage              = StageWork::current();
   const std::atomic<bool> *const stop = Stoppable::current();
   std::atomic<long> next{0};
   std::exception_ptr failure;

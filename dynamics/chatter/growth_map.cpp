@@ -86,7 +86,8 @@ bite::MapAxis axis_around(const bite::RollBite &bite, const MapQuantity quantity
 {
   const double value = present(bite, quantity);
   if (!(value > 0) || !std::isfinite(value))
-    throw InputError("the bite has no single " + word_of(quantity) + " around which a map could lie; give its range");
+    throw InputError("the bite has no single " + word_of(quantity) +
+                     " around which a map could lie; give its range");
   const double high = quantity == MapQuantity::reduction ? std::min(1.5 * value, 0.9) : 1.5 * value;
   return {quantity, Eigen::VectorXd::LinSpaced(n, 0.5 * value, high)};
 }

@@ -21,8 +21,8 @@ struct LoadedState {
   std::string name;
 };
 
-/// A roller bearing of a case for any load: its roller, rings and chock are meshed with the first load, and once more
-/// where a larger one wants it.
+/// A roller bearing of a case for any load: its roller, rings and chock are meshed with the first load, and once
+/// more where a larger one wants it.
 class LoadedBearing {
 public:
   /// @param which  name of a [bearing.*], or "backup" or "work": that of these rolls of a stand

@@ -1,4 +1,4 @@
-#include "app/stages/contact/roll_pair.h"
+#include "app/verbs/roll_pair.h"
 #include "app/run/scratch_folder.h"
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/response/dynamics_stage.h"
@@ -75,13 +75,13 @@ struct RollPair::Implementation {
     if (backup == stand.backup_roll.crown && work == stand.work_roll.crown)
       return;
     if (stand.work_roll.axial_shift != 0)
-      throw InputError("the crowns of shifted rolls (work_roll.axial_shift) are changed in the case; a pair of rolls "
-                       "keeps theirs");
+      throw InputError(
+          "the crowns of shifted rolls (work_roll.axial_shift) are changed in the case; a pair of rolls "
+          "keeps theirs");
     stand.backup_roll.crown = backup;
     stand.work_roll.crown   = work;
     for (fem::ContactPair *pair : {&model.mirrored, &model.in_stand})
-      fem::change_profiles(*pair,
-                           profile_drop(stand, settings(), name == "lower" ? -1 : 1, pair->grid.z));
+      fem::change_profiles(*pair, profile_drop(stand, settings(), name == "lower" ? -1 : 1, pair->grid.z));
   }
 
   const fem::ContactPair &pair(const PairQuestion &question) const
