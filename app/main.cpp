@@ -1,4 +1,5 @@
 #include "app/command/command_line.h"
+#include "app/process/address_space.h"
 #include "app/process/console.h"
 #include "app/process/out_of_memory.h"
 #include "app/verbs/commands.h"
@@ -11,6 +12,9 @@
 
 namespace {
 using namespace mill;
+
+__attribute__((section(".preinit_array"), used)) void (*const before_all)(int, char **,
+                                                                          char **) = &check_address_space;
 
 // Who gives --force-overwrite wants to know what an error has left of the earlier results.  A verb writes them
 // after all of its input was understood; live, which writes while it reads, says it itself.

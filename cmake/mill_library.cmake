@@ -77,6 +77,13 @@ function(mill_reads_json source result)
   endforeach()
 endfunction()
 
+# The Python module is a shared library of the same objects that the programs have.  clang, which compiles for an
+# executable at any address, makes objects that a module can take, but for variables of a thread: a source with those
+# is compiled for a library, without the precompiled headers of the others.  g++ compiles everything so (MILLSTAND_PYTHON).
+function(mill_thread_variables)
+  set_source_files_properties(${ARGN} PROPERTIES COMPILE_OPTIONS -fPIC SKIP_PRECOMPILE_HEADERS ON SKIP_UNITY_BUILD_INCLUSION ON)
+endfunction()
+
 function(mill_quick_to_compile target)
   if(CMAKE_BUILD_TYPE STREQUAL "Release")
     # clang's -O1 inlines what g++'s does not, and takes half as long again for nothing that text would gain from.

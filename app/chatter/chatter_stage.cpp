@@ -2,6 +2,7 @@
 #include "app/chatter/chatter_files.h"
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_results.h"
+#include "app/run/asked_speeds.h"
 #include "core/laws/flow_stress_law.h"
 #include "core/model/case.h"
 #include <cmath>
@@ -28,6 +29,9 @@ void finish(RunContext &run, const ChatterStudy &study)
   add_chatter_results(run, study);
   write_chatter(run, study);
   run.summary += verdict_sentence(study) + "\n";
+  const ChatterQuestion &q = study.question;
+  if (run.asked)
+    run.asked->add({q.condition.name, q.condition.speed, {q.stand, 0, q.bite, q.scheme, chatter_range(q)}});
 }
 }  // namespace
 

@@ -87,7 +87,15 @@ void start_again(char **arguments, char **environment, const int threads)
   ::execve("/proc/self/exe", arguments, changed);
 }
 
-// Runs before the constructors of the libraries, OpenBLAS's among them; nothing of C++ may be used here.
+// The stack grows on demand, and a demand that is refused is a signal.
+__attribute__((noinline)) void touch_stack()
+{
+  volatile char room[2 * MB];
+  for (std::size_t i = 0; i < sizeof room; i += 4096)
+    room[i] = 0;
+}
+}  // namespace
+
 void check_address_space(int, char **arguments, char **environment)
 {
   rlimit limit{};
@@ -101,18 +109,6 @@ void check_address_space(int, char **arguments, char **environment)
   if (fitting < started)
     start_again(arguments, environment, fitting);
 }
-
-__attribute__((section(".preinit_array"), used)) void (*const before_all)(int, char **,
-                                                                          char **) = &check_address_space;
-
-// The stack grows on demand, and a demand that is refused is a signal.
-__attribute__((noinline)) void touch_stack()
-{
-  volatile char room[2 * MB];
-  for (std::size_t i = 0; i < sizeof room; i += 4096)
-    room[i] = 0;
-}
-}  // namespace
 
 int threads_that_fit(const int wanted)
 {

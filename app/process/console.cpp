@@ -1,6 +1,7 @@
 #include "app/process/console.h"
 #include "core/base/error_list.h"
 #include "core/base/visible_text.h"
+#include "core/process/stop.h"
 #include <algorithm>
 #include <cerrno>
 #include <chrono>
@@ -104,6 +105,7 @@ ProgressBar::~ProgressBar() = default;
 
 void ProgressBar::show(const std::string &stage, const double fraction)
 {
+  stop_if_asked();
   State &s = *state;
   if (s.quiet)
     return;

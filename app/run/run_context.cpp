@@ -47,6 +47,7 @@ RunContext RunContext::branch() const
 {
   RunContext part_run{the_case, out, cache, fresh, made, threads, progress};
   part_run.started = started;
+  part_run.asked   = asked;
   part_run.earlier = this;
   return part_run;
 }

@@ -14,6 +14,7 @@
 #include <vector>
 
 namespace mill {
+class AskedSpeeds;
 struct Case;
 
 /// Time of one stage of a run.
@@ -64,6 +65,7 @@ struct RunContext {
   std::vector<StageTime> times;
   std::string summary;                       ///< what the console says after the results
   std::string started;                       ///< local date and time
+  std::shared_ptr<AskedSpeeds> asked;        ///< of this run and its branches; null: not kept
   const RunContext *earlier = nullptr;       ///< of a branch: what it comes from, unchanged while it runs
   void warn(const std::string &sentence);    ///< into results and log
   void assume(const std::string &sentence);  ///< same

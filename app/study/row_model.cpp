@@ -9,6 +9,7 @@
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include "core/records/cache_limit.h"
+#include "core/records/short_names.h"
 #include "report/results/names.h"
 #include <algorithm>
 #include <filesystem>
@@ -191,6 +192,8 @@ RowModel::~RowModel() = default;
 
 NamedResults RowModel::choose(const Case &base, std::vector<std::string> watched)
 {
+  for (std::string &name : watched)
+    name = full_result_name(name);
   std::vector<std::string> candidates;
   if (own->settings.kind == ModelKind::quick)
     candidates = {closed_forms_work, with_responses_work};

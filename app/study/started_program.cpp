@@ -1,5 +1,6 @@
 #include "app/study/started_program.h"
 #include "core/base/errors.h"
+#include "core/process/own_library.h"
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
@@ -10,7 +11,7 @@
 namespace mill {
 std::string program_path(const std::string &name)
 {
-  return (std::filesystem::read_symlink("/proc/self/exe").parent_path() / name).string();
+  return own_folder() + "/" + name;
 }
 
 pid_t start_program(const std::string &file, const std::vector<std::string> &arguments, const std::string &what)

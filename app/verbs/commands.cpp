@@ -3,26 +3,21 @@
 #include "app/command/linked_subjects.h"
 #include "app/command/verify_options.h"
 #include "app/help/topics.h"
-#include "app/kinds/pipeline.h"
 #include "app/process/console.h"
 #include "app/process/fast_blas.h"
-#include "app/process/out_of_memory.h"
-#include "app/process/version.h"
 #include "app/run/run_kind.h"
-#include "app/run/run_log.h"
-#include "app/run/run_setup.h"
 #include "app/run/run_summary.h"
 #include "app/stages/stand/mass_table.h"
 #include "app/trace/trace_text.h"
 #include "app/verbs/checked_case.h"
 #include "app/verbs/marks_command.h"
+#include "app/verbs/run_command.h"
 #include "core/base/files.h"
 #include "core/base/short_number.h"
 #include "core/base/visible_text.h"
 #include "core/case/case_sheet.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
-#include "core/numerics/sparse.h"
 #include "report/compare/comparison.h"
 #include "report/front/html.h"
 #include "report/results/names.h"
@@ -30,7 +25,6 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
-#include <new>
 
 namespace fs = std::filesystem;
 
@@ -59,29 +53,6 @@ void print_table(const Results &results)
     print("warning: " + visible(warning, true) + "\n");
 }
 
-Goal goal_of(const std::string &verb)
-{
-  if (verb == "stiffness")
-    return Goal::stiffness;
-  if (verb == "masses")
-    return Goal::masses;
-  if (verb == "chatter")
-    return Goal::chatter;
-  return verb == "modes" ? Goal::modes : Goal::simulate;
-}
-
-// A verb that the kind of the case cannot answer.
-void require_fitting(const std::string &verb, const Case &the_case)
-{
-  const RunKind &kind = run_kind(the_case);
-  if (std::find(kind.verbs.begin(), kind.verbs.end(), verb) != kind.verbs.end())
-    return;
-  if (const std::string why = kind.refusal ? kind.refusal(the_case, verb) : ""; !why.empty())
-    throw InputError(why);
-  throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
-                   the_case.path + "); use millstand run");
-}
-
 int check_case(const CommandLine &command)
 {
   const CheckedCase checked = checked_case(command);
@@ -101,65 +72,29 @@ int run_chain(const CommandLine &command)
 {
   const CheckedCase checked = checked_case(command);
   const Case &the_case      = checked.the_case;
-  require_fitting(command.verb, the_case);
-  const OutputDir out(command.output.empty() ? "out/" + the_case.name : command.output, the_case,
-                      command.force_overwrite, run_id_of(the_case, command.verb, command.force));
-  const RunLog log(out, command.log, command.verbose);
+  manifest_path             = folder_of_run(command, the_case) + "/run.json";
   console::ProgressBar bar(run_kind(the_case).stages(the_case), command.quiet);
-  RunContext run{the_case, out, cache_folder(command, out.path() + "/cache"), command.fresh};
-  open_cache(run, out.staging());
-  const int wanted  = set_up_threads(run, command);
-  run.started       = local_time();
-  run.progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
-  run.progress.log  = [&](const std::string &line) { log.line(line); };
-  if (run.threads < wanted)
-    log.line(fmt::format("{} threads in place of {}: more do not fit (ulimit -v) or do not start (ulimit -u)",
-                         run.threads, wanted));
-  log.line("millstand " + version() + " " + command.verb + " " + command.target);
-  log.line("BLAS " + blas_in_use());
-  if (is_reference_blas(blas_in_use()))
-    run.warn("the BLAS in use is the reference one (" + blas_in_use() +
-             "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
-
-  for (const auto *warnings : {&the_case.warnings, &checked.review.warnings})
-    for (const Problem &problem : *warnings)
-      run.warn(problem.message);
-  run.results.left_at_template = the_case.left_at_template;
-  manifest_path                = out.path() + "/run.json";
-  out.write("resolved.toml", the_case.resolved);
-  out.write("run.json", manifest_json(run));
-  const auto store = [&](const std::string &status) {
-    out.write("results.json", results_json(run.results, the_case.name, status, out.run_id()));
-    out.write("run.json", manifest_json(run));
-    StageTimer timer(run, "report");
-    out.write("report.html", report::html_page(report::read_own_run(out.staging(), out.take_tables())));
-    out.publish();
-    log.require_complete();
-  };
-  const auto fail = [&](const SolverError &e) {
-    bar.finish();
-    run.warn(e.report.what);
-    store("failed: " + e.report.what);
-    throw SolverError(e);
-  };
-  try {
-    run_stages(run, goal_of(command.verb), command.force);
-  } catch (const SolverError &e) {
-    fail(e);
-  } catch (const std::bad_alloc &) {
-    fail(out_of_memory(stage_in_progress()));
-  }
+  Progress shown;
+  shown.step            = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
+  const FinishedRun run = [&] {
+    try {
+      return carry_out_run(command, checked, shown);
+    } catch (const SolverError &) {
+      bar.finish();
+      throw;
+    }
+  }();
   bar.finish();
-  store(run.results.warnings.empty() ? "ok" : "warnings");
+  const std::string page = run.folder + "/report.html";
   if (command.verb == "run" && !command.quiet && !command.verbose) {
-    console::print(run_summary(run.results, the_case.name, run.summary, out.path() + "/report.html"));
+    console::print(run_summary(run.results, the_case.name, run.limits, page));
   } else if (!command.quiet) {
     print_table(run.results);
-    if (!run.summary.empty())
-      console::print("\n" + run.summary + "\n");
+    if (!run.limits.empty())
+      console::print("\n" + run.limits + "\n");
     if (command.verb == "masses")
       console::print("\n" + mass_table(run.results));
-    console::print("report: " + out.path() + "/report.html\n");
+    console::print("report: " + page + "\n");
   }
   return 0;
 }

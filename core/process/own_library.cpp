@@ -27,24 +27,12 @@ bool has_no_room(const std::string &why)
           why.compare(why.size() - unmapped.size(), unmapped.size(), unmapped) == 0);
 }
 
-// The folder of the program, or of the library that this code is part of (the Python module).
-std::filesystem::path folder_of_this_code()
-{
-  Dl_info object{};
-  link_map *loaded = nullptr;
-  if (dladdr1(reinterpret_cast<const void *>(&folder_of_this_code), &object, reinterpret_cast<void **>(&loaded),
-              RTLD_DL_LINKMAP) != 0 &&
-      loaded != nullptr && loaded->l_name != nullptr && loaded->l_name[0] != '\0')
-    return std::filesystem::canonical(loaded->l_name).parent_path();
-  return std::filesystem::read_symlink("/proc/self/exe").parent_path();  // the loader has no name for the program
-}
-
 // By its name first: the loader then looks into the folders that this program or module was linked with, and there
 // takes the library for newer processors if the package has one (glibc-hwcaps/x86-64-v3).  A sanitizer stands
 // between program and loader and hides those folders; there, and where both were copied, the path is taken.
 void *open_library(const std::string &name, std::string &path)
 {
-  path = folder_of_this_code() / name;
+  path = own_folder() + "/" + name;
   if (void *const opened = dlopen(name.c_str(), RTLD_LAZY | RTLD_LOCAL); opened != nullptr) {
     link_map *loaded = nullptr;
     if (dlinfo(opened, RTLD_DI_LINKMAP, &loaded) == 0)
@@ -54,6 +42,17 @@ void *open_library(const std::string &name, std::string &path)
   return dlopen(path.c_str(), RTLD_LAZY | RTLD_LOCAL);
 }
 }  // namespace
+
+std::string own_folder()
+{
+  Dl_info info{};
+  void *map = nullptr;
+  // The loader knows a library by its path and the program by an empty name.
+  if (dladdr1(reinterpret_cast<void *>(&own_folder), &info, &map, RTLD_DL_LINKMAP) != 0 && map != nullptr)
+    if (const std::string name = static_cast<const link_map *>(map)->l_name; !name.empty())
+      return std::filesystem::canonical(name).parent_path();
+  return std::filesystem::read_symlink("/proc/self/exe").parent_path();
+}
 
 void *function_of_own_library(const char *library, const char *function)
 {

@@ -1,6 +1,11 @@
 #pragma once
+#include <string>
 
 namespace mill {
+/// Folder of the program that this code is part of, or of the library where it was loaded as one (Python): what it
+/// opens and starts is in the same folder.
+std::string own_folder();
+
 /// The library that holds what is made of Gmsh and deal.II.  Opening it takes some tenths of a second, which a
 /// program without finite elements does not spend.
 inline constexpr const char *finite_elements = "millstand-fem.so";

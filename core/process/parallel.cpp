@@ -1,5 +1,6 @@
 #include "core/process/parallel.h"
 #include "core/process/stage_work.h"
+#include "core/process/stop.h"
 #include <algorithm>
 #include <atomic>
 #include <exception>
@@ -43,8 +44,10 @@ public:
   void work()
   {
     const StageWork::Share on_behalf(stage);
+    const Stoppable as_caller(stop);
     for (long i = next++; i < count; i = next++)
       try {
+        stop_if_asked();
         tbb::this_task_arena::isolate([&] { task(i); });
       } catch (...) {
         const std::lock_guard lock(failing);
@@ -62,7 +65,8 @@ public:
 private:
   const long count;
   const std::function<void(long)> &task;
-  StageWork *const stage = StageWork::current();
+  StageWork *const stage              = StageWork::current();
+  const std::atomic<bool> *const stop = Stoppable::current();
   std::atomic<long> next{0};
   std::exception_ptr failure;
   std::mutex failing;

@@ -8,7 +8,8 @@ namespace mill {
 /// their own: all of it goes to the same threads (oneTBB's, no more than the machine has processors), and a thread
 /// that waits takes up nothing but parts of what it waits for.
 /// Tasks write to places of their own, so that the outcome is the same with any number of threads.
-/// An exception of a task ends the work and comes out here, the first of several.
+/// An exception of a task ends the work and comes out here, the first of several; so does Stopped, before the next
+/// task, where the caller's work may be stopped (core/process/stop.h).
 void share_tasks(long n, int threads, const std::function<void(long)> &task);
 
 /// For libraries that seed and draw from rand() of the C library (METIS, Gmsh): one at a time, else what they make

@@ -229,6 +229,16 @@ void bend(ContactPair &pair, const HeldRoll &roll, const double right, const dou
   pair.problem.initial_gap.array() -= pair.problem.initial_gap.minCoeff();
 }
 
+void change_profiles(ContactPair &pair, const Eigen::VectorXd &drop)
+{
+  const Eigen::VectorXd change = drop - pair.drop;
+  for (int k = 0; k < pair.grid.n_z; ++k)
+    pair.problem.initial_gap.segment(k * pair.grid.n_x, pair.grid.n_x).array() += change[k];
+  pair.problem.initial_gap.array() -= pair.problem.initial_gap.minCoeff();
+  pair.drop   = drop;
+  pair.solved = std::make_shared<SolvedLoads>();
+}
+
 namespace {
 struct Axes {
   Eigen::VectorXd motion;      // (k) mean approach and tilt of the axes

@@ -67,6 +67,10 @@ ContactPair make_pair(const std::string &name, const CondensedRoll &first, const
 /// the contact.  On a quarter both sides carry the mean.
 void bend(ContactPair &pair, const HeldRoll &roll, double right, double left);
 
+/// Gives the rolls of an unshifted pair other profiles.  What was solved of it is forgotten.
+/// @param drop (n_s) m, sum of the two profiles' drops
+void change_profiles(ContactPair &pair, const Eigen::VectorXd &drop);
+
 /// One solved load.
 struct ContactPoint {
   contact::State state;

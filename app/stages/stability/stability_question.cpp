@@ -1,4 +1,5 @@
 #include "app/stages/stability/stability_question.h"
+#include "app/run/asked_speeds.h"
 #include "app/stages/stability/gap_mode.h"
 #include "core/base/errors.h"
 #include "core/records/result_names.h"
@@ -205,6 +206,8 @@ SpeedVerdict speed_verdict(const StabilityQuestion &question)
 void add_critical_speed(RunContext &run, const StabilityQuestion &question)
 {
   StageTimer timer(run, "critical speed, " + question.pass);
+  if (run.asked)
+    run.asked->add({question.pass, question.speed, question.leading});
   try {
     const Stability s = stability_of(question);
     add_results(run, question, s);

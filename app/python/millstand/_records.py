@@ -1,0 +1,176 @@
+"""Records of a mill: their analysis, and the calibration of a case by them."""
+
+import json
+import tempfile
+from pathlib import Path
+
+from ._errors import InputError
+from ._millstand import _carry_out, _text_of_value, load
+from ._tables import _folder, _options
+
+
+def _pairs(names):
+    return [f"{name}={_text_of_value(value)}" for name, value in (names or {}).items()]
+
+
+def _text(value):
+    return None if value is None else _text_of_value(value)
+
+
+class Record:
+    """A file of measured channels, and what it does not say itself."""
+
+    def __init__(self, path, *, units=None, channels=None, scales=None, rate=None, zone=None):
+        self.path = str(path)
+        if not Path(self.path).is_file():
+            raise InputError(f"the record {self.path} is not a file")
+        self.units = dict(units or {})
+        self.channels = dict(channels or {})
+        self.scales = dict(scales or {})
+        self.rate = rate
+        self.zone = zone
+
+    def _reading(self):
+        return _options(
+            units=_pairs(self.units),
+            channels=_pairs(self.channels),
+            scales=_pairs(self.scales),
+            rate=_text(self.rate),
+            zone=self.zone,
+        )
+
+    def analyse(self, case=None, *, model=None, speed=None, limit=None, out=None, threads=0, overwrite=False):
+        """Lines, modes, sources and the account of the variance, as `millstand analyse` finds them."""
+        folder, kept = _folder(out, "analysis")
+        source = None if case is None else _case_file(case)
+        options = _options(
+            names=[self.path],
+            out=str(folder),
+            case_file=None if source is None else str(source[0]),
+            model=model,
+            speed=_text(speed),
+            limit=_text(limit),
+            threads=threads,
+            overwrite=overwrite,
+            **self._reading(),
+        )
+        _carry_out("analyse", case if source is not None else None, options)
+        return Analysis(json.loads((folder / "analysis.json").read_text()), folder, kept)
+
+    def __repr__(self):
+        return f"<millstand.Record {self.path}>"
+
+
+def _case_file(case):
+    return (case.path,)
+
+
+def record(path, *, units=None, channels=None, scales=None, rate=None, zone=None):
+    """A record: CSV, MATLAB, numpy, UFF, WAV and others.
+
+    units     column -> unit, where the file says none: {"a1": "g"}
+    channels  column -> place, {"AI_07": "upper_work_roll"}
+    scales    column -> scale of a voltage, {"AI_07": "50 mV/g"}
+    """
+    return Record(path, units=units, channels=channels, scales=scales, rate=rate, zone=zone)
+
+
+class Analysis:
+    """What a record shows; `content` is its analysis.json."""
+
+    def __init__(self, content, folder, kept=None):
+        self.content = content
+        self.folder = str(folder)
+        self._kept = kept
+
+    def _of_kind(self, *kinds):
+        return [finding for finding in self.findings if finding["kind"] in kinds]
+
+    @property
+    def findings(self):
+        """Every finding: kind, channel, frequency (Hz) with its interval, amplitude, unit, owner, evidence."""
+        return self.content["findings"]
+
+    @property
+    def lines(self):
+        """Lines and families of lines."""
+        return self._of_kind("line", "family", "locked to the speed")
+
+    @property
+    def modes(self):
+        """Modes of the stand."""
+        return self._of_kind("mode")
+
+    @property
+    def account(self):
+        """Shares of the variance of each channel, in percent: lines, families, modes, floor, not explained."""
+        return self.content["account"]
+
+    @property
+    def notes(self):
+        return self.content["notes"]
+
+    def __getstate__(self):
+        return {**self.__dict__, "_kept": None}
+
+
+class Calibration:
+    """The fit of a case to records; `content` is its calibration.json."""
+
+    def __init__(self, content, folder, origin, kept=None):
+        self.content = content
+        self.folder = str(folder)
+        self._origin = origin
+        self._kept = kept
+
+    @property
+    def refused(self):
+        """Why the fit cannot be trusted; empty: it can."""
+        return self.content.get("refusals", [])
+
+    @property
+    def case(self):
+        """The calibrated case; the case itself where the records agree with it."""
+        written = Path(self.folder) / "calibrated.toml"
+        if written.exists():
+            return load(written)
+        if self.refused:
+            raise InputError(f"the calibration is refused: {self.refused[0]}; accept=True takes it all the same")
+        return self._origin.copy()
+
+    def __getstate__(self):
+        return {**self.__dict__, "_kept": None}
+
+
+def calibrate(case, records, *, free=None, model=None, model_error=None, accept=False, out=None, threads=0,
+              overwrite=False):
+    """Fits masses, springs and damping of a case to records, as `millstand calibrate` does."""
+    records = list(records)
+    if not records:
+        raise InputError("calibrate needs at least one record, for example case.calibrate([ms.record(\"stand4.csv\")])")
+    folder, kept = _folder(out, "calibration")
+    units, channels, scales = {}, {}, {}
+    for one in records:
+        units.update(one.units)
+        channels.update(one.channels)
+        scales.update(one.scales)
+    with tempfile.TemporaryDirectory(prefix="millstand-records-") as listed:
+        entries = "".join(f"[[record]]\nfile = {json.dumps(str(Path(one.path).resolve()))}\n" for one in records)
+        (Path(listed) / "records.toml").write_text(entries)
+        options = _options(
+            measured=listed,
+            free=free,
+            model=model,
+            model_error=_text(model_error),
+            accept=accept,
+            out=str(folder),
+            threads=threads,
+            overwrite=overwrite,
+            units=_pairs(units),
+            channels=_pairs(channels),
+            scales=_pairs(scales),
+            rate=_text(records[0].rate),
+            zone=records[0].zone,
+        )
+        _carry_out("calibrate", case, options)
+    return Calibration(json.loads((folder / "calibration.json").read_text()), folder, case, kept)

@@ -1,0 +1,80 @@
+#include "app/python/python_errors.h"
+#include "app/process/out_of_memory.h"
+#include "core/base/problem_parts.h"
+#include <filesystem>
+#include <new>
+#include <string>
+
+namespace py = pybind11;
+
+namespace mill::python {
+namespace {
+py::object error_class(const char *name)
+{
+  return py::module_::import("millstand._errors").attr(name);
+}
+
+py::object place_object(const Place &place)
+{
+  return error_class("Place")(place.file, place.line, place.column);
+}
+
+void raise(const char *name, const py::tuple &arguments)
+{
+  const py::object type = error_class(name);
+  PyErr_SetObject(type.ptr(), type(*arguments).ptr());
+}
+
+// As on the terminal: every problem with its line and a caret.
+std::string rendered(const InputError &error)
+{
+  std::string text;
+  for (const Problem &problem : error.problems)
+    text += (text.empty() ? "" : "\n") + render(problem);
+  return text.empty() ? error.what() : text;
+}
+
+void raise_input(const char *name, const InputError &error)
+{
+  raise(name, py::make_tuple(rendered(error), problem_tuple(error.problems)));
+}
+
+void translate(std::exception_ptr thrown)
+{
+  try {
+    std::rethrow_exception(std::move(thrown));
+  } catch (const SystemError &e) {
+    raise_input("SystemError", e);
+  } catch (const InputError &e) {
+    raise_input("InputError", e);
+  } catch (const SolverError &e) {
+    const SolverError::Report &r = e.report;
+    raise("SolverError", py::make_tuple(r.what, r.where, r.cause, r.remedy, r.kept));
+  } catch (const std::filesystem::filesystem_error &e) {
+    const std::string path = e.path1().string();
+    PyErr_SetObject(PyExc_OSError, py::make_tuple(e.code().value(), e.code().message(), path).ptr());
+  } catch (const std::string &message) {  // what Gmsh throws
+    PyErr_SetString(PyExc_RuntimeError, ("Gmsh: " + message).c_str());
+  }
+}
+}  // namespace
+
+py::tuple problem_tuple(const std::vector<Problem> &problems)
+{
+  py::tuple all(problems.size());
+  for (std::size_t i = 0; i < problems.size(); ++i) {
+    const Problem &p = problems[i];
+    py::tuple related(p.related.size());
+    for (std::size_t r = 0; r < p.related.size(); ++r)
+      related[r] = place_object(p.related[r]);
+    all[i] = error_class("Problem")(place_object(p.place), p.message, value_in_message(p.message),
+                                    remedy_in_message(p.message), related);
+  }
+  return all;
+}
+
+void register_errors()
+{
+  py::register_exception_translator(&translate);
+}
+}  // namespace mill::python

@@ -1,0 +1,144 @@
+#include "app/verbs/roll_pair.h"
+#include "app/run/scratch_folder.h"
+#include "app/stages/contact/contact_stage.h"
+#include "app/stages/response/dynamics_stage.h"
+#include "core/model/case.h"
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fmt/format.h>
+
+namespace mill {
+namespace {
+const FourHigh &stand_with_rolls(const Case &the_case)
+{
+  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec))
+    return *stand;
+  throw InputError("kind = \"" + the_case.kind + "\" (" + the_case.path +
+                   ") has no pair of rolls to solve; kind = \"four-high\" has");
+}
+
+// The range that a run of the case sweeps: the same condensed rolls serve both.
+double largest_of_run(const FourHigh &stand, const std::string &name, const ContactSettings &settings)
+{
+  std::vector<double> loads;
+  for (const Pass &pass : stand.passes)
+    loads.push_back(working_load(pass, has_force(pass) ? force_of(pass) : ForceRecord()));
+  return swept_range(name, settings, loads)[1];
+}
+
+bool touches_edge(const fem::ContactPair &pair, const std::vector<char> &active)
+{
+  for (int k = 0; k < pair.grid.n_z; ++k)
+    if (active[std::size_t(k) * pair.grid.n_x + pair.grid.n_x - 1])
+      return true;
+  return false;
+}
+
+double given_or(const double value, const double otherwise)
+{
+  return std::isnan(value) ? otherwise : value;
+}
+}  // namespace
+
+struct RollPair::Implementation {
+  std::shared_ptr<const Case> the_case;
+  FourHigh stand;  // with the crowns that the model has at present
+  std::string name;
+  double largest = 0;
+  std::string cache;
+  int threads = 1;
+  ContactModel model;
+  std::mutex access;
+
+  const ContactSettings &settings() const
+  {
+    return name == "lower" ? stand.lower_contact : stand.upper_contact;
+  }
+
+  // Rolls with these crowns, meshed for the largest load.
+  void condense(const Progress &progress)
+  {
+    const ScratchFolder scratch("millstand-pair", true);
+    const OutputDir out(scratch.path(), *the_case, true, "pair");
+    RunContext run{*the_case, out, cache, false};
+    run.threads  = threads;
+    run.progress = progress;
+    model        = contact_model(run, stand, name, settings(), largest);
+  }
+
+  void take_crowns(const PairQuestion &question)
+  {
+    const FourHigh &drawn = std::get<FourHigh>(the_case->spec);
+    const double backup   = given_or(question.crown, drawn.backup_roll.crown),
+                 work     = given_or(question.work_crown, drawn.work_roll.crown);
+    if (backup == stand.backup_roll.crown && work == stand.work_roll.crown)
+      return;
+    if (stand.work_roll.axial_shift != 0)
+      throw InputError(
+          "the crowns of shifted rolls (work_roll.axial_shift) are changed in the case; a pair of rolls "
+          "keeps theirs");
+    stand.backup_roll.crown = backup;
+    stand.work_roll.crown   = work;
+    for (fem::ContactPair *pair : {&model.mirrored, &model.in_stand})
+      fem::change_profiles(*pair, profile_drop(stand, settings(), name == "lower" ? -1 : 1, pair->grid.z));
+  }
+
+  const fem::ContactPair &pair(const PairQuestion &question) const
+  {
+    return question.in_stand ? model.in_stand : model.mirrored;
+  }
+};
+
+RollPair::RollPair(std::shared_ptr<const Case> of, std::string name, const double largest, std::string cache,
+                   const int threads, const Progress &progress)
+    : own(std::make_unique<Implementation>())
+{
+  if (name != "upper" && name != "lower")
+    throw InputError("the pairs of rolls of a stand are \"upper\" and \"lower\", not \"" + name + "\"");
+  own->stand    = stand_with_rolls(*of);
+  own->the_case = std::move(of);
+  own->name     = std::move(name);
+  own->largest  = given_or(largest, largest_of_run(own->stand, own->name, own->settings()));
+  own->cache    = std::move(cache);
+  own->threads  = threads;
+  if (!(own->largest > 0))
+    throw InputError("the largest force of a pair of rolls must be above 0 kN");
+  own->condense(progress);
+}
+
+RollPair::~RollPair() = default;
+
+double RollPair::largest_load() const
+{
+  return own->largest;
+}
+
+PairState RollPair::solve(const PairQuestion &question)
+{
+  if (!(question.load > 0))
+    throw InputError(fmt::format("force = {} must be above 0 kN", in_kN(question.load)));
+  if (question.load > own->largest)
+    throw InputError(fmt::format("force = {} is above the {} that the rolls are meshed for; make the pair with a "
+                                 "larger largest force",
+                                 in_kN(question.load), in_kN(own->largest)));
+  const std::lock_guard lock(own->access);
+  own->take_crowns(question);
+  fem::ContactPoint point = fem::solve_load(own->pair(question), question.load);
+  if (touches_edge(own->pair(question), point.state.active)) {
+    own->condense({});
+    point = fem::solve_load(own->pair(question), question.load);
+  }
+  const fem::ContactPair &pair = own->pair(question);
+  PairState state;
+  state.load         = point.load;
+  state.approach     = point.approach;
+  state.tangent      = point.tangent;
+  state.secant       = point.load / point.approach;
+  state.profile      = fem::barrel_profile(pair, point);
+  state.touching     = point.state.active;
+  state.nodes_across = pair.grid.n_x;
+  state.reference    = pair.reference;
+  return state;
+}
+}  // namespace mill

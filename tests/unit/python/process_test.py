@@ -1,0 +1,102 @@
+"""The module as part of a process: start, threads, Ctrl-C, memory, stubs."""
+
+import _thread
+import os
+import resource
+import signal
+import subprocess
+import sys
+import threading
+import time
+import unittest
+
+import millstand as ms
+import numpy as np
+from support import CACHE, CASES, coarse_stand
+
+
+def resident_memory():
+    with open("/proc/self/statm") as file:
+        return int(file.read().split()[1]) * resource.getpagesize()
+
+
+class Process(unittest.TestCase):
+    def test_it_imports_numpy_alone_and_no_finite_elements(self):
+        text = ("import sys, millstand; loaded = open('/proc/self/maps').read(); "
+                "print('matplotlib' in sys.modules, 'libdeal' in loaded, 'libgmsh' in loaded)")
+        out = subprocess.run([sys.executable, "-c", text], check=True, capture_output=True, text=True).stdout
+        self.assertEqual(out.split(), ["False", "False", "False"])
+
+    def test_two_runs_in_two_threads_give_what_one_gives(self):
+        alone = coarse_stand().stiffness(cache=CACHE)
+        runs, here = [None, None], os.getcwd()
+
+        def work(i):
+            runs[i] = coarse_stand().stiffness(cache=CACHE)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(2)]
+        for thread in threads:
+            thread.start()
+        for thread in threads:
+            thread.join()
+        for run in runs:
+            self.assertEqual({r.name: r.value for r in run.values()}, {r.name: r.value for r in alone.values()})
+            np.testing.assert_array_equal(run.curves["contact-upper"], alone.curves["contact-upper"])
+        self.assertEqual(os.getcwd(), here)
+
+    def test_other_threads_work_while_a_run_does(self):
+        counted = []
+        ended = threading.Event()
+
+        def count():
+            while not ended.wait(0.005):
+                counted.append(time.perf_counter())
+
+        thread = threading.Thread(target=count)
+        thread.start()
+        start = time.perf_counter()
+        coarse_stand().stiffness(cache=CACHE)
+        seconds = time.perf_counter() - start
+        ended.set()
+        thread.join()
+        self.assertGreater(len(counted), 0.3 * seconds / 0.005)
+
+    def test_ctrl_c_ends_a_run_within_a_second_and_the_next_one_works(self):
+        begun = []
+
+        def interrupt(stage, share):
+            if not begun:
+                begun.append(time.perf_counter())
+                os.kill(os.getpid(), signal.SIGINT)
+
+        case = coarse_stand()
+        with self.assertRaises(KeyboardInterrupt):
+            case.run(progress=interrupt, fresh=True, cache=CACHE + "-interrupted")
+        self.assertLess(time.perf_counter() - begun[0], 1.0)
+        self.assertIn("f1", ms.load(CASES / "published-1400.toml").modes())
+
+    def test_memory_stays_after_many_cases_and_errors(self):
+        def one(i):
+            case = ms.load(CASES / "published-1400.toml")
+            case["dynamics.modal_damping"] = f"{1 + i % 7} %"
+            try:
+                case["dynamics.modal_damping"] = "400 %"
+            except ms.InputError:
+                pass
+            run = case.modes()
+            return run["K3"].value + run.curves["modes"][0][0]
+
+        for i in range(20):
+            one(i)
+        before = resident_memory()
+        for i in range(60):
+            one(i)
+        self.assertLess(resident_memory() - before, 4e6)  # the long form takes a thousand
+
+    def test_the_stubs_agree_with_the_module(self):
+        done = subprocess.run(["/usr/bin/stubtest", "millstand", "--ignore-missing-stub"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
