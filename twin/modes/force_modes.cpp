@@ -13,7 +13,7 @@ constexpr double lowest                = 20;    // Hz
 constexpr double least_force           = 1e-5;  // of its largest density nearby: less is leakage, not drive
 constexpr double resonance_half_widths = 6;     // of a resonance, to each side of a fit
 constexpr Eigen::Index few_bins        = 12;    // to each side at least
-constexpr double significant = 5, deviations = 6, alike = 0.9;
+constexpr double significant = 5, mode_deviations = 6, alike = 0.9;
 constexpr double beyond        = 1.5;   // H is kept so far above the highest mode that is looked for
 constexpr double least_damping = 5e-4;  // below it a pole is a line
 
@@ -123,8 +123,8 @@ bool agree(const FittedPole &half, const FittedPole &whole)
 {
   return stands_out(half) &&
          std::abs(half.frequency - whole.frequency) <=
-             deviations * std::hypot(half.sd_frequency, whole.sd_frequency) &&
-         std::abs(half.damping - whole.damping) <= deviations * std::hypot(half.sd_damping, whole.sd_damping) &&
+             mode_deviations * std::hypot(half.sd_frequency, whole.sd_frequency) &&
+         std::abs(half.damping - whole.damping) <= mode_deviations * std::hypot(half.sd_damping, whole.sd_damping) &&
          modal_assurance(half.residue, whole.residue) >= alike;
 }
 
