@@ -132,3 +132,18 @@ TEST(FilmDampers, AFilmThatLocksIsTheRigidBearing)
              other  = moved(unit_of(dynamics::mill_model(rigid, stated), 0.01), record);
   EXPECT_LT(largest_difference(locked, other), 5e-3);
 }
+
+// Two of its poles are real and rounding gives them imaginary parts: they are not a pair.
+TEST(FilmDampers, AStrongDamperOfTheGapHasRealPoles)
+{
+  LumpedModel model        = published_stand();
+  model.C.value            = 1e9;
+  model.K[3].value         = 3e8;
+  const auto chain         = dynamics::mill_model(model, settings("disturbance", 0));
+  const ForceRecord record = short_record();
+  const double rate        = 1 / (record.time[1] - record.time[0]);
+  fmu::ModelData data      = unit_of(chain, 0);
+  data.gap_damper          = 1e9;
+  EXPECT_LT(largest_difference(moved(data, record), dynamics::mill_response(chain, record, rate).acceleration),
+            1e-9);
+}
