@@ -4,8 +4,7 @@
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "dynamics/response/mill_model.h"
-#include "dynamics/response/state_space.h"
-#include "dynamics/response/time_integration.h"
+#include "dynamics/response/response.h"
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
@@ -60,12 +59,12 @@ ForceRecord force_record(const py::object &force, const double rate)
 
 std::shared_ptr<const HeldTable> simulated(const HeldChain &held, const ForceRecord &force, const double rate)
 {
-  const auto answer = dynamics::first_order_hold(dynamics::state_space(held.chain), force, rate);
+  const dynamics::Response response = dynamics::mill_response(held.chain, force, rate);
   Table table;
-  table.add("time", "s", answer.time).add("force", "N", answer.force);
-  for (std::size_t i = 0; i < held.chain.labels.size(); ++i)
-    table.add(held.chain.labels[i], "m/s2", answer.output.row(Eigen::Index(i)));
-  table.add("load cell", "N", answer.output.row(answer.output.rows() - 1));
+  table.add("time", "s", response.time).add("force", "N", response.force);
+  for (std::size_t i = 0; i < response.labels.size(); ++i)
+    table.add(response.labels[i], "m/s2", response.acceleration.col(Eigen::Index(i)));
+  table.add("load cell", "N", response.load_cell);
   return mill::python::held(table);
 }
 
