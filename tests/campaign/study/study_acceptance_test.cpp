@@ -168,4 +168,46 @@ TEST(StudyAcceptance, IntervalsOfTheDemoStandAgreeBetweenTheModels)
           << f["name"];
   }
 }
+
+// GNU parallel and its workers are killed at twenty moments.
+TEST(StudyAcceptance, TwentyKillsOfParallelAndItsWorkersChangeNoByte)
+{
+  if (shell("command -v parallel", "/").exit_code != 0)
+    GTEST_SKIP() << "GNU parallel is not installed (scripts/install-deps tests)";
+  const std::string folder = scratch("acceptance-kills");
+  for (const char *name : {"/whole", "/killed"})
+    expect_done(chain +
+                "--method monte-carlo --samples 4000 --vary 'given.K1~normal(10 %)' --watch f1 --watch f2 -o " +
+                folder + name);
+  expect_done("study run " + folder + "/whole -q");
+  for (int i = 0; i < 20; ++i) {
+    const std::string who = i % 2 == 0 ? "study work .*acceptance-kills.*/killed" : "parallel .*acceptance-kills";
+    shell("'" MILLSTAND_PROGRAM "' study run '" + folder +
+              "/killed' --engine parallel --jobs 2 -q & run=$!; sleep 0." + std::to_string(20 + 7 * i) +
+              "; pgrep -f '" + who + "' | xargs -r kill -9; wait $run",
+          MILLSTAND_SOURCE_DIR);
+  }
+  expect_done("study run " + folder + "/killed -q");
+  for (const char *name : {"/whole", "/killed"})
+    expect_done("study merge " + folder + name);
+  const std::string whole = mill::read_text(folder + "/whole/results.csv");
+  EXPECT_EQ(std::count(whole.begin(), whole.end(), '\n'), 4001);
+  EXPECT_EQ(mill::read_text(folder + "/killed/results.csv"), whole);
+}
+
+TEST(StudyAcceptance, TwentyOneCrownsTakeThreeSecondsWarm)
+{
+  const std::string folder = scratch("acceptance-crowns");
+  const std::string sweep  = "sweep cases/four-high-1400.toml --vary 'backup_roll.crown=0..200 um:21' --watch "
+                             "K3.tangent -q --cache " +
+                            shared_cache() + " -o " + folder + "/sweep";
+  seconds_of(sweep);
+  const double warm = seconds_of(sweep);
+  std::printf("21 crowns, warm: %.2f s\n", warm);
+  EXPECT_LE(warm, 3);
+  const auto table = json::parse(mill::read_text(folder + "/sweep/sweep.json"));
+  ASSERT_EQ(table["rows"].size(), 21u);
+  for (const auto &row : table["rows"])
+    EXPECT_TRUE(std::isfinite(row["results"][0].get<double>())) << row["failure"];
+}
 }  // namespace
