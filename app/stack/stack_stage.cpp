@@ -153,6 +153,12 @@ MakeStackEngine condensed_of(const StackKernels &kernels, const int stations_per
   };
 }
 
+MakeStackEngine leading_engine(RunContext &run, const StackInput &input, const Stack &stack)
+{
+  return input.engine.model == "condensed" ? condensed_of(stack_kernels(run, stack), stations_over_width)
+                                           : beams_of(input, elements_over_width);
+}
+
 SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeStackEngine &make)
 {
   SolvedStack solved;
