@@ -5,6 +5,7 @@
 #include "app/help/topics.h"
 #include "app/process/console.h"
 #include "app/process/fast_blas.h"
+#include "app/process/version.h"
 #include "app/run/run_kind.h"
 #include "app/run/run_summary.h"
 #include "app/stages/stand/mass_table.h"
