@@ -233,6 +233,25 @@ void add_sweep(CLI::App &app, CommandLine &c)
                         "no progress, no table");
 }
 
+void add_stack(CLI::App &app, CommandLine &c)
+{
+  auto *stack =
+      app.add_subcommand("stack", "optimise: settings of the actuators of a roll stack for a wanted profile");
+  stack->add_option("ACTION", c.stack.action, "optimise")->required();
+  stack->add_option("CASE", c.target, "case file of kind stack")->required();
+  add_repeatable(stack, "--target", c.stack.targets, "crown, edge_drop or wedge, crown=20um, repeatable");
+  stack->get_option("--target")->required();
+  add_repeatable(stack, "--bound", c.stack.bounds,
+                 "what may be changed and between which values, \"W.bending_force=-200 kN..600 kN\", "
+                 "\"I.shift=0 mm..150 mm\", \"B.eccentric3=0 um..200 um\", repeatable");
+  stack->get_option("--bound")->required();
+  add_cache(stack, c);
+  stack->add_option("--set", c.sets, "override section.key=value, repeatable")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  stack->add_flag("-q,--quiet", c.quiet, "no progress");
+}
+
 void add_study(CLI::App &app, CommandLine &c)
 {
   auto *study =
@@ -402,6 +421,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   add_studio(app, c);
   add_sweep(app, c);
   add_study(app, c);
+  add_stack(app, c);
   auto *trace =
       app.add_subcommand("trace", "which results one input reaches, through which relation, with elasticities");
   trace->add_option("CASE", c.target, "case file")->required();

@@ -3,6 +3,7 @@
 #include "app/command/described_verbs.h"
 #include "app/command/live_options.h"
 #include "app/command/marks_options.h"
+#include "app/command/stack_options.h"
 #include "app/command/studio_options.h"
 #include "app/command/study_options.h"
 #include "app/command/sweep_options.h"
@@ -37,6 +38,7 @@ struct CommandLine {
   LiveOptions live;                ///< live
   SweepOptions sweep;              ///< sweep, study new
   StudyOptions study;              ///< study
+  StackOptions stack;              ///< stack
   std::string case_file;           ///< analyse --case; empty: none
   std::string measured;            ///< advise --measured; empty: none
   std::string record_rate;         ///< analyse, calibrate, advise --rate

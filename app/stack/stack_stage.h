@@ -33,6 +33,9 @@ using MakeStackEngine = std::function<std::unique_ptr<reduce::StackEngine>(const
 MakeStackEngine beams_of(const StackInput &input, int elements_per_width);
 MakeStackEngine condensed_of(const StackKernels &kernels, int stations_per_width);
 
+/// The engine of the case's [engine] on its finer mesh.
+MakeStackEngine leading_engine(RunContext &run, const StackInput &input, const Stack &stack);
+
 /// With the rolling force, or with that at which the unloaded gap is the given one.
 /// @throws SolverError  no equilibrium
 SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeStackEngine &make);

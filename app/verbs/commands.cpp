@@ -13,6 +13,7 @@
 #include "app/verbs/checked_case.h"
 #include "app/verbs/marks_command.h"
 #include "app/verbs/run_command.h"
+#include "app/verbs/stack_command.h"
 #include "core/base/files.h"
 #include "core/base/short_number.h"
 #include "core/base/visible_text.h"
@@ -198,6 +199,8 @@ int carry_out(const CommandLine &command)
   }
   if (is_of_subjects(command))
     return carry_out_subject(command);
+  if (command.verb == "stack")
+    return stack_command(command, checked_case(command).the_case);
   if (command.verb == "marks")
     return marks_command(command, checked_case(command).the_case);
   if (command.verb == "report")

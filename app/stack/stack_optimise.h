@@ -1,0 +1,48 @@
+#pragma once
+#include "app/stack/stack_stage.h"
+#include <string>
+#include <vector>
+
+// Settings of the actuators of a stack for a wanted profile of the strip.
+namespace mill {
+enum class StackActuatorKind { bending, shift, eccentric };
+
+/// What may be changed, of a listed roll and of the one that is made of it.
+struct StackActuator {
+  std::string name;  ///< "W.bending_force", "I.shift", "B.eccentric3"
+  StackActuatorKind kind = StackActuatorKind::bending;
+  std::size_t roll       = 0;       ///< place in StackInput::rolls
+  std::size_t saddle     = 0;       ///< of an eccentric, from 0
+  double low = 0, high = 0;         ///< SI
+  double present = 0, optimum = 0;  ///< SI
+  std::vector<double> influence;    ///< of each target per unit of it, at the optimum
+  std::string bound;                ///< "lower" or "upper" where it stands at a bound
+};
+
+/// crown, edge_drop or wedge, m.
+struct StackTarget {
+  std::string name;
+  double wanted = 0, present = 0, reached = 0;
+};
+
+struct StackOptimum {
+  std::vector<StackActuator> actuators;
+  std::vector<StackTarget> targets;
+  int steps = 0;  ///< solutions of the stack
+};
+
+/// An actuator of a case by its name, with its present value.
+/// @throws InputError  no such roll or saddle, no chocks to bend it, a shift that a kept condensation does not
+/// serve
+StackActuator stack_actuator(const StackInput &input, const Stack &stack, const std::string &name);
+
+/// The stack with another value of an actuator.
+Stack with_actuator(const StackInput &input, const Stack &stack, const StackActuator &actuator, double value);
+
+/// Least squares of the distances from the targets, bounded, by exact influences at each solved state; contacts
+/// open and close on the way.  Of several settings that reach the targets, that with the least share of the
+/// ranges. An influence of a shift is a central difference.  theory.md (51.20)
+/// @throws SolverError  the stack of the case has no equilibrium; InputError  an unknown target
+StackOptimum optimise_stack(const StackInput &input, const Stack &stack, const MakeStackEngine &make,
+                            std::vector<StackActuator> actuators, std::vector<StackTarget> targets);
+}  // namespace mill
