@@ -44,23 +44,23 @@ endfunction()
 
 mill_debian_package(programs millstand science
   TITLE "vibration of rolling-mill stands from their drawings"
-  DESCRIPTION "Springs, masses, modes, chatter and forced vibration of the rolls of a mill stand,
-each number with its source, error and check; records of a mill, calibration,
-a twin next to the running mill, export to other programs.
+  DESCRIPTION "Springs, masses, modes, chatter and forced vibration of the rolls of a mill
+stand, each number with its source, error and check; records of a mill,
+calibration, a twin next to the running mill, export to other programs.
 What needs finite elements is in the package millstand-fem."
   DEPENDS "libopenblas0-openmp"
   RECOMMENDS "millstand-fem (= ${PROJECT_VERSION})")
 mill_debian_package(fem millstand-fem science
   TITLE "finite elements of millstand"
-  DESCRIPTION "The part of millstand that is linked with deal.II and Gmsh: meshes and stiffness of rolls,
-bearings and housing, opened with the first mesh; and the verification manual,
-which the command 'millstand verify' runs."
-  DEPENDS "millstand (= ${PROJECT_VERSION}), gmsh")
+  DESCRIPTION "The part of millstand that is linked with deal.II and Gmsh: meshes and
+stiffness of rolls, bearings and housing, opened with the first mesh; and the
+verification manual, which the command 'millstand verify' runs."
+  DEPENDS "millstand (= ${PROJECT_VERSION})")
 mill_debian_package(dev libmillstand-dev libdevel
   TITLE "libraries of millstand for programs in C++"
-  DESCRIPTION "Headers and static libraries of millstand: contact of rolls, roller bearings, roll bite,
-condensed rolls, springs and masses of a stand, vibration and chatter.
-With find_package(millstand) of CMake."
+  DESCRIPTION "Headers and static libraries of millstand: contact of rolls, roller bearings,
+roll bite, condensed rolls, springs and masses of a stand, vibration and
+chatter. With find_package(millstand) of CMake."
   DEPENDS "g++, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libtbb-dev, libsuitesparse-dev, libmetis-dev, libopenblas-openmp-dev, libsundials-dev"
   RECOMMENDS "millstand-fem (= ${PROJECT_VERSION})")
 if(TARGET millstand_python)

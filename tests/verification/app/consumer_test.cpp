@@ -6,7 +6,6 @@
 #include <gtest/gtest.h>
 #include <sstream>
 
-using namespace mill;
 namespace fs = std::filesystem;
 
 TEST(Consumer, TenLinesFindTheLibrariesAndOpenTheFiniteElements)
