@@ -4,10 +4,10 @@ file(MAKE_DIRECTORY ${printed}/completions)
 add_custom_command(OUTPUT ${printed}/millstand.1.gz ${printed}/millstand.schema.json ${printed}/completions/millstand
                           ${printed}/completions/_millstand ${printed}/completions/millstand.fish
   COMMAND sh -c "'$<TARGET_FILE:millstand>' help --manual-page | gzip -9n >millstand.1.gz"
-  COMMAND $<TARGET_FILE:millstand> schema >millstand.schema.json
-  COMMAND $<TARGET_FILE:millstand> completion bash >completions/millstand
-  COMMAND $<TARGET_FILE:millstand> completion zsh >completions/_millstand
-  COMMAND $<TARGET_FILE:millstand> completion fish >completions/millstand.fish
+  COMMAND sh -c "'$<TARGET_FILE:millstand>' schema >millstand.schema.json"
+  COMMAND sh -c "'$<TARGET_FILE:millstand>' completion bash >completions/millstand"
+  COMMAND sh -c "'$<TARGET_FILE:millstand>' completion zsh >completions/_millstand"
+  COMMAND sh -c "'$<TARGET_FILE:millstand>' completion fish >completions/millstand.fish"
   DEPENDS millstand WORKING_DIRECTORY ${printed} VERBATIM)
 add_custom_target(installed_files ALL DEPENDS ${printed}/millstand.1.gz)
 
