@@ -58,8 +58,8 @@ struct ReadOptions {
   std::string command;  ///< as it was typed, for a remedy that can be copied: "millstand analyse r.mat"
 };
 
-/// Reads a record by the ending of its name: .csv, .txt, .tsv, .asc, .dat in text; .npy with .json next to it; .npz; .uff, .unv;
-/// .mat; .wav; .lvm.
+/// Reads a record by the ending of its name: .csv, .txt, .tsv, .asc, .dat in text; .npy with .json next to it;
+/// .npz; .uff, .unv; .mat; .wav; .lvm.
 /// @throws InputError with file:line:column and remedy
 RawRecord read_record(const std::string &path, const ReadOptions &options);
 

@@ -23,7 +23,8 @@ LiveInput live_input(const std::string &text)
     return {LiveInput::Kind::mqtt, rest};
   const auto dot           = text.rfind('.');
   const std::string ending = dot == std::string::npos ? "" : text.substr(dot);
-  if (kind.empty() && (ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".asc" || ending == ".dat"))
+  if (kind.empty() &&
+      (ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".asc" || ending == ".dat"))
     return {LiveInput::Kind::replay, text};
   throw InputError(
       fmt::format("--input \"{}\": a record (FILE.csv), a growing one (tail:FILE.csv), - for lines on "

@@ -53,9 +53,7 @@ Motion::Motion(const ModalSystem &system)
   form_ = Form::poles;
   // One number per pair of poles and one per real pole.  Rounding leaves a real pole an imaginary part of either
   // sign; a pair that is so close to the axis may be kept as two.
-  const auto is_real = [&](const std::size_t k) {
-    return std::abs(all.value[k].imag()) <= real_pole * fastest_;
-  };
+  const auto is_real = [&](const std::size_t k) { return std::abs(all.value[k].imag()) <= real_pole * fastest_; };
   std::vector<std::size_t> kept;
   for (std::size_t k = 0; k < 2 * n_; ++k)
     if (is_real(k) || all.value[k].imag() > 0)
