@@ -2,8 +2,9 @@
 // with the right frequencies (RE-6), and wrong stands are refused (RE-7): another frame, another roll, a contact
 // that is lost.
 //
-// The suite runs one right stand and two wrong ones of 5 s.  MILLSTAND_STANDS=20 runs the long form: as many right
-// stands, and twenty wrong ones, of 20 s.
+// The suite runs one right stand of 5 s and one wrong one of 1.5 s.  MILLSTAND_STANDS=20 runs the long form: as
+// many right stands of 20 s, and twenty wrong ones of 1.5 s, since more of a record only makes a wrong stand
+// plainer.
 #include "dynamics/response/modes.h"
 #include "tests/support/calibration_record.h"
 #include "tests/support/near.h"
@@ -200,11 +201,13 @@ void expect_refused(const WrongStand &wrong, const int repeat)
   calibration::Recipe recipe = recipe_of(8000 + 100 * std::uint64_t(repeat));
   recipe.truth               = wrong.truth;
   recipe.frame               = wrong.frame;
+  recipe.n                   = 30000;
   const Calibration done     = calibrate(calibration_of(recipe, stated_errors_of_a_drawing()), {});
   EXPECT_FALSE(done.refusals.empty()) << wrong.name;
   if (long_form())
     std::printf("%s: %s\n", wrong.name.c_str(),
                 done.refusals.empty() ? "ACCEPTED" : done.refusals.front().c_str());
+  std::fflush(stdout);
   expect_values_inside_their_intervals(done);
 }
 }  // namespace
@@ -242,7 +245,7 @@ TEST(PlantCalibration, RefusesWrongStands)
 {
   const auto all = wrong_stands();
   for (std::size_t i = 0; i < all.size(); ++i)
-    if (long_form() || i < 2)
+    if (long_form() || i < 1)
       for (int repeat = 0; repeat < (long_form() ? 2 : 1); ++repeat)
         expect_refused(all[i], repeat);
 }
