@@ -21,22 +21,22 @@ struct Averages {
 Eigen::MatrixXd own_share(const std::vector<Eigen::MatrixXcd> &matrix)
 {
   const auto k = Eigen::Index(matrix.size()), m = matrix.empty() ? 0 : matrix.front().rows();
-  Eigen::MatrixXd own(k, m);
+  Eigen::MatrixXd share(k, m);
   for (Eigen::Index b = 0; b < k; ++b) {
     const Eigen::MatrixXcd &S      = matrix[std::size_t(b)];
     const Eigen::VectorXd diagonal = S.diagonal().real().cwiseMax(1e-300);
     if (m == 1) {
-      own(b, 0) = diagonal[0];
+      share(b, 0) = diagonal[0];
       for (Eigen::Index i = std::max<Eigen::Index>(0, b - 24); i < std::min(k, b + 25); ++i)
-        own(b, 0) = std::min(own(b, 0), matrix[std::size_t(i)](0, 0).real());
+        share(b, 0) = std::min(share(b, 0), matrix[std::size_t(i)](0, 0).real());
       continue;
     }
     const Eigen::VectorXd scale = diagonal.cwiseSqrt().cwiseInverse();
     Eigen::MatrixXcd even       = scale.asDiagonal() * S * scale.asDiagonal();
     even.diagonal().array() += 1e-6;  // rounding is not a measurement
-    own.row(b) = even.inverse().diagonal().real().cwiseInverse().cwiseProduct(diagonal).transpose();
+    share.row(b) = even.inverse().diagonal().real().cwiseInverse().cwiseProduct(diagonal).transpose();
   }
-  return own;
+  return share;
 }
 
 Averages averages_of(const SpectralMatrices &s, const double low, const double high)
@@ -78,13 +78,13 @@ std::vector<Eigen::MatrixXcd> products_seen(const Eigen::MatrixXcd &a, const Eig
 SeenMatrices seen_matrices(const OutputOnly &record, const Eigen::VectorXd &theta, const Averages &a,
                            const BandRecord &fine)
 {
-  const StandAt at = stand_at(record.stand, record.unknowns, theta);
+  const StandAt trial = stand_at(record.stand, record.unknowns, theta);
   const Block whole{0, fine.angular.size()};
-  ModalColumns c = modal_columns(at, fine, whole);
-  add_derivatives(c, at, record.unknowns, fine, whole, Eigen::VectorXd::Zero(2 * at.frequency.size()));
-  Eigen::MatrixXd sees(at.shape.cols(), Eigen::Index(record.data.places.size()));
+  ModalColumns c = modal_columns(trial, fine, whole);
+  add_derivatives(c, trial, record.unknowns, fine, whole, Eigen::VectorXd::Zero(2 * trial.frequency.size()));
+  Eigen::MatrixXd sees(trial.shape.cols(), Eigen::Index(record.data.places.size()));
   for (std::size_t j = 0; j < record.data.places.size(); ++j)
-    sees.col(Eigen::Index(j)) = at.shape.row(record.data.places[j]).transpose();
+    sees.col(Eigen::Index(j)) = trial.shape.row(record.data.places[j]).transpose();
   const auto k                  = Eigen::Index(a.matrix.size());
   const Eigen::VectorXd weights = hann_weights();
   const Eigen::MatrixXcd h      = c.driven.matrix() * sees;
@@ -111,7 +111,7 @@ Likelihood wishart_cost(const OutputOnly &record, const Eigen::VectorXd &theta, 
   for (std::size_t b = 0; b < a.matrix.size(); ++b) {
     const double f                = a.bin * double(a.first + Eigen::Index(b)) / (2 * M_PI),
                  S_F              = density(record.force, theta.tail(q), f);
-    const BetweenKnots at         = between_knots(record.force, f);
+    const BetweenKnots between    = between_knots(record.force, f);
     const Eigen::MatrixXcd driven = S_F * seen.value[b];
     Eigen::MatrixXcd S            = driven;
     S.diagonal() += a.noise.row(Eigen::Index(b)).transpose().cast<std::complex<double>>();
@@ -119,8 +119,8 @@ Likelihood wishart_cost(const OutputOnly &record, const Eigen::VectorXd &theta, 
     const Eigen::MatrixXcd inverse = lu.inverse(), solved = inverse * a.matrix[b];
     sum.residual += a.count * (std::log(std::abs(lu.determinant())) + solved.trace().real());
     for (Eigen::Index i = 0; i < p + 2; ++i) {
-      const double share      = i < p ? S_F : i == p ? 1 - at.share : at.share;
-      index[std::size_t(i)]   = i < p ? i : p + at.below + (i - p);
+      const double share      = i < p ? S_F : i == p ? 1 - between.share : between.share;
+      index[std::size_t(i)]   = i < p ? i : p + between.below + (i - p);
       changed[std::size_t(i)] = inverse * (share * (i < p ? seen.slope[std::size_t(i)][b] : driven));
     }
     for (std::size_t i = 0; i < changed.size(); ++i) {
@@ -202,8 +202,8 @@ Eigen::VectorXd output_only_start(OutputOnly &record, const std::vector<ForcedSa
     if (first)
       record.force.level = first_level(record, a, fine);
     first = false;
-    theta = descend([&](const Eigen::VectorXd &at, Wanted) { return wishart_cost(record, at, a, fine); }, unknowns,
-                    theta, 60, 1e-3)
+    theta = descend([&](const Eigen::VectorXd &tried, Wanted) { return wishart_cost(record, tried, a, fine); },
+                    unknowns, theta, 60, 1e-3)
                 .theta;
   }
   return theta;

@@ -61,17 +61,17 @@ AtFrequency at_places(const AtFrequency &all, const std::vector<Eigen::Index> &p
 }
 
 /// What one bin tells of the unknowns and, last, of the density of the force: tr(S^-1 S_a S^-1 S_b).  (45.4)
-Eigen::MatrixXd without_force(const AtFrequency &at, const double SF, const double N)
+Eigen::MatrixXd without_force(const AtFrequency &places, const double SF, const double N)
 {
-  const Eigen::Index m = at.H.size(), p = at.slope.cols();
-  const Eigen::MatrixXcd S       = SF * at.H * at.H.adjoint() + N * Eigen::MatrixXcd::Identity(m, m);
+  const Eigen::Index m = places.H.size(), p = places.slope.cols();
+  const Eigen::MatrixXcd S       = SF * places.H * places.H.adjoint() + N * Eigen::MatrixXcd::Identity(m, m);
   const Eigen::MatrixXcd inverse = S.inverse();
   std::vector<Eigen::MatrixXcd> changed;
   for (Eigen::Index a = 0; a < p; ++a) {
-    const Eigen::MatrixXcd half = SF * at.slope.col(a) * at.H.adjoint();
+    const Eigen::MatrixXcd half = SF * places.slope.col(a) * places.H.adjoint();
     changed.push_back(inverse * (half + half.adjoint()));
   }
-  changed.push_back(inverse * (SF * at.H * at.H.adjoint()));
+  changed.push_back(inverse * (SF * places.H * places.H.adjoint()));
   Eigen::MatrixXd A(p + 1, p + 1);
   for (Eigen::Index a = 0; a <= p; ++a)
     for (Eigen::Index b = 0; b <= p; ++b)
@@ -119,11 +119,11 @@ std::vector<Eigen::MatrixXd> information_of(const FittedStand &stand, const std:
   for (double f = record.low + bin / 2; f < to; f += bin) {
     const AtFrequency all = response(f);
     for (std::size_t s = 0; s < sets.size(); ++s) {
-      const AtFrequency at = at_places(all, sets[s]);
+      const AtFrequency chosen = at_places(all, sets[s]);
       if (record.force_recorded)
-        A[s] += 2 * (SF / N) * (at.slope.adjoint() * at.slope).real();
+        A[s] += 2 * (SF / N) * (chosen.slope.adjoint() * chosen.slope).real();
       else
-        A[s] += without_force(at, SF, N);
+        A[s] += without_force(chosen, SF, N);
     }
   }
   for (Eigen::MatrixXd &a : A)
@@ -185,10 +185,10 @@ WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<
   const auto bins        = Eigen::Index(std::ceil(bandwidth / bin - 1e-9));
   const double width     = bandwidth / double(bins);
   for (Eigen::Index b = 0; b < bins; ++b) {
-    const AtFrequency at = at_places(response((double(b) + 0.5) * width), places);
-    square += SF * width * at.H.cwiseAbs2();
+    const AtFrequency seen = at_places(response((double(b) + 0.5) * width), places);
+    square += SF * width * seen.H.cwiseAbs2();
     for (Eigen::Index q = 0; q < p; ++q)
-      slope.col(q) += SF * width * (at.H.conjugate().cwiseProduct(at.slope.col(q))).real();
+      slope.col(q) += SF * width * (seen.H.conjugate().cwiseProduct(seen.slope.col(q))).real();
   }
   WhiteForceLevels levels{square.cwiseSqrt(), {"zeta", "bandwidth"}, Eigen::MatrixXd(m, p + 1)};
   levels.names.insert(levels.names.end(), springs.begin(), springs.end());

@@ -10,17 +10,17 @@ constexpr double determined_within = 0.02;  // ln of a frequency, to each side
 constexpr double worth_a_name      = 0.3;   // of the largest contribution to a deviation
 
 /// (n, p) d ln w_i / d theta_p: half of what the dynamic stiffness of the mode changes by at its own frequency.
-Eigen::MatrixXd frequency_slopes(const StandAt &at)
+Eigen::MatrixXd frequency_slopes(const StandAt &trial)
 {
-  const Eigen::Index n  = at.frequency.size();
-  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, Eigen::Index(at.stiffness.size()));
-  for (std::size_t p = 0; p < at.stiffness.size(); ++p)
+  const Eigen::Index n  = trial.frequency.size();
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, Eigen::Index(trial.stiffness.size()));
+  for (std::size_t p = 0; p < trial.stiffness.size(); ++p)
     for (Eigen::Index i = 0; i < n; ++i) {
-      const double square = at.frequency[i] * at.frequency[i];
-      if (at.stiffness[p].size())
-        slope(i, Eigen::Index(p)) += 0.5 * at.stiffness[p](i, i) / square;
-      if (at.mass[p].size())
-        slope(i, Eigen::Index(p)) -= 0.5 * at.mass[p](i, i);
+      const double square = trial.frequency[i] * trial.frequency[i];
+      if (trial.stiffness[p].size())
+        slope(i, Eigen::Index(p)) += 0.5 * trial.stiffness[p](i, i) / square;
+      if (trial.mass[p].size())
+        slope(i, Eigen::Index(p)) -= 0.5 * trial.mass[p](i, i);
     }
   return slope;
 }

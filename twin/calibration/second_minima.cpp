@@ -64,19 +64,19 @@ void prefer_a_correction(const FitProblem &problem, const Eigen::Index p, const 
   const Fit beyond = scan.best;
   if (furthest(beyond.unknowns, p, beyond.estimate) <= far_from_prior)
     return;
-  const auto found = std::find_if(scan.basins.begin(), scan.basins.end(), [&](const Basin &basin) {
+  const auto second = std::find_if(scan.basins.begin(), scan.basins.end(), [&](const Basin &basin) {
     return basin.deviance < other_basin && furthest(beyond.unknowns, p, basin.at) <= far_from_prior;
   });
-  if (found == scan.basins.end())
+  if (second == scan.basins.end())
     return;
-  const std::string name = found->name;
-  scan.best              = minimised(problem, found->at, beyond.noise, settings);
-  const double rise      = 2 * (scan.best.cost - beyond.cost);
-  const Eigen::Index own = index_of(scan, name);
-  std::vector<Basin> basins{{name, beyond.estimate[own], -rise, beyond.estimate}};
+  const std::string name   = second->name;
+  scan.best                = minimised(problem, second->at, beyond.noise, settings);
+  const double rise        = 2 * (scan.best.cost - beyond.cost);
+  const Eigen::Index index = index_of(scan, name);
+  std::vector<Basin> basins{{name, beyond.estimate[index], -rise, beyond.estimate}};
   for (Basin other : scan.basins) {
     other.deviance -= rise;
-    if (other.name != name || std::abs(other.theta - scan.best.estimate[own]) > scan.best.sd()[own])
+    if (other.name != name || std::abs(other.theta - scan.best.estimate[index]) > scan.best.sd()[index])
       basins.push_back(other);
   }
   scan.basins = std::move(basins);

@@ -8,13 +8,13 @@ namespace mill::twin {
 namespace {
 constexpr double half_identified = 1.7320508075688772;  // singular value at which sd is half of the prior's
 
-std::string words_of(const Identification &found, const Eigen::Index column, const FittedStand &stand,
+std::string words_of(const Identification &identification, const Eigen::Index column, const FittedStand &stand,
                      const bool unseen = true)
 {
   std::vector<std::pair<double, std::string>> parts;
-  for (Eigen::Index i = 0; i < found.direction.rows(); ++i)
-    if (std::abs(found.direction(i, column)) > 0.15)
-      parts.emplace_back(found.direction(i, column), found.names[std::size_t(i)]);
+  for (Eigen::Index i = 0; i < identification.direction.rows(); ++i)
+    if (std::abs(identification.direction(i, column)) > 0.15)
+      parts.emplace_back(identification.direction(i, column), identification.names[std::size_t(i)]);
   std::sort(parts.begin(), parts.end(), [](const auto &a, const auto &b) { return a.second < b.second; });
   if (parts.empty())
     return "many unknowns together";
@@ -36,11 +36,12 @@ std::string words_of(const Identification &found, const Eigen::Index column, con
 }
 }  // namespace
 
-std::vector<std::string> unseen_directions(const Identification &found, const FittedStand &stand)
+std::vector<std::string> unseen_directions(const Identification &identification, const FittedStand &stand)
 {
   std::vector<std::string> all;
-  for (Eigen::Index i = found.singular.size() - 1; i >= 0 && found.singular[i] < half_identified; --i)
-    all.push_back(words_of(found, i, stand));
+  for (Eigen::Index i = identification.singular.size() - 1; i >= 0 && identification.singular[i] < half_identified;
+       --i)
+    all.push_back(words_of(identification, i, stand));
   return all;
 }
 
@@ -72,8 +73,8 @@ std::string without_force_words()
          "the force, name it with --channel AI_01=force";
 }
 
-std::string weakest_direction(const Identification &found, const FittedStand &stand)
+std::string weakest_direction(const Identification &identification, const FittedStand &stand)
 {
-  return words_of(found, found.singular.size() - 1, stand, false);
+  return words_of(identification, identification.singular.size() - 1, stand, false);
 }
 }  // namespace mill::twin

@@ -7,7 +7,7 @@ namespace mill::twin {
 /// Directions of which a record knows less than half, weakest first, in words:
 /// "0.47 ln K1 - 0.88 ln K2: only their series is seen".
 /// @param stand  says which springs share a mass or a part
-std::vector<std::string> unseen_directions(const Identification &found, const FittedStand &stand);
+std::vector<std::string> unseen_directions(const Identification &identification, const FittedStand &stand);
 
 /// An unknown as it is printed, with the digits that its interval allows: "+5.13 %"; of the delay "1.250 ms".
 /// The value lies in the interval, since both belong to one problem.
@@ -27,5 +27,5 @@ ChangeInterval change_interval(const Calibrated &unknown, bool written);
 std::string without_force_words();
 
 /// The weakest direction as a sum, whether or not the records show it.
-std::string weakest_direction(const Identification &found, const FittedStand &stand);
+std::string weakest_direction(const Identification &identification, const FittedStand &stand);
 }  // namespace mill::twin

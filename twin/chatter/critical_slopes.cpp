@@ -21,12 +21,12 @@ std::optional<CriticalPoint> critical_point(const dynamics::CriticalSpeed &criti
 }
 
 std::vector<CriticalSlope> critical_slopes(const ChatterModel &model, const bite::RollBite &bite,
-                                           const CriticalPoint &at)
+                                           const CriticalPoint &critical)
 {
-  const auto point     = dynamics::working_point(bite, at.speed, model.scheme);
+  const auto point     = dynamics::working_point(bite, critical.speed, model.scheme);
   const auto pass      = bite::linear_sensitivity(point.bite, point.state, model.scheme);
   const auto A         = dynamics::chatter_matrix(model.stand, point.by);
-  const auto root      = dynamics::slope_of_eigenvalue(A, at.root);
+  const auto root      = dynamics::slope_of_eigenvalue(A, critical.root);
   const Eigen::Index n = model.stand.structure.n();
   const auto of_number = [&](const bite::PassNumber number) {
     return root.by(dynamics::chatter_matrix_by(model.stand, pass.by[std::size_t(number)])).real();

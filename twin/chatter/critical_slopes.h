@@ -18,5 +18,5 @@ struct CriticalSlope {
 };
 /// (27.4)-(27.7).  @throws SolverError  two roots in one, which have no slope.  Cost: 0.5 ms with six masses.
 std::vector<CriticalSlope> critical_slopes(const ChatterModel &model, const bite::RollBite &bite,
-                                           const CriticalPoint &at);
+                                           const CriticalPoint &critical);
 }  // namespace mill::twin

@@ -90,11 +90,11 @@ const std::string &CriticalTrack::why() const
   return lost;
 }
 
-void CriticalTrack::begin(const dynamics::CriticalSpeed &found)
+void CriticalTrack::begin(const dynamics::CriticalSpeed &searched)
 {
   at   = {};
-  lost = dynamics::sentence(found, model.range);
-  if (const auto critical = critical_point(found)) {
+  lost = dynamics::sentence(searched, model.range);
+  if (const auto critical = critical_point(searched)) {
     at = *critical;
     lost.clear();
   }

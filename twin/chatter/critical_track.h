@@ -62,7 +62,7 @@ public:
 
   /// Starts, or starts again, from a search of the whole range at these inputs.
   /// @param found  verdict crossing; otherwise there is nothing to follow until the next search
-  void begin(const dynamics::CriticalSpeed &found);
+  void begin(const dynamics::CriticalSpeed &searched);
   bool following() const;
 
   /// The critical speed at other inputs: secant steps on the real part of the same root, the steady bite solved at

@@ -163,11 +163,11 @@ void limit_events(CleanRecord &record, std::vector<CleaningEvent> &&events, cons
 }
 void add_labels(CleanRecord &record, const RawRecord &raw)
 {
-  const auto at = [&](const Eigen::Index i) {
+  const auto time_of = [&](const Eigen::Index i) {
     return raw.time.size() > 0 ? raw.time[i] : double(i) / record.rate;
   };
   for (const LabelSpan &span : raw.labels)
-    record.labels.push_back({span.column, span.text, at(span.begin), at(span.end - 1)});
+    record.labels.push_back({span.column, span.text, time_of(span.begin), time_of(span.end - 1)});
 }
 
 // Counters, ramps, constants and set values leave the channels and are said in a sentence.

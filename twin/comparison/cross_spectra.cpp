@@ -50,26 +50,27 @@ struct Extremum {
 Extremum highest(const std::vector<Complex> &R, const Eigen::Index reach, const Eigen::Index L)
 {
   constexpr double alike = 0.99;
-  std::vector<double> at(std::size_t(2 * reach + 1));
+  std::vector<double> correlation(std::size_t(2 * reach + 1));
   for (Eigen::Index lag = -reach; lag <= reach; ++lag)
-    at[std::size_t(lag + reach)] =
+    correlation[std::size_t(lag + reach)] =
         R[std::size_t(lag < 0 ? lag + L : lag)].real() / hann_correlation(double(lag) / double(L));
-  const auto [low, high] = std::minmax_element(at.begin(), at.end());
+  const auto [low, high] = std::minmax_element(correlation.begin(), correlation.end());
   const double sign = *high >= alike * -*low ? 1 : -1, top = std::max(sign * *low, sign * *high);
   std::vector<Eigen::Index> maxima;
   for (Eigen::Index lag = -reach; lag <= reach; ++lag) {
     const auto i = std::size_t(lag + reach);
-    if ((i == 0 || sign * at[i] >= sign * at[i - 1]) && (i + 1 == at.size() || sign * at[i] > sign * at[i + 1]))
+    if ((i == 0 || sign * correlation[i] >= sign * correlation[i - 1]) &&
+        (i + 1 == correlation.size() || sign * correlation[i] > sign * correlation[i + 1]))
       maxima.push_back(lag);
   }
   Extremum extremum;
   for (const Eigen::Index lag : maxima)
-    if (sign * at[std::size_t(lag + reach)] >= alike * top &&
+    if (sign * correlation[std::size_t(lag + reach)] >= alike * top &&
         (extremum.height == 0 || std::abs(lag) < std::abs(extremum.lag)))
-      extremum = {lag, at[std::size_t(lag + reach)], 0};
+      extremum = {lag, correlation[std::size_t(lag + reach)], 0};
   for (const Eigen::Index lag : maxima)
     if (lag != extremum.lag)
-      extremum.rival = std::max(extremum.rival, sign * at[std::size_t(lag + reach)]);
+      extremum.rival = std::max(extremum.rival, sign * correlation[std::size_t(lag + reach)]);
   return extremum;
 }
 

@@ -43,13 +43,13 @@ std::optional<Shift> Cusum::take(const double z)
 {
   if (!std::isfinite(z))
     return {};
-  State &s              = state;
-  const std::int64_t at = s.taken++;
-  const auto one_side   = [&](const double value, double &sum, double &total, std::int64_t &since) {
+  State &s                  = state;
+  const std::int64_t number = s.taken++;
+  const auto one_side       = [&](const double value, double &sum, double &total, std::int64_t &since) {
     sum = std::max(0.0, sum + value - rule.slack);
     total += value;
     if (sum == 0) {
-      since = at + 1;
+      since = number + 1;
       total = 0;
     }
   };
@@ -60,7 +60,8 @@ std::optional<Shift> Cusum::take(const double z)
   s.alarm          = true;
   const bool up    = s.up > s.down;
   const auto since = up ? s.since_up : s.since_down;
-  return Shift{up ? 1 : -1, since, at, up ? s.up : s.down, (up ? s.sum_up : -s.sum_down) / double(at - since + 1)};
+  return Shift{up ? 1 : -1, since, number, up ? s.up : s.down,
+               (up ? s.sum_up : -s.sum_down) / double(number - since + 1)};
 }
 
 // L(u) = 1 + L(0) P(sum falls to zero) + int_0^h L(x) phi(x + k - u - shift) dx, with L(0) as one more unknown.

@@ -99,12 +99,12 @@ public:
     const Eigen::ArrayXcd d       = dynamic_stiffness(w, mode) / scale;
     const Eigen::ArrayXcd shape[] = {force * (w / w0).square(), force * (w / w0).square() * Complex(0, 1),
                                      Eigen::ArrayXcd::Ones(w.size()), (w / w0).cast<Complex>() * Complex(0, 1)};
-    Columns own(2 * w.size(), mode_columns);
+    Columns columns(2 * w.size(), mode_columns);
     for (int i = 0; i < mode_columns; ++i)
-      own.col(i) = parts(shape[i] / d);
-    own = rest(basis, own);
-    const Eigen::HouseholderQR<Columns> qr(own);
-    const Columns Q = qr.householderQ() * Columns::Identity(own.rows(), mode_columns);
+      columns.col(i) = parts(shape[i] / d);
+    columns = rest(basis, columns);
+    const Eigen::HouseholderQR<Columns> qr(columns);
+    const Columns Q = qr.householderQ() * Columns::Identity(columns.rows(), mode_columns);
     const Eigen::MatrixXd coefficients =
         qr.matrixQR().topRows(mode_columns).triangularView<Eigen::Upper>().solve(Q.transpose() * measured);
     const Columns residual = rest(Q, measured);
@@ -117,7 +117,7 @@ public:
                           by_frequency = 2 * w0 * w0 / scale + by_damping;
     point.slope.setZero();
     point.information.setZero();
-    Columns moved[2] = {Columns(own.rows(), mode_columns), Columns(own.rows(), mode_columns)};
+    Columns moved[2] = {Columns(columns.rows(), mode_columns), Columns(columns.rows(), mode_columns)};
     for (int i = 0; i < mode_columns; ++i) {
       moved[0].col(i) = parts(-shape[i] * by_frequency / d.square());
       moved[1].col(i) = parts(-shape[i] * by_damping / d.square());
@@ -125,7 +125,7 @@ public:
     for (Columns &m : moved)
       m = rest(Q, rest(basis, m));
     for (Eigen::Index s = 0; s < measured.cols(); ++s) {
-      Columns J(own.rows(), 2);  // of the fitted part
+      Columns J(columns.rows(), 2);  // of the fitted part
       J << moved[0] * coefficients.col(s), moved[1] * coefficients.col(s);
       point.slope -= J.transpose() * residual.col(s) / noise[s];
       point.information += J.transpose() * J / noise[s];

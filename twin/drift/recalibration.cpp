@@ -97,11 +97,11 @@ Recalibration recalibrate(const FittedStand &stand, std::vector<Unknown> unknown
   Fit fit               = fitted(stand, unknowns, start, data, fit_settings);
   judge(result, fit, settings);
   std::vector<Unknown> identified;
-  std::vector<double> at;
+  std::vector<double> estimates;
   for (std::size_t j = 0; j < unknowns.size(); ++j)
     if (result.values[j].identified) {
       identified.push_back(unknowns[j]);
-      at.push_back(fit.estimate[Eigen::Index(j)]);
+      estimates.push_back(fit.estimate[Eigen::Index(j)]);
     } else {
       result.values[j].change = 0;
       result.values[j].sd     = unknowns[j].prior_sd / settings.wider;
@@ -111,8 +111,8 @@ Recalibration recalibrate(const FittedStand &stand, std::vector<Unknown> unknown
     return result;
   }
   if (identified.size() < unknowns.size()) {
-    fit = fitted(stand, identified, Eigen::Map<Eigen::VectorXd>(at.data(), Eigen::Index(at.size())), data,
-                 fit_settings);
+    fit = fitted(stand, identified, Eigen::Map<Eigen::VectorXd>(estimates.data(), Eigen::Index(estimates.size())),
+                 data, fit_settings);
     judge(result, fit, settings);
   }
   double values = 0;
