@@ -21,7 +21,8 @@ const char *const head =
     "passes when\nno check fails; one that judges nothing is marked *reported* and not counted. *At "
     "least* and *at most*\nin the column of the tolerance say that the reference is a bound. Cases of the family "
     "*peer* were run with another\nprogram; they say which and when, and are repeated by `millstand verify peer`, "
-    "which skips them and returns 4 where\nthat program is not installed.\n\n";
+    "which skips them and returns 4 where\nthat program is not installed. Tests over many seeded cases are under "
+    "[campaigns](campaigns.md).\n\n";
 
 std::string kind_table()
 {
