@@ -76,8 +76,8 @@ std::string text_of(const StackOptimum &optimum)
                       "actuator", "now", "optimum", "bound", first);
   for (const StackActuator &a : optimum.actuators) {
     const Unit &shown = unit(unit_of(a));
-    const double down = 1e6 * a.influence[0] * (a.low - a.optimum),
-                 up   = 1e6 * a.influence[0] * (a.high - a.optimum);
+    const double down = 1e6 * a.influence[0] * (a.low - a.optimum) + 0.,
+                 up   = 1e6 * a.influence[0] * (a.high - a.optimum) + 0.;
     text += fmt::format("{:<24} {:>11.5g} {:<2} {:>11.5g} {:<2} {:>8}   {:+.4g} um down, {:+.4g} um up\n", a.name,
                         from_si(a.present, shown), shown.symbol, from_si(a.optimum, shown), shown.symbol,
                         a.bound.empty() ? "-" : a.bound, down, up);

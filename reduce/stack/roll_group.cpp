@@ -14,7 +14,7 @@ namespace {
 double diameter_at(const StackRoll &roll, const double z)
 {
   for (const StackSection &section : roll.sections)
-    if (z - roll.shift > section.from && z - roll.shift < section.to)
+    if (z - roll.shift >= section.from && z - roll.shift <= section.to)
       return section.diameter;
   throw InputError(fmt::format("roll {}: its sections leave a gap at z = {:.0f} mm", roll.name, 1e3 * z));
 }
