@@ -10,12 +10,12 @@
 #include <tuple>
 
 // Edits of a stand by the page, each held against `millstand check` of the saved file.
-inline std::string new_stand(const std::string &name)
+inline std::string new_stand(const std::string &name, const std::string &kind = "four-high")
 {
   const std::string folder = scratch("studio-" + name);
   std::filesystem::remove_all(folder);
   std::filesystem::create_directories(folder);
-  EXPECT_EQ(millstand("new four-high -o " + folder + "/stand.toml").exit_code, 0);
+  EXPECT_EQ(millstand("new " + kind + " -o " + folder + "/stand.toml").exit_code, 0);
   return folder;
 }
 

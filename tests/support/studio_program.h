@@ -57,6 +57,15 @@ private:
   std::unique_ptr<LiveProgram> program_;
 };
 
+/// tests/reference/studio-sheet.csv, as it is pasted.
+inline std::string text_of_sheet()
+{
+  std::ifstream in(std::string(MILLSTAND_SOURCE_DIR) + "/tests/reference/studio-sheet.csv");
+  std::stringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
 /// Rows of tests/reference/studio-sheet.csv: 31 values of a stand, as one reads them from drawings; [[pass]] by
 /// its number.
 inline std::vector<std::pair<std::string, std::string>> sheet_of_paper()

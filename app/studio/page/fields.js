@@ -194,7 +194,7 @@ function layout() {
         continue;
       const bearing = section.repeat === "named" && here.includes(`${prefix}.designation`);
       const wanted = drawn.map(key => `${prefix}.${key}`).filter(key =>
-        section.repeat === "once" || here.includes(key) || (!bearing && rowOf(key) && rowOf(key).required));
+        section.repeat !== "named" || here.includes(key) || (!bearing && rowOf(key) && rowOf(key).required));
       const title = section.repeat === "list" ? `${words(section.name)} ${Number(prefix.split(".").pop()) + 1}` : words(prefix);
       add(title, section.meaning, [...wanted, ...here]);
     }
