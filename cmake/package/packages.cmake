@@ -11,7 +11,7 @@ endif()
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_ALL programs fem dev)
-if(TARGET millstand_python)
+if(TARGET millstand-python)
   list(APPEND CPACK_COMPONENTS_ALL python)
 endif()
 set(CPACK_STRIP_FILES ON)
@@ -63,12 +63,17 @@ roll bite, condensed rolls, springs and masses of a stand, vibration and
 chatter. With find_package(millstand) of CMake."
   DEPENDS "g++, libeigen3-dev, libfmt-dev, nlohmann-json3-dev, libtbb-dev, libsuitesparse-dev, libmetis-dev, libopenblas-openmp-dev, libsundials-dev"
   RECOMMENDS "millstand-fem (= ${PROJECT_VERSION})")
-if(TARGET millstand_python)
+if(TARGET millstand-python)
+  # The module has the interface of one Python alone.
+  set(Python3_EXECUTABLE ${MILLSTAND_PYTHON_PROGRAM})
+  find_package(Python3 REQUIRED COMPONENTS Interpreter)
+  math(EXPR python_after "${Python3_VERSION_MINOR} + 1")
+  set(python_after ${Python3_VERSION_MAJOR}.${python_after})
   mill_debian_package(python python3-millstand python
     TITLE "millstand from Python"
-    DESCRIPTION "The module millstand: cases, runs, results with units, contact and bearing models,
-sweeps and records, for scripts and notebooks."
-    DEPENDS "python3 (>= 3.11), python3 (<< 3.12), python3-numpy"
+    DESCRIPTION "The module millstand: cases, runs, results with units, contact and bearing
+models, sweeps and records, for scripts and notebooks."
+    DEPENDS "millstand (= ${PROJECT_VERSION}), python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${python_after}), python3-numpy"
     RECOMMENDS "millstand-fem (= ${PROJECT_VERSION}), python3-matplotlib")
 endif()
 include(CPack)
