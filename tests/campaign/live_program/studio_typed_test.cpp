@@ -3,7 +3,7 @@
 // The long form of the page of the studio: all values of a sheet of paper typed one by one.
 using nlohmann::json;
 
-TEST_F(StudioBrowser, AStandIsTypedFromASheetWithoutALineOfToml)
+TEST_F(StudioTyped, AStandIsTypedFromASheetWithoutALineOfToml)
 {
   const auto sheet         = sheet_of_paper();
   const std::string before = picture(), k3 = quick("K3");
