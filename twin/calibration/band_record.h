@@ -11,10 +11,10 @@ struct BandRecord {
   Eigen::VectorXd angular;        ///< (k) rad/s
   Eigen::VectorXcd force;         ///< (k) N / sqrt(Hz); empty: not recorded
   Eigen::MatrixXcd acceleration;  ///< (k, m) m/s2 / sqrt(Hz)
-  /// s, between samples of a force that goes in straight lines between them; 0: the force is smooth.  What such a
+  /// Between samples of a force that goes in straight lines between them; 0: the force is smooth.  What such a
   /// force holds above half the rate moves the stand too, and the samples fold it back into the band:
   /// modal_columns().
-  double line_step = 0;
+  double line_step = 0;  ///< s
 };
 
 /// How the force went between its samples.

@@ -54,8 +54,6 @@ std::vector<Eigen::VectorXd> spread_minima(const WindowedFit &fit)
   for (Start &start : starts) {
     const Descent end = descend(logarithms, fit.unknowns, start.theta, 40, 1e-2);
     start             = {end.theta, end.at.cost};
-    if (getenv("TRACE"))
-      fprintf(stderr, "log %g\n", start.cost);
   }
   std::sort(starts.begin(), starts.end(), lower);
   starts.resize(kept);
@@ -158,9 +156,6 @@ Eigen::VectorXd coarse_start(const FittedStand &stand, const std::vector<Unknown
     for (const Eigen::VectorXd &theta : candidates)
       ends.push_back(descend(squares, unknowns, theta, 60, 1e-3));
     std::sort(ends.begin(), ends.end(), [](const Descent &a, const Descent &b) { return a.at.cost < b.at.cost; });
-    if (getenv("TRACE"))
-      for (auto &e : ends)
-        fprintf(stderr, "L %ld cost %g steps %d\n", long(L), e.at.cost, e.steps);
     // half of them go on: what is far behind in wide bins is not the lowest in narrow ones
     candidates.clear();
     for (std::size_t i = 0; i < std::max<std::size_t>(1, ends.size() / 2); ++i)

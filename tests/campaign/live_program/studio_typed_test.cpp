@@ -3,6 +3,8 @@
 // The long form of the page of the studio: all values of a sheet of paper typed one by one.
 using nlohmann::json;
 
+class StudioTyped : public StudioBrowser {};
+
 TEST_F(StudioTyped, AStandIsTypedFromASheetWithoutALineOfToml)
 {
   const auto sheet         = sheet_of_paper();
