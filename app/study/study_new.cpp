@@ -226,7 +226,7 @@ NamedResults chosen(const CommandLine &command, const Study &study, RowModel &mo
   try {
     return model.choose(base, watched);
   } catch (const InputError &e) {
-    const std::string as_watched = "--watch " + study.objective + ":", message = e.what();
+    const std::string as_watched = "--watch " + study.objective + ":", message = e.problems.front().message;
     if (message.rfind(as_watched, 0) != 0)
       throw;
     throw InputError((study.greatest ? "--maximise " : "--minimise ") +

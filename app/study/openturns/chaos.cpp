@@ -21,8 +21,8 @@
 namespace mill {
 namespace {
 constexpr int most_degree = 10, resamples = 200, map_points = 21;
-constexpr int most_worse      = 3;  // degrees in sequence; functions of even powers gain at every second degree
-constexpr double most_of_rows = 3;  // candidate terms for each row
+constexpr int most_worse = 3;  // degrees in sequence; functions of even powers gain at every second degree
+constexpr OT::UnsignedInteger most_candidates = 170;  // degree 8 of three inputs; least angles take time for more
 
 // Inputs about their means in units of their deviations, so that polynomials of a diameter of 420 mm with a
 // tolerance of 0.5 mm keep their digits.
@@ -150,11 +150,11 @@ public:
   {
     ChaosFit best;
     best.leave_one_out = std::numeric_limits<double>::infinity();
-    const double limit = most_of_rows * double(y.size());
+    const auto limit   = std::min(most_candidates, OT::UnsignedInteger(y.size()));
     int worse          = 0;
     for (int degree = 1; degree <= most_degree && worse < most_worse; ++degree) {
       const auto candidates = numbering.getStrataCumulatedCardinal(OT::UnsignedInteger(degree));
-      if (degree > 1 && double(candidates) > limit)
+      if (degree > 1 && candidates > limit)
         break;
       const Terms terms  = selected(x, y, candidates);
       const double error = leave_one_out(terms.values, y);
