@@ -18,10 +18,10 @@ InputFile::InputFile(const std::string &path) : path_(path)
 {
   // O_NONBLOCK: a pipe without a writer would be waited for.
   number_ = uninterrupted([&] { return ::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC | O_NOCTTY); });
-  struct stat found {};
-  const int error = number_ < 0 || ::fstat(number_, &found) != 0 ? errno : 0;
-  if (error == 0 && S_ISREG(found.st_mode)) {
-    size_ = double(found.st_size);
+  struct stat status {};
+  const int error = number_ < 0 || ::fstat(number_, &status) != 0 ? errno : 0;
+  if (error == 0 && S_ISREG(status.st_mode)) {
+    size_ = double(status.st_size);
     return;
   }
   if (number_ >= 0)

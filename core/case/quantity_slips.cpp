@@ -141,8 +141,8 @@ std::string without_drawing_signs(const std::string &text)
       break;
     }
   for (const char *sign : {"\u00b1", "+/-", "+-"})
-    if (const auto at = rest.find(sign); at != std::string::npos) {
-      const std::string before = stripped(rest.substr(0, at));
+    if (const auto position = rest.find(sign); position != std::string::npos) {
+      const std::string before = stripped(rest.substr(0, position));
       const auto unit_begin    = rest.find_last_of("0123456789.") + 1;
       const bool has_unit      = !before.empty() && !is_digit(before.back());
       rest                     = has_unit ? before : before + " " + stripped(rest.substr(unit_begin));

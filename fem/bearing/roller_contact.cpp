@@ -44,9 +44,9 @@ contact::Problem make_problem(const CondensedRoller &roller, const PatchGrid &gr
   for (int k = 0; k < grid.n_z; ++k)
     for (int i = 0; i < grid.n_x; ++i) {
       const Index inner = k * grid.n_x + i, outer = n + inner;
-      const double x = grid.x[i], z = grid.z[k], own = sagitta(0.5 * s.diameter, x) + ground[k];
-      p.initial_gap[inner] = own + sagitta(s.inner_radius, x);
-      p.initial_gap[outer] = own - sagitta(s.outer_radius, x);
+      const double x = grid.x[i], z = grid.z[k], gap = sagitta(0.5 * s.diameter, x) + ground[k];
+      p.initial_gap[inner] = gap + sagitta(s.inner_radius, x);
+      p.initial_gap[outer] = gap - sagitta(s.outer_radius, x);
       p.G.row(inner) << 1, z, -1, -z;
       p.G.row(outer) << 0, 0, 1, z;
     }

@@ -18,10 +18,10 @@ VectorXd across(const VectorXd &x, const double half_width)
   VectorXd w      = VectorXd::Zero(x.size());
   Index e         = 0;
   for (int i = 0; i < n; ++i) {
-    const double phi = 0.5 * M_PI * (i + 0.5) / n, at = half_width * std::sin(phi);
-    while (e + 2 < x.size() - 1 && at > x[e + 2])
+    const double phi = 0.5 * M_PI * (i + 0.5) / n, place = half_width * std::sin(phi);
+    while (e + 2 < x.size() - 1 && place > x[e + 2])
       e += 2;
-    const double s = (at - x[e]) / (x[e + 2] - x[e]), share = std::pow(std::cos(phi), 2) / n;
+    const double s = (place - x[e]) / (x[e + 2] - x[e]), share = std::pow(std::cos(phi), 2) / n;
     w.segment<3>(e) += share * Eigen::Vector3d((1 - s) * (1 - 2 * s), 4 * s * (1 - s), s * (2 * s - 1));
   }
   return w;

@@ -32,9 +32,9 @@ std::vector<double> mesh_lines(const GradedLine &line)
     (sum(middle) < rest ? low : high) = middle;
   }
   const double start = out.back(), scale = rest / sum(low);
-  double h = first, at = 0;
+  double h = first, position = 0;
   for (int i = 0; i + 1 < n; ++i, h *= low)
-    out.push_back(start + scale * (at += h));
+    out.push_back(start + scale * (position += h));
   out.push_back(line.length);
   return out;
 }

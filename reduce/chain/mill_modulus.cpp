@@ -25,8 +25,8 @@ MillModulus mill_modulus(const std::vector<PathPart> &path)
     all.error += all.tangent / part.tangent * part.error;  // stays unknown where one of them is
     if (!std::isnan(part.error))
       continue;
-    const std::vector<std::string> own{part.name};
-    for (const std::string &lack : part.error_lacks.empty() ? own : part.error_lacks)
+    const std::vector<std::string> springs{part.name};
+    for (const std::string &lack : part.error_lacks.empty() ? springs : part.error_lacks)
       if (std::find(all.lacks.begin(), all.lacks.end(), lack) == all.lacks.end())
         all.lacks.push_back(lack);
   }

@@ -85,20 +85,20 @@ std::vector<std::vector<ModeName>> common_names(const std::vector<const StandWit
   const CommonModes common = common_modes(motions, likeness);
   std::vector<std::vector<ModeName>> names;
   for (std::size_t m = 0; m < stands.size(); ++m) {
-    const std::vector<ModeName> own = gap_mode_names(motions[m]);
-    std::vector<ModeName> given(own.size());
-    for (std::size_t k = 0; k < own.size(); ++k) {
+    const std::vector<ModeName> gap_names = gap_mode_names(motions[m]);
+    std::vector<ModeName> given(gap_names.size());
+    for (std::size_t k = 0; k < gap_names.size(); ++k) {
       const auto [model, mode] = common.leader(m, k);
       if (model == m || names[model][mode].key.empty())
         continue;
       given[k]         = names[model][mode];
       given[k].own     = "";
-      given[k].decided = own[k].decided;
+      given[k].decided = gap_names[k].decided;
       if (!named_alike(motions[model][mode], motions[m][k])) {
-        given[k].own = own[k].name;
+        given[k].own = gap_names[k].name;
         given[k].decided =
             fmt::format("mode {} of {}: {}; by its own shares {}: {}", mode + 1, stands[model]->model.name,
-                        names[model][mode].decided, own[k].name, own[k].decided);
+                        names[model][mode].decided, gap_names[k].name, gap_names[k].decided);
       }
     }
     names.push_back(gap_mode_names(motions[m], given));

@@ -76,11 +76,11 @@ void judge(Score &score, const Eigen::MatrixXd &mac, const Eigen::VectorXd &redu
   }
 }
 
-Score evaluate(const Reduction &r, const std::vector<int> &at)
+Score evaluate(const Reduction &r, const std::vector<int> &places)
 {
   Score score;
-  score.row.masses        = int(at.size());
-  const Eigen::MatrixXd F = r.F(at, at), G = r.G(at, at);
+  score.row.masses        = int(places.size());
+  const Eigen::MatrixXd F = r.F(places, places), G = r.G(places, places);
   const Eigen::LDLT<Eigen::MatrixXd> factor(F);
   // A choice of displacements that depend on each other cannot carry masses of their own.
   if (!(factor.vectorD().minCoeff() > 1e-10 * factor.vectorD().maxCoeff()))
@@ -92,15 +92,15 @@ Score evaluate(const Reduction &r, const std::vector<int> &at)
   const Eigen::VectorXd f = modes.eigenvalues().cwiseMax(0).cwiseSqrt() / (2 * M_PI);
   // Shapes of the reduced stand are mass-normalised in the full one, as the full modes are.
   const Eigen::MatrixXd mac =
-      (modes.eigenvectors().transpose() * inverse.transpose() * r.C(at, Eigen::all)).cwiseAbs2();
+      (modes.eigenvectors().transpose() * inverse.transpose() * r.C(places, Eigen::all)).cwiseAbs2();
   judge(score, mac, f, r.frequency);
   return score;
 }
 
-std::vector<std::string> names(const std::vector<Candidate> &candidates, const std::vector<int> &at)
+std::vector<std::string> names(const std::vector<Candidate> &candidates, const std::vector<int> &places)
 {
   std::vector<std::string> list;
-  for (const int i : at)
+  for (const int i : places)
     list.push_back(candidates[std::size_t(i)].name);
   return list;
 }
@@ -112,8 +112,8 @@ std::vector<MassesRow> masses_needed(const StandWithModes &stand, const double l
   const auto candidates = candidates_of(stand.model);
   const Reduction r     = prepare(stand, candidates, limit);
   std::vector<MassesRow> rows;
-  const auto keep = [&](Score score, const std::vector<int> &at, const std::string &added) {
-    score.row.at    = names(candidates, at);
+  const auto keep = [&](Score score, const std::vector<int> &places, const std::string &added) {
+    score.row.at    = names(candidates, places);
     score.row.added = added;
     rows.push_back(score.row);
   };
@@ -121,16 +121,16 @@ std::vector<MassesRow> masses_needed(const StandWithModes &stand, const double l
     Score best;
     std::vector<int> best_at;
     for (unsigned set = 1; set < 64; ++set) {
-      std::vector<int> at;
+      std::vector<int> places;
       for (int i = 0; i < 6; ++i)
         if (set >> i & 1)
-          at.push_back(i);
-      if (int(at.size()) != count)
+          places.push_back(i);
+      if (int(places.size()) != count)
         continue;
-      const Score score = evaluate(r, at);
+      const Score score = evaluate(r, places);
       if (score.sum < best.sum) {
         best    = score;
-        best_at = at;
+        best_at = places;
       }
     }
     keep(best, best_at, "best " + std::to_string(count) + " of the six places");
@@ -142,17 +142,17 @@ std::vector<MassesRow> masses_needed(const StandWithModes &stand, const double l
     judge(lumped, mac_with_chain(stand, *chain).topRows(below).transpose(), chain->modes.frequency, r.frequency);
     keep(lumped, {0, 1, 2, 3, 4, 5}, "the chain of six lumped masses");
   }
-  std::vector<int> at{0, 1, 2, 3, 4, 5};
-  keep(evaluate(r, at), at, "the six places");
-  while (int(at.size()) < std::min<int>(most, int(candidates.size()))) {
+  std::vector<int> places{0, 1, 2, 3, 4, 5};
+  keep(evaluate(r, places), places, "the six places");
+  while (int(places.size()) < std::min<int>(most, int(candidates.size()))) {
     Score best;
     int best_added = -1;
     for (int i = 6; i < int(candidates.size()); ++i) {
-      if (std::find(at.begin(), at.end(), i) != at.end())
+      if (std::find(places.begin(), places.end(), i) != places.end())
         continue;
-      at.push_back(i);
-      const Score score = evaluate(r, at);
-      at.pop_back();
+      places.push_back(i);
+      const Score score = evaluate(r, places);
+      places.pop_back();
       if (score.sum < best.sum) {
         best       = score;
         best_added = i;
@@ -160,8 +160,8 @@ std::vector<MassesRow> masses_needed(const StandWithModes &stand, const double l
     }
     if (best_added < 0)
       break;
-    at.push_back(best_added);
-    keep(best, at, candidates[std::size_t(best_added)].name);
+    places.push_back(best_added);
+    keep(best, places, candidates[std::size_t(best_added)].name);
   }
   return rows;
 }

@@ -232,11 +232,11 @@ private:
   Errors errors_of(const ChatterModel &model, const CriticalState &state) const
   {
     Errors errors;
-    const auto at = critical_point(state.found);
-    if (!at)
+    const auto point = critical_point(state.found);
+    if (!point)
       return errors;
     try {
-      for (const CriticalSlope &slope : critical_slopes(model, model.bite, *at))
+      for (const CriticalSlope &slope : critical_slopes(model, model.bite, *point))
         if (const InputDoubt *doubt = doubt_of(asked_.doubts, slope.key))
           errors[slope.key] = slope.slope * doubt->sd;
     } catch (const SolverError &) {  // two roots in one

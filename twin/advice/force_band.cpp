@@ -10,10 +10,10 @@ ForceBand midpoints(const double low, const double high, const double step)
 {
   require(low >= 0 && high > low && step > 0, "a band of the force rises and has a step");
   ForceBand band;
-  const auto k     = std::max<Eigen::Index>(1, std::llround(std::ceil((high - low) / step - 1e-9)));
-  const double own = (high - low) / double(k);
-  band.frequency   = Eigen::VectorXd::LinSpaced(k, low + 0.5 * own, high - 0.5 * own);
-  band.square      = Eigen::VectorXd::Constant(k, own);
+  const auto k       = std::max<Eigen::Index>(1, std::llround(std::ceil((high - low) / step - 1e-9)));
+  const double width = (high - low) / double(k);
+  band.frequency     = Eigen::VectorXd::LinSpaced(k, low + 0.5 * width, high - 0.5 * width);
+  band.square        = Eigen::VectorXd::Constant(k, width);
   return band;
 }
 }  // namespace
@@ -31,9 +31,9 @@ ForceBand measured_force(const WelchSpectrum &spectrum, const double low, const 
   const double end = spectrum.resolution() * double(spectrum.density.size() - 1);
   ForceBand band   = midpoints(low, std::min(high, end), step);
   for (Eigen::Index i = 0; i < band.frequency.size(); ++i) {
-    const double at = band.frequency[i] / spectrum.resolution();
-    const auto k    = std::min<Eigen::Index>(Eigen::Index(at), spectrum.density.size() - 2);
-    const double t  = at - double(k);
+    const double bin = band.frequency[i] / spectrum.resolution();
+    const auto k     = std::min<Eigen::Index>(Eigen::Index(bin), spectrum.density.size() - 2);
+    const double t   = bin - double(k);
     band.square[i] *= (1 - t) * spectrum.density[k] + t * spectrum.density[k + 1];
   }
   band.measured = true;

@@ -57,8 +57,9 @@ public:
   const Eigen::MatrixXcd &at(const double w)
   {
     for (Eigen::Index i = 0; i < stand_.frequency.size(); ++i) {
-      const double own = stand_.frequency[i];
-      scaled_.row(i)   = columns_.row(i) / Complex((own - w) * (own + w), 2 * stand_.damping[i] * own * w);
+      const double natural = stand_.frequency[i];
+      scaled_.row(i) =
+          columns_.row(i) / Complex((natural - w) * (natural + w), 2 * stand_.damping[i] * natural * w);
     }
     all_.noalias() = rows_ * scaled_;
     if (r_ == 0)
@@ -129,9 +130,11 @@ int VibratingStand::place(const std::string &name) const
 VibratingStand vibrating_stand(const dynamics::MillModel &model, const Eigen::VectorXd &damping,
                                const double gap_damper)
 {
-  const dynamics::Modes own = dynamics::modes(model);
-  require(damping.size() == own.frequency.size(), "every mode needs a damping ratio");
-  return {model.labels, own.shape, 2 * M_PI * own.frequency, damping, own.shape.transpose() * model.b, gap_damper};
+  const dynamics::Modes undamped = dynamics::modes(model);
+  require(damping.size() == undamped.frequency.size(), "every mode needs a damping ratio");
+  return {
+      model.labels, undamped.shape, 2 * M_PI * undamped.frequency, damping, undamped.shape.transpose() * model.b,
+      gap_damper};
 }
 
 VibratingStand vibrating_stand(const dynamics::ModalModel &model)
@@ -148,8 +151,8 @@ Complex dynamic_stiffness(const Attachment &a, const double w)
 {
   if (!(a.mass > 0))
     return {0, w * a.damper};
-  const double own   = 2 * M_PI * a.frequency;
-  const Complex held = a.mass * Complex(own * own, 2 * a.ratio * own * w);  // k + i w c
+  const double natural = 2 * M_PI * a.frequency;
+  const Complex held   = a.mass * Complex(natural * natural, 2 * a.ratio * natural * w);  // k + i w c
   return -w * w * a.mass * held / (held - w * w * a.mass);
 }
 
@@ -247,23 +250,23 @@ std::vector<dynamics::Pole> poles(const VibratingStand &stand, const std::vector
   if (solver.info() != Eigen::Success)
     throw SolverError({"eigenvalues of the stand with its dampers: no convergence", "",
                        "a number that is not finite", "check the dampers of [advice]", ""});
-  std::vector<dynamics::Pole> found;
+  std::vector<dynamics::Pole> poles;
   for (const Complex lambda : solver.eigenvalues())
     if (lambda.imag() >= 0 && std::abs(lambda) > 0)
-      found.push_back({unit * std::abs(lambda) / (2 * M_PI), -lambda.real() / std::abs(lambda)});
-  std::sort(found.begin(), found.end(),
+      poles.push_back({unit * std::abs(lambda) / (2 * M_PI), -lambda.real() / std::abs(lambda)});
+  std::sort(poles.begin(), poles.end(),
             [](const dynamics::Pole &a, const dynamics::Pole &b) { return a.frequency < b.frequency; });
-  return found;
+  return poles;
 }
 
 TunedLevel::TunedLevel(const VibratingStand &stand, const std::vector<Attachment> &joined, const int seen,
-                       const int at, const ForceBand &force)
+                       const int place, const ForceBand &force)
     : w_(2 * M_PI * force.frequency), square_(force.square), to_place_(w_.size()), to_damper_(w_.size()),
       crossed_(w_.size()), own_(w_.size())
 {
   Eigen::MatrixXd rows(2, stand.frequency.size()), driven(stand.frequency.size(), 2);
   rows.row(0)   = stand.point.row(seen);
-  rows.row(1)   = stand.point.row(at);
+  rows.row(1)   = stand.point.row(place);
   driven.col(0) = stand.force;
   driven.col(1) = rows.row(1).transpose();
   square_.array() *= w_.array().square().square();

@@ -70,7 +70,7 @@ std::vector<dynamics::Pole> poles(const VibratingStand &stand, const std::vector
 class TunedLevel {
 public:
   /// @param at  place of the tuned damper
-  TunedLevel(const VibratingStand &stand, const std::vector<Attachment> &joined, int seen, int at,
+  TunedLevel(const VibratingStand &stand, const std::vector<Attachment> &joined, int seen, int place,
              const ForceBand &force);
   /// m/s2.  @param tuned  only mass, frequency and ratio are read
   double operator()(const Attachment &tuned) const;

@@ -163,18 +163,18 @@ private:
     const int mode       = leading_mode(own_.stand, asked_.place, choice.at, asked_.force);
     const double mass    = effective_mass(own_.stand, mode, choice.at);
     const double mu      = std::isnan(choice.mass) ? choice.mass_ratio : choice.mass / mass;
-    TunedDamper found    = tune(own_.stand, {}, asked_.place, closed_tuning(own_.stand, mode, choice.at, mu),
+    TunedDamper tuned    = tune(own_.stand, {}, asked_.place, closed_tuning(own_.stand, mode, choice.at, mu),
                                 asked_.force, advice_.level[asked_.place]);
-    found.mode           = mode;
-    found.effective_mass = mass;
+    tuned.mode           = mode;
+    tuned.effective_mass = mass;
     Part part;
     part.name =
-        fmt::format("tuned damper {:.4g} kg, {}", found.best.mass, own_.stand.places[std::size_t(choice.at)]);
+        fmt::format("tuned damper {:.4g} kg, {}", tuned.best.mass, own_.stand.places[std::size_t(choice.at)]);
     part.parameters = {part.name};
     part.means      = "a mass on a spring and a damper";
-    part.tuned      = found.best;
+    part.tuned      = tuned.best;
     advice_.tuned_names.push_back(part.name);
-    advice_.tuned.push_back(std::move(found));
+    advice_.tuned.push_back(std::move(tuned));
     return part;
   }
 
@@ -246,10 +246,10 @@ private:
       action.name += (action.name.empty() ? "" : " and ") + part->name;
       action.means += (action.means.empty() || part->means.empty() ? "" : "; ") + part->means;
       action.parameters.insert(action.parameters.end(), part->parameters.begin(), part->parameters.end());
-      std::vector<Attachment> own = part->dampers;
+      std::vector<Attachment> dampers = part->dampers;
       if (part->tuned)
-        own.push_back(*part->tuned);
-      log_change += foretold(*part, own);
+        dampers.push_back(*part->tuned);
+      log_change += foretold(*part, dampers);
       action.joined.insert(action.joined.end(), part->dampers.begin(), part->dampers.end());
       if (!part->spring.empty())
         action.of_stand.springs.emplace_back(part->spring, part->factor);

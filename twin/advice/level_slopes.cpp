@@ -28,8 +28,8 @@ void join_gap_damper(dynamics::ResponseSlopes &r, const double damper, const dou
 
 double LevelSlopes::of(const Eigen::Index place, const std::string &name) const
 {
-  const auto found = std::find(names.begin(), names.end(), name);
-  return found == names.end() ? std::numeric_limits<double>::quiet_NaN() : slope(place, found - names.begin());
+  const auto entry = std::find(names.begin(), names.end(), name);
+  return entry == names.end() ? std::numeric_limits<double>::quiet_NaN() : slope(place, entry - names.begin());
 }
 
 LevelSlopes level_slopes(const dynamics::MillModel &model, const Eigen::VectorXd &damping, const double gap_damper,
@@ -50,10 +50,10 @@ LevelSlopes level_slopes(const dynamics::MillModel &model, const Eigen::VectorXd
     dynamics::ResponseSlopes r = dynamics::response_slopes(stand, seen, w);
     if (gap_damper > 0)
       join_gap_damper(r, gap_damper, w);
-    const Eigen::VectorXcd own = force.square[k] * r.value.head(m).conjugate();
+    const Eigen::VectorXcd weighted = force.square[k] * r.value.head(m).conjugate();
     square += force.square[k] * r.value.head(m).cwiseAbs2();
-    s.slope.leftCols(p) += (own.asDiagonal() * r.parameters.topRows(m)).real();
-    s.slope.col(p) += own.cwiseProduct(r.dampings.topRows(m).rowwise().sum()).real();
+    s.slope.leftCols(p) += (weighted.asDiagonal() * r.parameters.topRows(m)).real();
+    s.slope.col(p) += weighted.cwiseProduct(r.dampings.topRows(m).rowwise().sum()).real();
   }
   for (Eigen::Index i = 0; i < m; ++i)
     if (square[i] > 0)

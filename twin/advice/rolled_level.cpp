@@ -30,22 +30,22 @@ bool told(const CriticalState &state)
 RolledLevel::RolledLevel(const RolledPass &pass, OpenStand open, const ForceBand &force)
     : pass_(pass), open_(std::move(open)), force_(force)
 {
-  const auto own = open_({});
-  if (!own)
+  const auto without_bite = open_({});
+  if (!without_bite)
     throw InputError("the stand has no model without its bite");
-  const auto model = around(*own, {});
+  const auto model = around(*without_bite, {});
   now_ = critical_state(model, pass.model.bite, pass.model.scheme, pass.model.range, pass.working_speed);
   if (!settled())
     return;
   const auto point         = dynamics::working_point(pass.model.bite, pass.working_speed, pass.model.scheme);
-  const Eigen::MatrixXcd X = bite_receptances(*own, {}, force.frequency);
+  const Eigen::MatrixXcd X = bite_receptances(*without_bite, {}, force.frequency);
   weight_.resize(force.frequency.size());
   for (Eigen::Index k = 0; k < weight_.size(); ++k) {  // (46.13)
     const double w = 2 * M_PI * force.frequency[k];
     const auto F   = 1.0 - dynamics::process_stiffness(model, point.by, Complex(0, w)) * X(k, X.cols() - 1);
     weight_[k]     = force.square[k] * std::pow(w, 4) * (pass.disturbance ? 1 : std::norm(F));
   }
-  level_ = level_of(*own, {}, point);
+  level_ = level_of(*without_bite, {}, point);
 }
 
 const Eigen::VectorXd &RolledLevel::level() const

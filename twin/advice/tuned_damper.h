@@ -22,14 +22,14 @@ struct TunedDamper {
 
 /// The mode of a stand with the largest share of the mean square of a place.
 /// @param at  the mode also moves this place by more than a thousandth of what its mass allows
-int leading_mode(const VibratingStand &stand, int seen, int at, const ForceBand &force);
+int leading_mode(const VibratingStand &stand, int seen, int place, const ForceBand &force);
 
 /// kg: 1/phi^2 of a mode at a place; infinite at a node.
-double effective_mass(const VibratingStand &stand, int mode, int at);
+double effective_mass(const VibratingStand &stand, int mode, int place);
 
 /// (46.7): the tuning that is best for one undamped mode under white force.
 /// @param ratio  -, mass over the effective mass of the mode
-Attachment closed_tuning(const VibratingStand &stand, int mode, int at, double ratio);
+Attachment closed_tuning(const VibratingStand &stand, int mode, int place, double ratio);
 
 /// Starts from `start` and minimises the level of `seen` over frequency and damping of the mass, all else held.
 /// @param joined  what else is joined to the stand

@@ -23,8 +23,8 @@ std::string means_of_spring(const std::string &name)
       {"K6", "chock and bearing of the lower backup roll, its bending"},
       {"K7", "lower housing and its foundation"},
   };
-  const auto found = means.find(name);
-  return found == means.end() ? "" : found->second;
+  const auto entry = means.find(name);
+  return entry == means.end() ? "" : entry->second;
 }
 
 std::string damper_name(const VibratingStand &stand, const Attachment &damper)

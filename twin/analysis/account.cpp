@@ -83,12 +83,12 @@ std::string source_of(const Analysis &analysis, const SpectralCandidate &candida
 {
   const double f = candidate.peak.frequency;
   for (const Finding &finding : analysis.findings) {
-    const bool at =
+    const bool agrees =
         std::abs(finding.frequency - f) <= std::max(2 * candidate.peak.resolution, 0.5 * candidate.peak.width);
     const bool in = std::any_of(finding.members.begin(), finding.members.end(), [&](const FamilyMember &member) {
       return std::abs(member.frequency - f) <= 2 * candidate.peak.resolution;
     });
-    if ((at && finding.members.empty()) || in)
+    if ((agrees && finding.members.empty()) || in)
       return finding.owner.rfind("source not", 0) == 0 ? finding.owner : finding.kind + ", " + finding.owner;
   }
   return candidate.fate + ", source not identified";

@@ -62,21 +62,21 @@ std::vector<double> force_edges(const Analysis &analysis)
   for (const ChannelAnalysis &channel : analysis.channels) {
     if (!is_force(channel) || channel.spectrum.n == 0)
       continue;
-    double best = 0, at = 0;
+    double best = 0, place = 0;
     const auto add = [&] {
-      if (const double edge = crossing_near(channel.spectrum, at); std::isfinite(edge))
+      if (const double edge = crossing_near(channel.spectrum, place); std::isfinite(edge))
         edges.push_back(edge);
-      best = at = 0;
+      best = place = 0;
     };
     for (double f = 20; f * 1.31 < channel.spectrum.rate / 2; f *= 1.005) {
       const double fall = std::abs(std::log(fall_at(channel.spectrum, f)));
       if (fall > best) {
-        best = fall;
-        at   = f;
-      } else if (at > 0 && f > 1.1 * at)
+        best  = fall;
+        place = f;
+      } else if (place > 0 && f > 1.1 * place)
         add();
     }
-    if (at > 0)
+    if (place > 0)
       add();
   }
   return edges;

@@ -229,26 +229,26 @@ std::vector<std::string> ratios_that_suffice(const CalibrationInput &in, const F
       unknowns.push_back(in.unknowns[i]);
       start.push_back(joint.estimate[Eigen::Index(i)]);
     }
-  const StandAt at = stand_at(in.stand, in.unknowns, joint.estimate);
-  for (Eigen::Index k = 0; k < at.frequency.size() && at.frequency[k] < 2 * M_PI * in.high; ++k) {
+  const StandAt trial = stand_at(in.stand, in.unknowns, joint.estimate);
+  for (Eigen::Index k = 0; k < trial.frequency.size() && trial.frequency[k] < 2 * M_PI * in.high; ++k) {
     const Unknown &zeta = in.unknowns[std::size_t(common)];
     unknowns.push_back({fmt::format("zeta{}", k + 1), zeta.prior_sd, zeta.prior});
     start.push_back(joint.estimate[common]);
   }
-  const Fit found =
+  const Fit joint_fit =
       fitted(in.stand, unknowns, Eigen::Map<Eigen::VectorXd>(start.data(), Eigen::Index(start.size())), fit.data,
              {1, 60, 1e-4, in.threads});
   std::vector<std::string> names;
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const bool far =
-        std::abs(found.estimate[Eigen::Index(i)] - unknowns[i].prior) > far_from_prior * unknowns[i].prior_sd;
+        std::abs(joint_fit.estimate[Eigen::Index(i)] - unknowns[i].prior) > far_from_prior * unknowns[i].prior_sd;
     if (far && unknowns[i].name.compare(0, 4, "zeta") != 0 && unknowns[i].name != "delay")
       return {};
     if (unknowns[i].name != "delay")
       names.push_back(unknowns[i].name);
   }
   for (const RecordParts *record : {&fit, &check})
-    if (wrong_bands(bands_at(in, unknowns, found.estimate, record->data, record->pieces)).worst)
+    if (wrong_bands(bands_at(in, unknowns, joint_fit.estimate, record->data, record->pieces)).worst)
       return {};
   return names;
 }

@@ -10,16 +10,16 @@ namespace {
 constexpr double longest_clock_delay = 0.05;  // s
 
 /// Response of the stand at bins of H1, unit force.  (k, m)
-Eigen::MatrixXcd response_at(const StandAt &at, const Eigen::VectorXd &angular,
+Eigen::MatrixXcd response_at(const StandAt &trial, const Eigen::VectorXd &angular,
                              const std::vector<Eigen::Index> &places)
 {
   BandRecord bins;
   bins.angular         = angular;
   bins.force           = Eigen::VectorXcd::Ones(angular.size());
-  const ModalColumns c = modal_columns(at, bins, {0, angular.size()});
+  const ModalColumns c = modal_columns(trial, bins, {0, angular.size()});
   Eigen::MatrixXcd H(angular.size(), Eigen::Index(places.size()));
   for (std::size_t j = 0; j < places.size(); ++j)
-    H.col(Eigen::Index(j)) = c.driven.matrix() * at.shape.row(places[j]).transpose();
+    H.col(Eigen::Index(j)) = c.driven.matrix() * trial.shape.row(places[j]).transpose();
   return H;
 }
 
@@ -28,7 +28,7 @@ struct PhaseDelay {
 };
 
 /// Delay at which H1 has the phases of the stand.  (44.17)
-PhaseDelay best_of_phases(const StandAt &at, const std::vector<Eigen::Index> &places,
+PhaseDelay best_of_phases(const StandAt &trial, const std::vector<Eigen::Index> &places,
                           const std::vector<ForcedSamples> &pieces, const double rate, const double low,
                           const double high)
 {
@@ -45,7 +45,7 @@ PhaseDelay best_of_phases(const StandAt &at, const std::vector<Eigen::Index> &pl
   const Eigen::VectorXd angular = bin * Eigen::VectorXd::LinSpaced(k, double(first), double(last));
   // Each bin of each sensor counts by what is coherent in it, not by its size: one resonance would decide.
   const Eigen::ArrayXXcd both =
-      response_at(at, angular, places).conjugate().array() * s.cross.middleRows(first, k).array();
+      response_at(trial, angular, places).conjugate().array() * s.cross.middleRows(first, k).array();
   const Eigen::ArrayXXd coherence =
       s.cross.middleRows(first, k).cwiseAbs2().array() /
       (s.response.middleRows(first, k).array().colwise() * s.force.segment(first, k).array()).max(1e-300);
@@ -95,11 +95,11 @@ ClockDelay clock_delay(const FittedStand &stand, const Fit &fit, const MeasuredR
   // case.
   double highest = -1;
   for (const Eigen::VectorXd &theta : {fit.estimate, prior}) {
-    const PhaseDelay found =
+    const PhaseDelay delay =
         best_of_phases(stand_at(stand, fit.unknowns, theta), data.places, pieces, rate, low, high);
-    if (found.agreement > highest)
-      start << theta, found.seconds;
-    highest = std::max(highest, found.agreement);
+    if (delay.agreement > highest)
+      start << theta, delay.seconds;
+    highest = std::max(highest, delay.agreement);
   }
   FitSettings once     = settings;
   once.renewals        = 1;

@@ -69,10 +69,10 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
   Descent descent{start, objective(start, Wanted::slopes), 0, false};
   double lambda = 1e-3;
   for (; descent.steps < most_steps && !descent.converged; ++descent.steps) {
-    const Likelihood &at            = descent.at;
-    const Eigen::MatrixXd curvature = at.information + Eigen::MatrixXd(weight.asDiagonal());
-    const Eigen::VectorXd step      = step_of(curvature, at.slope, lambda, fixed);
-    const double foreseen           = -at.slope.dot(step) - 0.5 * step.dot(curvature * step);
+    const Likelihood &here          = descent.at;
+    const Eigen::MatrixXd curvature = here.information + Eigen::MatrixXd(weight.asDiagonal());
+    const Eigen::VectorXd step      = step_of(curvature, here.slope, lambda, fixed);
+    const double foreseen           = -here.slope.dot(step) - 0.5 * step.dot(curvature * step);
     if (!(foreseen > decrease)) {
       descent.converged = lambda < 1;  // a step made short by lambda says nothing about the minimum
       lambda *= 0.1;
@@ -82,10 +82,10 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
     const double longest       = step.cwiseAbs().maxCoeff();
     const Eigen::VectorXd next = descent.theta + step * std::min(1.0, 1.0 / longest);
     Likelihood there           = objective(next, Wanted::cost);
-    if (there.cost < at.cost) {
+    if (there.cost < here.cost) {
       if (there.slope.size() == 0)
         there = objective(next, Wanted::slopes);
-      descent.converged = at.cost - there.cost < decrease && lambda < 1;
+      descent.converged = here.cost - there.cost < decrease && lambda < 1;
       descent.theta     = next;
       descent.at        = std::move(there);
       lambda            = std::max(1e-9, 0.1 * lambda);
@@ -119,21 +119,21 @@ FitProblem recorded_force(const FittedStand &stand, const std::vector<Unknown> &
 Fit minimised(const FitProblem &problem, const Eigen::VectorXd &start, const NoiseDensity &noise,
               const FitSettings &settings, const Eigen::Index fixed)
 {
-  const Descent found =
+  const Descent descent =
       descend([&](const Eigen::VectorXd &theta,
                   const Wanted wanted) { return problem.likelihood(theta, noise, wanted, settings.threads); },
               problem.unknowns, start, settings.steps, settings.decrease, fixed);
   Fit fit;
   fit.unknowns  = problem.unknowns;
-  fit.estimate  = found.theta;
-  fit.steps     = found.steps;
-  fit.converged = found.converged;
-  fit.cost      = found.at.cost;
-  fit.misfit    = found.at.residual / problem.values;
+  fit.estimate  = descent.theta;
+  fit.steps     = descent.steps;
+  fit.converged = descent.converged;
+  fit.cost      = descent.at.cost;
+  fit.misfit    = descent.at.residual / problem.values;
   fit.noise     = noise;
   if (!settings.covariance)
     return fit;
-  fit.information = problem.likelihood(found.theta, noise, Wanted::information, settings.threads).information;
+  fit.information = problem.likelihood(descent.theta, noise, Wanted::information, settings.threads).information;
   fit.covariance  = posterior_covariance(fit.information, problem.unknowns);
   return fit;
 }
@@ -182,8 +182,8 @@ NoiseDensity carried_noise(const NoiseDensity &noise, const MeasuredResponse &fr
   for (const BandRecord &band : to.pieces) {
     Eigen::MatrixXd there(band.angular.size(), band.acceleration.cols());
     for (Eigen::Index b = 0; b < there.rows(); ++b) {
-      const auto at = std::lower_bound(known.data(), known.data() + known.size(), band.angular[b]) - known.data();
-      there.row(b)  = noise[longest].row(std::min<Eigen::Index>(at, known.size() - 1));
+      const auto row = std::lower_bound(known.data(), known.data() + known.size(), band.angular[b]) - known.data();
+      there.row(b)   = noise[longest].row(std::min<Eigen::Index>(row, known.size() - 1));
     }
     carried.push_back(std::move(there));
   }

@@ -110,30 +110,30 @@ dynamics::SlopedStand slopes_at(const FittedStand &stand, const std::vector<Unkn
 }
 
 /// Ratios, frequencies, gain and delay at theta; the modes follow springs and masses already.
-void apply_modal(StandAt &at, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)
+void apply_modal(StandAt &trial, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)
 {
-  const Eigen::Index n = at.frequency.size();
+  const Eigen::Index n = trial.frequency.size();
   for (std::size_t p = 0; p < unknowns.size(); ++p) {
     const std::string &name = unknowns[p].name;
     const double factor     = std::exp(theta[Eigen::Index(p)]);
     if (name == "zeta")
-      at.damping *= factor;
+      trial.damping *= factor;
     else if (const auto i = mode_of(name, "zeta", n); i >= 0)
-      at.damping[i] *= factor;
+      trial.damping[i] *= factor;
     else if (const auto k = mode_of(name, "f", n); k >= 0)
-      at.frequency[k] *= factor;
+      trial.frequency[k] *= factor;
     else if (name == "gain")
-      at.force *= factor;
+      trial.force *= factor;
     else if (name == "delay")
-      at.delay = theta[Eigen::Index(p)];
+      trial.delay = theta[Eigen::Index(p)];
   }
 }
 
 /// Adds what the springs and masses of an unknown change in the modes.  theory.md (43.3), (43.4)
-void add_parts(const StandAt &at, const dynamics::SlopedStand &slopes, const std::size_t part, Eigen::MatrixXd &K,
-               Eigen::MatrixXd &C, Eigen::MatrixXd &M)
+void add_parts(const StandAt &trial, const dynamics::SlopedStand &slopes, const std::size_t part,
+               Eigen::MatrixXd &K, Eigen::MatrixXd &C, Eigen::MatrixXd &M)
 {
-  const Eigen::Index n     = at.frequency.size();
+  const Eigen::Index n     = trial.frequency.size();
   const Eigen::MatrixXd &k = slopes.stiffness[part], &m = slopes.mass[part];
   for (Eigen::MatrixXd *sum : {&K, &C, m.size() ? &M : &K})
     if (sum->size() == 0)
@@ -144,37 +144,37 @@ void add_parts(const StandAt &at, const dynamics::SlopedStand &slopes, const std
     M += m;
   for (Eigen::Index a = 0; a < n; ++a)
     for (Eigen::Index b = 0; b < n; ++b) {
-      const double wb = at.frequency[b];
-      const double Z  = dynamics::damping_quotient(at.frequency[a], at.damping[a], wb, at.damping[b]);
+      const double wb = trial.frequency[b];
+      const double Z  = dynamics::damping_quotient(trial.frequency[a], trial.damping[a], wb, trial.damping[b]);
       if (k.size())
         C(a, b) += Z * k(a, b);
       if (m.size())
-        C(a, b) += m(a, b) * (2 * at.damping[b] * wb - Z * wb * wb);
+        C(a, b) += m(a, b) * (2 * trial.damping[b] * wb - Z * wb * wb);
     }
 }
 
 /// What unknown `name` adds to the dynamic stiffness in the modes.  theory.md (44.3)
-void add_change(StandAt &at, const dynamics::SlopedStand &slopes, const std::string &name)
+void add_change(StandAt &trial, const dynamics::SlopedStand &slopes, const std::string &name)
 {
-  const Eigen::Index n = at.frequency.size();
+  const Eigen::Index n = trial.frequency.size();
   Eigen::MatrixXd K, C, M;
   for (std::size_t s = 0; s < slopes.names.size(); ++s)
     if (moves(name, slopes.names[s]))
-      add_parts(at, slopes, s, K, C, M);
+      add_parts(trial, slopes, s, K, C, M);
   const auto ratio = mode_of(name, "zeta", n), mode = mode_of(name, "f", n);
   if (name == "zeta" || ratio >= 0 || mode >= 0) {
     K = C = Eigen::MatrixXd::Zero(n, n);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const double damper = 2 * at.damping[i] * at.frequency[i];
+      const double damper = 2 * trial.damping[i] * trial.frequency[i];
       if (i == mode)
-        K(i, i) = 2 * at.frequency[i] * at.frequency[i];
+        K(i, i) = 2 * trial.frequency[i] * trial.frequency[i];
       if (i == mode || i == ratio || name == "zeta")
         C(i, i) = damper;
     }
   }
-  at.stiffness.push_back(K);
-  at.damper.push_back(C);
-  at.mass.push_back(M);
+  trial.stiffness.push_back(K);
+  trial.damper.push_back(C);
+  trial.mass.push_back(M);
 }
 }  // namespace
 
@@ -236,14 +236,14 @@ bool share_a_part(const FittedStand &stand, const std::string &a, const std::str
     return false;
   std::set<int> parts;
   for (const std::string &name : {a, b}) {
-    std::set<int> own;
+    std::set<int> moved;
     if (stand.detailed)
-      own = spring_of(*stand.detailed, name)->parts;
+      moved = spring_of(*stand.detailed, name)->parts;
     else
       for (const int mass : {spring_of(stand.chain, name)->from, spring_of(stand.chain, name)->to})
         if (mass != dynamics::ground)
-          own.insert(mass);
-    for (const int part : own)
+          moved.insert(mass);
+    for (const int part : moved)
       if (!parts.insert(part).second)
         return true;
   }
@@ -264,15 +264,15 @@ StandAt stand_at(const FittedStand &stand, const std::vector<Unknown> &unknowns,
       throw InputError("\"" + name + "\": this stand has no spring, mass or damping ratio of this name");
   }
   require(!parts || !frequencies, "springs and frequencies of modes are not fitted together");
-  StandAt at;
+  StandAt trial;
   const dynamics::SlopedStand slopes = slopes_at(stand, unknowns, theta);
-  at.frequency                       = slopes.frequency;
-  at.damping                         = slopes.damping;
-  at.force                           = slopes.force;
-  at.shape                           = slopes.shape;
-  apply_modal(at, unknowns, theta);
+  trial.frequency                    = slopes.frequency;
+  trial.damping                      = slopes.damping;
+  trial.force                        = slopes.force;
+  trial.shape                        = slopes.shape;
+  apply_modal(trial, unknowns, theta);
   for (const Unknown &unknown : unknowns)
-    add_change(at, slopes, unknown.name);
-  return at;
+    add_change(trial, slopes, unknown.name);
+  return trial;
 }
 }  // namespace mill::twin

@@ -37,7 +37,8 @@ BetweenKnots between_knots(const ForceSpectrum &spectrum, const double frequency
 
 double density(const ForceSpectrum &spectrum, const Eigen::VectorXd &at_knots, const double frequency)
 {
-  const BetweenKnots at = between_knots(spectrum, frequency);
-  return spectrum.level * std::exp((1 - at.share) * at_knots[at.below] + at.share * at_knots[at.below + 1]);
+  const BetweenKnots between = between_knots(spectrum, frequency);
+  return spectrum.level *
+         std::exp((1 - between.share) * at_knots[between.below] + between.share * at_knots[between.below + 1]);
 }
 }  // namespace mill::twin

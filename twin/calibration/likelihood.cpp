@@ -13,11 +13,12 @@ constexpr Eigen::Index at_a_time = 256;  // bins of one block: its arrays stay i
 
 /// Real rows (2 k, columns) of one sensor over the root of the noise: transients, derivatives, then what is left
 /// of the measured.
-Eigen::MatrixXd weighted_rows(const ModalColumns &c, const StandAt &at, const BandRecord &band, const Block &block,
-                              const Eigen::MatrixXd &noise, const Eigen::Index place, const Eigen::Index sensor)
+Eigen::MatrixXd weighted_rows(const ModalColumns &c, const StandAt &trial, const BandRecord &band,
+                              const Block &block, const Eigen::MatrixXd &noise, const Eigen::Index place,
+                              const Eigen::Index sensor)
 {
-  const Eigen::Index n = at.frequency.size(), p = Eigen::Index(c.derivative.size()), k = block.size;
-  const Eigen::VectorXd seen  = at.shape.row(place).transpose();
+  const Eigen::Index n = trial.frequency.size(), p = Eigen::Index(c.derivative.size()), k = block.size;
+  const Eigen::VectorXd seen  = trial.shape.row(place).transpose();
   const auto w                = band.angular.segment(block.first, k).array();
   const Eigen::ArrayXd weight = noise.col(sensor).segment(block.first, k).array().rsqrt();
   Eigen::MatrixXd rows(2 * k, 2 * n + p + 1);
@@ -28,7 +29,7 @@ Eigen::MatrixXd weighted_rows(const ModalColumns &c, const StandAt &at, const Ba
   for (Eigen::Index i = 0; i < n; ++i) {
     const Eigen::ArrayXcd one = seen[i] * c.admittance.col(i);
     put(2 * i, one);
-    const double scale          = 1 / at.frequency[i];
+    const double scale          = 1 / trial.frequency[i];
     rows.col(2 * i + 1).head(k) = (-scale * one.imag() * w * weight).matrix();
     rows.col(2 * i + 1).tail(k) = (scale * one.real() * w * weight).matrix();
   }
@@ -49,12 +50,12 @@ std::vector<Block> blocks_of(const MeasuredResponse &data, const std::size_t pie
 }
 
 /// Products of all columns of weighted_rows with each other, summed over sensors and bins of one piece.
-Eigen::MatrixXd products(const StandAt &at, const std::vector<Unknown> *unknowns, const MeasuredResponse &data,
+Eigen::MatrixXd products(const StandAt &trial, const std::vector<Unknown> *unknowns, const MeasuredResponse &data,
                          const Eigen::MatrixXd &noise, const std::size_t piece, const Eigen::VectorXd &transient,
                          const int threads)
 {
-  const auto blocks               = blocks_of(data, piece);
-  const Eigen::Index size         = 2 * at.frequency.size() + (unknowns ? Eigen::Index(unknowns->size()) : 0) + 1;
+  const auto blocks       = blocks_of(data, piece);
+  const Eigen::Index size = 2 * trial.frequency.size() + (unknowns ? Eigen::Index(unknowns->size()) : 0) + 1;
   constexpr std::size_t in_a_task = 8;
   const std::size_t tasks         = (blocks.size() + in_a_task - 1) / in_a_task;
   std::vector<Eigen::MatrixXd> sums(tasks, Eigen::MatrixXd::Zero(size, size));
@@ -62,11 +63,12 @@ Eigen::MatrixXd products(const StandAt &at, const std::vector<Unknown> *unknowns
   share_tasks(long(tasks), threads, [&](const long t) {
     for (std::size_t b = std::size_t(t) * in_a_task; b < std::min(blocks.size(), std::size_t(t + 1) * in_a_task);
          ++b) {
-      ModalColumns c = modal_columns(at, band, blocks[b]);
+      ModalColumns c = modal_columns(trial, band, blocks[b]);
       if (unknowns)
-        add_derivatives(c, at, *unknowns, band, blocks[b], transient);
+        add_derivatives(c, trial, *unknowns, band, blocks[b], transient);
       for (std::size_t j = 0; j < data.places.size(); ++j) {
-        const Eigen::MatrixXd rows = weighted_rows(c, at, band, blocks[b], noise, data.places[j], Eigen::Index(j));
+        const Eigen::MatrixXd rows =
+            weighted_rows(c, trial, band, blocks[b], noise, data.places[j], Eigen::Index(j));
         sums[std::size_t(t)].selfadjointView<Eigen::Lower>().rankUpdate(rows.transpose());
       }
     }
@@ -94,8 +96,8 @@ Likelihood likelihood(const FittedStand &stand, const std::vector<Unknown> &unkn
                       const int threads)
 {
   require(noise.size() == data.pieces.size(), "one noise for each piece");
-  const StandAt at     = stand_at(stand, unknowns, theta);
-  const Eigen::Index t = 2 * at.frequency.size(), p = theta.size();
+  const StandAt trial  = stand_at(stand, unknowns, theta);
+  const Eigen::Index t = 2 * trial.frequency.size(), p = theta.size();
   Likelihood result;
   result.transient = Eigen::MatrixXd::Zero(t, Eigen::Index(data.pieces.size()));
   if (wanted != Wanted::cost) {
@@ -103,7 +105,7 @@ Likelihood likelihood(const FittedStand &stand, const std::vector<Unknown> &unkn
     result.information = Eigen::MatrixXd::Zero(p, p);
   }
   for (std::size_t piece = 0; piece < data.pieces.size(); ++piece) {
-    const Eigen::MatrixXd first = products(at, nullptr, data, noise[piece], piece, {}, threads);
+    const Eigen::MatrixXd first = products(trial, nullptr, data, noise[piece], piece, {}, threads);
     const Elimination eliminated(first.topLeftCorner(t, t));
     const Eigen::VectorXd transient           = eliminated.solve(first.col(t).head(t));
     result.transient.col(Eigen::Index(piece)) = transient;
@@ -112,7 +114,7 @@ Likelihood likelihood(const FittedStand &stand, const std::vector<Unknown> &unkn
       continue;
     const Eigen::VectorXd followed =
         wanted == Wanted::slopes ? transient : Eigen::VectorXd::Zero(transient.size());
-    const Eigen::MatrixXd all = products(at, &unknowns, data, noise[piece], piece, followed, threads);
+    const Eigen::MatrixXd all = products(trial, &unknowns, data, noise[piece], piece, followed, threads);
     const Elimination again(all.topLeftCorner(t, t));
     const Eigen::MatrixXd cross = all.block(0, t, t, p), out = again.solve(cross);
     result.slope -= 2 * (all.block(t, t + p, p, 1) - out.transpose() * all.block(0, t + p, t, 1));
@@ -127,23 +129,23 @@ std::vector<Eigen::MatrixXcd> residuals(const FittedStand &stand, const std::vec
                                         const Eigen::VectorXd &theta, const MeasuredResponse &data,
                                         const NoiseDensity &noise)
 {
-  const StandAt at       = stand_at(stand, unknowns, theta);
-  const Likelihood found = likelihood(stand, unknowns, theta, data, noise, Wanted::cost);
+  const StandAt trial     = stand_at(stand, unknowns, theta);
+  const Likelihood fitted = likelihood(stand, unknowns, theta, data, noise, Wanted::cost);
   std::vector<Eigen::MatrixXcd> left;
   for (std::size_t piece = 0; piece < data.pieces.size(); ++piece) {
     const BandRecord &band = data.pieces[piece];
     const Block whole{0, band.angular.size()};
-    const ModalColumns c   = modal_columns(at, band, whole);
+    const ModalColumns c   = modal_columns(trial, band, whole);
     Eigen::MatrixXcd modal = c.driven.matrix();
-    for (Eigen::Index i = 0; i < at.frequency.size(); ++i) {
-      const double alpha = found.transient(2 * i, Eigen::Index(piece)),
-                   beta  = found.transient(2 * i + 1, Eigen::Index(piece)) / at.frequency[i];
+    for (Eigen::Index i = 0; i < trial.frequency.size(); ++i) {
+      const double alpha = fitted.transient(2 * i, Eigen::Index(piece)),
+                   beta  = fitted.transient(2 * i + 1, Eigen::Index(piece)) / trial.frequency[i];
       for (Eigen::Index b = 0; b < whole.size; ++b)
         modal(b, i) += Complex(alpha, beta * band.angular[b]) * c.admittance(b, i);
     }
     Eigen::MatrixXcd r = band.acceleration;
     for (std::size_t j = 0; j < data.places.size(); ++j)
-      r.col(Eigen::Index(j)) -= modal * at.shape.row(data.places[j]).transpose();
+      r.col(Eigen::Index(j)) -= modal * trial.shape.row(data.places[j]).transpose();
     left.push_back(std::move(r));
   }
   return left;

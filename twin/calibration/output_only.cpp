@@ -219,9 +219,10 @@ void add_slopes(Slopes &sum, const SeenStand &stand, const BandRecord &band, con
     }
   }
   for (Eigen::Index i = 0; i < k; ++i) {
-    const BetweenKnots at = between_knots(stand.record.force, band.angular[block.first + i] / (2 * M_PI));
+    const BetweenKnots between = between_knots(stand.record.force, band.angular[block.first + i] / (2 * M_PI));
     const double seen = b.gain[i] * b.size[i], steep = seen * (1 + energy[i]) - energy[i];
-    for (const auto &[knot, share] : {std::pair{at.below, 1 - at.share}, std::pair{at.below + 1, at.share}}) {
+    for (const auto &[knot, share] :
+         {std::pair{between.below, 1 - between.share}, std::pair{between.below + 1, between.share}}) {
       level(i, p + knot) = share * seen;
       sum.slope[p + knot] += share * steep;
     }

@@ -28,9 +28,9 @@ OneForce one_force(const SpectralMatrices &s, const BandRecord &band, const Eige
   OneForce sum;
   for (auto b = Eigen::Index(std::ceil(from / df)); b < to / df && b < Eigen::Index(s.density.size()); ++b) {
     const double *w = band.angular.data(), w_b = 2 * M_PI * df * double(b);
-    const auto at =
+    const auto row =
         std::min<Eigen::Index>(std::lower_bound(w, w + band.angular.size(), w_b) - w, band.angular.size() - 1);
-    const Eigen::VectorXd scale = noise.row(at).transpose().cwiseSqrt().cwiseInverse();
+    const Eigen::VectorXd scale = noise.row(row).transpose().cwiseSqrt().cwiseInverse();
     const Eigen::MatrixXcd even = scale.asDiagonal() * s.density[std::size_t(b)] * scale.asDiagonal();
     const Eigen::VectorXd values =
         Eigen::SelfAdjointEigenSolver<Eigen::MatrixXcd>(even, Eigen::EigenvaluesOnly).eigenvalues();

@@ -21,9 +21,9 @@ FitSettings settings_with(const int threads)
 FitProblem problem_of(const OutputOnly &record, const std::vector<Unknown> &all, const NoiseDensity &before)
 {
   FitProblem problem;
-  OutputOnly own     = record;
-  own.unknowns       = {all.begin(), all.begin() + long(record.unknowns.size())};
-  const auto kept    = std::make_shared<const OutputOnly>(std::move(own));
+  OutputOnly copy    = record;
+  copy.unknowns      = {all.begin(), all.begin() + long(record.unknowns.size())};
+  const auto kept    = std::make_shared<const OutputOnly>(std::move(copy));
   problem.unknowns   = all;
   problem.is_spring  = [kept](const std::string &name) { return moves_springs(kept->stand, name); };
   problem.likelihood = [kept](const Eigen::VectorXd &theta, const NoiseDensity &noise, const Wanted wanted,
@@ -77,11 +77,11 @@ Eigen::VectorXd with_own_force(const OutputOnly &record, const Eigen::VectorXd &
   std::vector<Unknown> all = record.all_unknowns();
   for (std::size_t i = 0; i < record.unknowns.size(); ++i)
     all[i] = {all[i].name, 1e-9, theta[Eigen::Index(i)]};
-  FitSettings settings = settings_with(threads);
-  settings.covariance  = false;
-  Eigen::VectorXd own  = minimised(problem_of(record, all, noise), theta, noise, settings).estimate;
-  own.head(Eigen::Index(record.unknowns.size())) = theta.head(Eigen::Index(record.unknowns.size()));
-  return own;
+  FitSettings settings     = settings_with(threads);
+  settings.covariance      = false;
+  Eigen::VectorXd estimate = minimised(problem_of(record, all, noise), theta, noise, settings).estimate;
+  estimate.head(Eigen::Index(record.unknowns.size())) = theta.head(Eigen::Index(record.unknowns.size()));
+  return estimate;
 }
 
 struct FittedRecord {
@@ -96,13 +96,13 @@ FittedRecord fitted_record(const CalibrationInput &in, const OutputOnly &record,
   Eigen::VectorXd case_itself = theta;
   for (std::size_t i = 0; i < record.unknowns.size(); ++i)
     case_itself[Eigen::Index(i)] = 0;
-  result.theta           = with_own_force(record, theta, carried, in.threads);
-  result.before          = with_own_force(record, case_itself, carried, in.threads);
-  result.fit.before      = output_only_misfit(record, result.before, carried, in.low, in.high);
-  result.fit.after       = output_only_misfit(record, result.theta, carried, in.low, in.high);
-  const NoiseDensity own = renewed_noise(record, result.theta, carried);
-  const auto seen        = seen_force(record, result.theta, own);
-  result.fit.bands  = direction_residuals(record, seen, own, pieces, in.rate, in.low, in.high, in.model_error);
+  result.theta               = with_own_force(record, theta, carried, in.threads);
+  result.before              = with_own_force(record, case_itself, carried, in.threads);
+  result.fit.before          = output_only_misfit(record, result.before, carried, in.low, in.high);
+  result.fit.after           = output_only_misfit(record, result.theta, carried, in.low, in.high);
+  const NoiseDensity renewed = renewed_noise(record, result.theta, carried);
+  const auto seen            = seen_force(record, result.theta, renewed);
+  result.fit.bands  = direction_residuals(record, seen, renewed, pieces, in.rate, in.low, in.high, in.model_error);
   result.fit.levels = level_bands(record, seen, in.low, in.high, in.model_error);
   for (const BandResidual &band : result.fit.bands)
     if (band.decisive)

@@ -58,7 +58,7 @@ ForceDelay force_delay(const std::vector<ForcedMode> &modes, const int order)
     information += p.weight * p.frequency * p.frequency;
   }
   const double step = M_PI / highest / 32;
-  double best = -2, second = -2, at = 0;
+  double best = -2, second = -2, delay = 0;
   std::vector<double> level;
   for (double tau = -longest_delay; tau <= longest_delay; tau += step)
     level.push_back(agreement(phases, tau));
@@ -67,17 +67,17 @@ ForceDelay force_delay(const std::vector<ForcedMode> &modes, const int order)
       if (level[i] > best) {
         second = best;
         best   = level[i];
-        at     = -longest_delay + step * double(i);
+        delay  = -longest_delay + step * double(i);
       } else
         second = std::max(second, level[i]);
     }
   if (best < -1)
     return {};
   for (double width = step; width > 1e-10; width /= 2)
-    for (const double tried : {at - width, at + width})
-      if (agreement(phases, tried) > agreement(phases, at))
-        at = tried;
-  return {at, 1 / std::sqrt(information), best > 0.9 && second < clear_lead * best};
+    for (const double tried : {delay - width, delay + width})
+      if (agreement(phases, tried) > agreement(phases, delay))
+        delay = tried;
+  return {delay, 1 / std::sqrt(information), best > 0.9 && second < clear_lead * best};
 }
 
 void align(ForceResponse &response, const double seconds)

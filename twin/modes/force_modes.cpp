@@ -189,12 +189,12 @@ std::vector<IdentifiedMode> all_candidates(const ForceResponse &response, const 
   return candidates;
 }
 
-void fit_group(ForcedModes &found, const Group &group, const std::vector<ForceResponse> &halves_of_it)
+void fit_group(ForcedModes &modes, const Group &group, const std::vector<ForceResponse> &halves_of_it)
 {
   std::vector<Complex> start;
   for (const IdentifiedMode *mode : group.modes)
     start.push_back(pole_of(mode->frequency, mode->damping));
-  const auto whole = fit_response(found.response, start, group.bins.begin, group.bins.end);
+  const auto whole = fit_response(modes.response, start, group.bins.begin, group.bins.end);
   std::vector<std::vector<FittedPole>> of_halves;
   std::vector<Complex> poles;
   for (const FittedPole &pole : whole)
@@ -204,11 +204,11 @@ void fit_group(ForcedModes &found, const Group &group, const std::vector<ForceRe
   for (std::size_t r = 0; r < whole.size(); ++r) {
     if (!stands_out(whole[r]) || whole[r].damping < least_damping)
       continue;
-    ForcedMode mode = mode_of_pole(found.response, whole[r], group.modes[r]->orders);
+    ForcedMode mode = mode_of_pole(modes.response, whole[r], group.modes[r]->orders);
     mode.confirmed  = mode.coherence > least_coherence &&
                      std::all_of(of_halves.begin(), of_halves.end(),
                                  [&](const auto &half) { return r < half.size() && agree(half[r], whole[r]); });
-    found.modes.push_back(std::move(mode));
+    modes.modes.push_back(std::move(mode));
   }
 }
 }  // namespace
@@ -229,32 +229,33 @@ ForcedModes forced_modes(const std::vector<const CleanChannel *> &channels, cons
                          const double rate, const double highest, const std::vector<IdentifiedMode> &of_response,
                          const int threads)
 {
-  ForcedModes found;
+  ForcedModes modes;
   std::vector<const CleanChannel *> all = channels;
   all.push_back(&force);
   const DecimatedRecord record = decimated(all, rate, highest);
   Fourier fourier;
-  found.response = force_response(record, beyond * highest, 0, fourier);
-  if (found.response.n == 0)
-    return found;
-  const auto driven    = driven_bins(found.response);
-  found.best_coherence = best_mean_coherence(found.response, driven);
-  if (found.best_coherence < follows)
-    return found;
+  modes.response = force_response(record, beyond * highest, 0, fourier);
+  if (modes.response.n == 0)
+    return modes;
+  const auto driven    = driven_bins(modes.response);
+  modes.best_coherence = best_mean_coherence(modes.response, driven);
+  if (modes.best_coherence < follows)
+    return modes;
   const auto parts = halves(record);
   std::vector<ForceResponse> of_halves(parts.size());
   share_tasks(long(parts.size()), threads, [&](const long i) {
-    Fourier own;
-    of_halves[std::size_t(i)] = force_response(parts[std::size_t(i)], beyond * highest, found.response.L, own);
+    Fourier fourier_of_thread;
+    of_halves[std::size_t(i)] =
+        force_response(parts[std::size_t(i)], beyond * highest, modes.response.L, fourier_of_thread);
   });
   if (std::any_of(of_halves.begin(), of_halves.end(), [](const auto &half) { return half.n == 0; }))
-    return found;
-  const auto candidates = all_candidates(found.response, driven, highest, record.duration(), of_response);
-  for (const Group &group : groups_of(found.response, candidates))
-    fit_group(found, group, of_halves);
-  std::sort(found.modes.begin(), found.modes.end(),
+    return modes;
+  const auto candidates = all_candidates(modes.response, driven, highest, record.duration(), of_response);
+  for (const Group &group : groups_of(modes.response, candidates))
+    fit_group(modes, group, of_halves);
+  std::sort(modes.modes.begin(), modes.modes.end(),
             [](const auto &a, const auto &b) { return a.frequency < b.frequency; });
-  drop_backgrounds(found.modes);
-  return found;
+  drop_backgrounds(modes.modes);
+  return modes;
 }
 }  // namespace mill::twin

@@ -99,7 +99,7 @@ public:
     const double unit = sum / std::max(1.0, dof) * bins_per_free_one;
     const Eigen::MatrixXd covariance =
         unit * (J.transpose() * J).ldlt().solve(Eigen::MatrixXd::Identity(2 * m, 2 * m));
-    std::vector<FittedPole> found;
+    std::vector<FittedPole> fitted;
     for (Eigen::Index r = 0; r < m; ++r) {
       FittedPole pole{poles[std::size_t(r)], 0, 0, 0, 0, Eigen::VectorXcd(p), Eigen::VectorXd(p)};
       const double re = pole.lambda.real(), im = pole.lambda.imag(), size = std::abs(pole.lambda);
@@ -112,10 +112,10 @@ public:
       pole.sd_damping               = std::sqrt(of_both(1, 1));
       for (Eigen::Index c = 0; c < p; ++c)
         pole.residue[c] = {amplitudes[std::size_t(c)][2 * r], amplitudes[std::size_t(c)][2 * r + 1]};
-      found.push_back(std::move(pole));
+      fitted.push_back(std::move(pole));
     }
-    add_deviations_of_residues(poles, unit, found);
-    return found;
+    add_deviations_of_residues(poles, unit, fitted);
+    return fitted;
   }
 
 private:
@@ -165,7 +165,7 @@ private:
   }
 
   void add_deviations_of_residues(const std::vector<Complex> &poles, const double unit,
-                                  std::vector<FittedPole> &found) const
+                                  std::vector<FittedPole> &fitted) const
   {
     const auto m = Eigen::Index(poles.size());
     Eigen::MatrixXd columns(2 * n, 2 * m + of_others);
@@ -175,7 +175,7 @@ private:
       const Eigen::MatrixXd covariance =
           unit * (B.transpose() * B).ldlt().solve(Eigen::MatrixXd::Identity(B.cols(), B.cols()));
       for (Eigen::Index r = 0; r < m; ++r)
-        found[std::size_t(r)].sd_residue[Eigen::Index(c)] =
+        fitted[std::size_t(r)].sd_residue[Eigen::Index(c)] =
             std::sqrt(std::max(0.0, 0.5 * (covariance(2 * r, 2 * r) + covariance(2 * r + 1, 2 * r + 1))));
     }
   }

@@ -93,11 +93,11 @@ Line strongest_line(const Eigen::VectorXcd &z)
   Fourier().forward(x, X);
   const auto highest = std::max_element(
       X.begin(), X.end(), [](const Complex &p, const Complex &q) { return std::norm(p) < std::norm(q); });
-  double cycles = double(highest - X.begin()) / double(2 * n);
-  double step   = 1 / double(4 * n);
-  const auto at = [&](const double f) { return std::norm(turn(f, n).dot(z)); };
+  double cycles    = double(highest - X.begin()) / double(2 * n);
+  double step      = 1 / double(4 * n);
+  const auto power = [&](const double f) { return std::norm(turn(f, n).dot(z)); };
   for (int i = 0; i < 8; ++i, step /= 2) {  // parabola through three points around the highest
-    const double low = at(cycles - step), mid = at(cycles), high = at(cycles + step);
+    const double low = power(cycles - step), mid = power(cycles), high = power(cycles + step);
     const double bend = low - 2 * mid + high;
     cycles += bend < 0 ? step * std::clamp(0.5 * (low - high) / bend, -1.0, 1.0) : 0;
   }

@@ -44,8 +44,8 @@ bool number_type(const int type, BinaryType &type_of_numbers)
 // The elements of a run of bytes: the file, or what one compressed element held.
 class MatParser {
 public:
-  MatParser(const std::string &path, const std::string_view content, const bool is_big_endian, NamedArrays &found)
-      : file(path), bytes(content), big_endian(is_big_endian), result(found)
+  MatParser(const std::string &path, const std::string_view content, const bool is_big_endian, NamedArrays &arrays)
+      : file(path), bytes(content), big_endian(is_big_endian), result(arrays)
   {
   }
 

@@ -65,11 +65,11 @@ public:
     rest.remove_prefix(n);
     return n >= least;
   }
-  bool one_of(const std::string_view set, char &found)
+  bool one_of(const std::string_view set, char &letter)
   {
     if (rest.empty() || set.find(rest.front()) == std::string_view::npos)
       return false;
-    found = rest.front();
+    letter = rest.front();
     rest.remove_prefix(1);
     return true;
   }
@@ -243,10 +243,10 @@ std::optional<TimeText> time_of_text(std::string_view text)
       return {};
     while (reader.one_of(" ")) {
     }
-    const auto found = days_of_date(date, half != 0);
-    if (!found)
+    const auto parsed = days_of_date(date, half != 0);
+    if (!parsed)
       return {};
-    days = *found;
+    days = *parsed;
   }
   int hours = 0, minutes = 0, seconds = 0;
   if (!reader.number(1, 2, hours) || !reader.one_of(":") || !reader.number(2, 2, minutes))

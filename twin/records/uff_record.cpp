@@ -270,32 +270,33 @@ private:
 
   static bool fits(const std::string_view line, const std::size_t abscissa, const std::size_t ordinate)
   {
-    double ignored = 0;
-    bool first     = true;
-    std::size_t at = 0;
-    for (; at < line.size(); first = !first) {
+    double ignored       = 0;
+    bool first           = true;
+    std::size_t position = 0;
+    for (; position < line.size(); first = !first) {
       const std::size_t width = first ? abscissa : ordinate;
-      if (!number_in(part(line, at, width), ignored) || (at + width < line.size() && line[at + width - 1] == ' '))
+      if (!number_in(part(line, position, width), ignored) ||
+          (position + width < line.size() && line[position + width - 1] == ' '))
         return false;
-      at += width;
+      position += width;
     }
-    return at == line.size() && first;
+    return position == line.size() && first;
   }
 
   void take_fields(const std::string_view line, const std::size_t abscissa, const std::size_t ordinate,
                    const std::size_t n, std::vector<double> &values)
   {
-    for (std::size_t at = 0; at < line.size() && values.size() < n;) {
+    for (std::size_t position = 0; position < line.size() && values.size() < n;) {
       const std::size_t width = values.size() % 2 == 0 ? abscissa : ordinate;
-      const auto field        = part(line, at, width);
+      const auto field        = part(line, position, width);
       if (field.empty())
         break;
       double value = 0;
       if (!number_in(field, value))
-        throw InputError({text.path(), text.here().line, int(at) + 1},
+        throw InputError({text.path(), text.here().line, int(position) + 1},
                          fmt::format("'{}' is not a number", valid_text(field)));
       values.push_back(value);
-      at += width;
+      position += width;
     }
   }
 

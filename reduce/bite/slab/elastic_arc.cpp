@@ -95,14 +95,15 @@ double following_slope_of(const ArcProblem &problem, const Unknowns &u, const Ar
           points.response_of(moved, {u.pressure + by * d.head(problem.n), u.mu + by * d[problem.n]}, 1));
     };
     const ArcEnds a = ends(ahead, step), b = ends(behind, -step), here = ends_of(problem.response(u, 1));
-    const std::array<double, 5> at{here.first, here.exit, here.neutral, here.entry, here.last};
+    const std::array<double, 5> knots{here.first, here.exit, here.neutral, here.entry, here.last};
     const std::array<double, 5> speed{(a.first - b.first) / (2 * step), (a.exit - b.exit) / (2 * step),
                                       (a.neutral - b.neutral) / (2 * step), (a.entry - b.entry) / (2 * step),
                                       (a.last - b.last) / (2 * step)};
     for (Eigen::Index i = 0; i < problem.n; ++i) {
-      const double x      = std::clamp(problem.x[i], at.front(), at.back());
-      const std::size_t c = std::clamp<std::size_t>(std::upper_bound(at.begin(), at.end(), x) - at.begin(), 1, 4);
-      velocity[i]         = speed[c - 1] + (speed[c] - speed[c - 1]) * (x - at[c - 1]) / (at[c] - at[c - 1]);
+      const double x = std::clamp(problem.x[i], knots.front(), knots.back());
+      const std::size_t c =
+          std::clamp<std::size_t>(std::upper_bound(knots.begin(), knots.end(), x) - knots.begin(), 1, 4);
+      velocity[i] = speed[c - 1] + (speed[c] - speed[c - 1]) * (x - knots[c - 1]) / (knots[c] - knots[c - 1]);
     }
   }
   return slope;

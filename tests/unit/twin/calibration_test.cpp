@@ -96,12 +96,13 @@ TEST(Plan, InformationOfTheReference)
         (entry["sensors"].get<std::string>() == "six" &&
          (entry["force_band"].get<double>() < 1000 || !entry["force_recorded"].get<bool>())))
       continue;
-    const Identification found = planned(calibration::stand_r(), calibration::unknowns_r(), planned_record(entry));
-    EXPECT_EQ(found.effective(), entry["effective"].get<int>());
-    for (std::size_t i = 0; i < found.names.size(); ++i)
-      EXPECT_TRUE(near(found.shrink[Eigen::Index(i)], entry["shrink"][found.names[i]],
+    const Identification identification =
+        planned(calibration::stand_r(), calibration::unknowns_r(), planned_record(entry));
+    EXPECT_EQ(identification.effective(), entry["effective"].get<int>());
+    for (std::size_t i = 0; i < identification.names.size(); ++i)
+      EXPECT_TRUE(near(identification.shrink[Eigen::Index(i)], entry["shrink"][identification.names[i]],
                        within(1e-3, "same integral; where the force ends a bin more or less")))
-          << entry["sensors"] << entry["force_band"] << found.names[i];
+          << entry["sensors"] << entry["force_band"] << identification.names[i];
   }
 }
 
@@ -297,13 +298,13 @@ TEST(Calibration, AgreesWithACaseThatIsRight)
   EXPECT_TRUE(done.agrees);
   EXPECT_TRUE(done.refusals.empty());
   EXPECT_LT(done.case_deviance, 10.9);  // chi-square of one, 99.9 %
-  Calibration said;
-  said.unknowns      = {Calibrated{}, Calibrated{}};
-  said.case_deviance = 1.25;
-  said.check         = {2, 1, {}, 0, {}};
-  EXPECT_EQ(agreement_words(said), "the case agrees with these records already: freeing 2 unknowns lowers the "
-                                   "deviance by 1.2, chance alone lowers it by up to 5.9; no calibrated case is "
-                                   "written");
+  Calibration result;
+  result.unknowns      = {Calibrated{}, Calibrated{}};
+  result.case_deviance = 1.25;
+  result.check         = {2, 1, {}, 0, {}};
+  EXPECT_EQ(agreement_words(result), "the case agrees with these records already: freeing 2 unknowns lowers the "
+                                     "deviance by 1.2, chance alone lowers it by up to 5.9; no calibrated case is "
+                                     "written");
 }
 
 TEST(Calibration, ShowsNumbersWithTheDigitsOfTheirIntervals)

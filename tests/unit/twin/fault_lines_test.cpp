@@ -80,21 +80,21 @@ TEST(FaultLines, RatiosOfTheReference)
   const auto in = reference("envelope.inputs", "twin"), known = reference("envelope.lines", "twin");
   const double bpfo = known["BPFO"]["hz"];
   for (const bool healthy : {false, true}) {
-    const auto x     = record(601, in["T"], bpfo, [&](double) { return healthy ? 0.0 : 1.0; });
-    const auto found = lines_of(x);
-    ASSERT_EQ(found.size(), 4u);
+    const auto x        = record(601, in["T"], bpfo, [&](double) { return healthy ? 0.0 : 1.0; });
+    const auto families = lines_of(x);
+    ASSERT_EQ(families.size(), 4u);
     if (!healthy) {
-      EXPECT_EQ(found[0].family, "BPFO");
-      EXPECT_TRUE(found[0].indicated());
-      EXPECT_FALSE(found[0].strong());
-      EXPECT_TRUE(near(found[0].frequency, bpfo, within_absolute(1e-9, "frequency without slip, as given")));
-      EXPECT_TRUE(near(found[0].slip, 0,
+      EXPECT_EQ(families[0].family, "BPFO");
+      EXPECT_TRUE(families[0].indicated());
+      EXPECT_FALSE(families[0].strong());
+      EXPECT_TRUE(near(families[0].frequency, bpfo, within_absolute(1e-9, "frequency without slip, as given")));
+      EXPECT_TRUE(near(families[0].slip, 0,
                        within_absolute(0.001, "largest step of the searched slip is 0.002; half of it")));
       for (std::size_t h = 0; h < 4; ++h)
-        EXPECT_TRUE(near(found[0].ratio[h], known["BPFO"]["ratio"][h], within(0.02, "TW-09, asked for")));
+        EXPECT_TRUE(near(families[0].ratio[h], known["BPFO"]["ratio"][h], within(0.02, "TW-09, asked for")));
     }
     for (std::size_t i = healthy ? 0 : 1; i < 4; ++i)
-      EXPECT_LT(found[i].score, 5) << found[i].family;
+      EXPECT_LT(families[i].score, 5) << families[i].family;
   }
   // the plain spectrum of the faulty record shows nothing there
   const auto x = record(601, in["T"], bpfo, [](double) { return 1.0; });
@@ -124,13 +124,13 @@ TEST(FaultLines, EveryKindOfFaultIsNamedFirst)
   for (const Kind &kind : {Kind{"BPFO", b.outer * turn, 0}, Kind{"BPFI", b.inner * turn, turn},
                            Kind{"2 BSF", 2 * b.roller * turn, b.cage * turn}, Kind{"FTF", b.cage * turn, 0}})
     for (const std::uint64_t seed : {611}) {
-      const auto found = lines_of(record(seed, 20, kind.frequency, [&](const double t) {
+      const auto families = lines_of(record(seed, 20, kind.frequency, [&](const double t) {
         return kind.moves > 0 ? 1 + std::cos(2 * M_PI * kind.moves * t) : kind.family == "FTF" ? 6.0 : 1.0;
       }));
-      EXPECT_EQ(found[0].family, kind.family) << "seed " << seed;
-      EXPECT_TRUE(found[0].indicated()) << kind.family << " " << found[0].score;
+      EXPECT_EQ(families[0].family, kind.family) << "seed " << seed;
+      EXPECT_TRUE(families[0].indicated()) << kind.family << " " << families[0].score;
       for (std::size_t i = 1; i < 4; ++i)
-        EXPECT_LT(found[i].score, 7) << found[i].family << " beside " << kind.family << ", seed " << seed;
+        EXPECT_LT(families[i].score, 7) << families[i].family << " beside " << kind.family << ", seed " << seed;
     }
 }
 
@@ -192,10 +192,10 @@ TEST(FaultLines, WhatOneFamilyExplainsIsNoEvidenceForTheNext)
   for (int h = 1; h <= 4; ++h)
     for (int k = -3; k <= 3; ++k)
       lines.emplace_back((h * b.inner + k) * shaft, k == 0 ? 40 : 25);
-  const auto found = fault_lines(noise_with(lines), b, shaft);
-  EXPECT_EQ(found[0].family, "BPFI");
-  EXPECT_TRUE(found[0].strong());
-  EXPECT_LT(family_of(found, "BPFO").score, 5) << "all of its lines are side bands";
+  const auto families = fault_lines(noise_with(lines), b, shaft);
+  EXPECT_EQ(families[0].family, "BPFI");
+  EXPECT_TRUE(families[0].strong());
+  EXPECT_LT(family_of(families, "BPFO").score, 5) << "all of its lines are side bands";
   TurningBearing rolling = simple;
   rolling.roller         = 2.5;  // 2 BSF = 5; side bands at the cage's turns
   rolling.outer          = 5 - 0.41;

@@ -79,9 +79,9 @@ TEST(ForceModes, KnownModesLieInTheIntervals)
   double zf = 0, zz = 0, zs = 0, sharpest = 1;
   int confirmed = 0;
   for (int run = 0; run < runs; ++run) {
-    const ForcedModes found = modes_of(record(chain, 301 + std::uint64_t(10 * run), 0.002));
-    EXPECT_GT(found.best_coherence, 0.7);
-    for (const ForcedMode &mode : found.modes) {
+    const ForcedModes modes = modes_of(record(chain, 301 + std::uint64_t(10 * run), 0.002));
+    EXPECT_GT(modes.best_coherence, 0.7);
+    for (const ForcedMode &mode : modes.modes) {
       if (!mode.confirmed)
         continue;
       Eigen::Index i = 0;
@@ -138,17 +138,17 @@ TEST(ForceModes, ADelayOfTheOtherClockIsIdentified)
     channel.value.conservativeResize(late.force.value.size());
     channel.pieces[0].end -= samples;
   }
-  ForcedModes found      = modes_of(late);
-  const ForceDelay delay = force_delay(found.modes, 2);
+  ForcedModes modes      = modes_of(late);
+  const ForceDelay delay = force_delay(modes.modes, 2);
   EXPECT_TRUE(delay.identified);
   EXPECT_TRUE(near(delay.seconds, samples / rate,
                    within_absolute(std::max(4 * delay.deviation, 2e-5),
                                    "four deviations; at least the least delay that is reported, 20 us")));
   EXPECT_LT(delay.deviation, 1e-4);
   // what is left after aligning: response of mode 6 in its middle is imaginary for an acceleration
-  align(found.response, delay.seconds);
-  const auto k = Eigen::Index(std::lround(chain.frequency[5] / found.response.resolution()));
-  EXPECT_LT(std::abs(std::abs(std::arg(found.response.H(k, 2))) - M_PI / 2), 0.25);
+  align(modes.response, delay.seconds);
+  const auto k = Eigen::Index(std::lround(chain.frequency[5] / modes.response.resolution()));
+  EXPECT_LT(std::abs(std::abs(std::arg(modes.response.H(k, 2))) - M_PI / 2), 0.25);
   EXPECT_FALSE(force_delay({}, 2).identified);
 }
 
@@ -157,9 +157,9 @@ TEST(ForceModes, NothingFollowsAForceOfAnotherMill)
   const auto chain = chain_of_reference();
   Record other     = record(chain, 91, 0.002);
   other.force      = channel_of(synthetic::band_force(4711, other.force.value.size(), rate, 1000, 0, 1000).force);
-  const ForcedModes found = modes_of(other);
-  EXPECT_LT(found.best_coherence, 0.3);
-  EXPECT_TRUE(found.modes.empty());
+  const ForcedModes modes = modes_of(other);
+  EXPECT_LT(modes.best_coherence, 0.3);
+  EXPECT_TRUE(modes.modes.empty());
 }
 
 TEST(ForceModes, TheBackgroundOfSharpModesIsNoMode)

@@ -78,7 +78,7 @@ TEST(GrowthRate, IsThatOfOneModeWhereTheBandHoldsNoOther)
 
 TEST(GrowthStretch, CalmThenGrowingIsFoundWithBothSigns)
 {
-  int found = 0;
+  int stretches = 0;
   for (std::uint64_t seed = 1; seed <= 20; ++seed) {
     const double rate = 500;
     std::vector<double> sigma;
@@ -91,11 +91,11 @@ TEST(GrowthStretch, CalmThenGrowingIsFoundWithBothSigns)
     EXPECT_LT(growth_rate(before).sigma, 0) << seed;
     if (!stretch)
       continue;
-    ++found;
+    ++stretches;
     EXPECT_GT(stretch->sigma, 0);
     EXPECT_GT(stretch->to, 21) << seed;
   }
-  EXPECT_GE(found, 19);
+  EXPECT_GE(stretches, 19);
 }
 
 // A mode that noise drives rises and falls without end; none of its rises is growth.
@@ -110,7 +110,7 @@ TEST(GrowthStretch, ACalmModeDoesNotGrow)
 
 TEST(GrowthStretch, HalfPerSecondOverThreeSecondsIsEnough)
 {
-  int found = 0;
+  int stretches = 0;
   for (std::uint64_t seed = 1; seed <= 50; ++seed) {
     ComplexEnvelope envelope = calm_mode(seed, -30, 600);
     for (Eigen::Index k = 0; k < 600; ++k) {
@@ -118,7 +118,7 @@ TEST(GrowthStretch, HalfPerSecondOverThreeSecondsIsEnough)
       envelope.z[0][k] =
           0.1 * envelope.z[0][k] + std::polar(std::exp(0.5 * (std::clamp(t, 5.0, 8.0) - 5)), 2.0 * t);
     }
-    found += growth_stretch(envelope).has_value();
+    stretches += growth_stretch(envelope).has_value();
   }
-  EXPECT_GE(found, 49);
+  EXPECT_GE(stretches, 49);
 }

@@ -46,21 +46,21 @@ TEST(LineFamilies, HarmonicsAreOneFamilyWhoseFundamentalIsTheLargest)
   std::vector<double> f{17.77, 205.3};
   for (int h = 1; h <= 25; ++h)
     f.push_back(31.21 * h + (h % 2 ? 0.003 : -0.003));
-  const auto found = lines_in_families(seen(f), {});
-  ASSERT_EQ(found.families.size(), 1u);
-  EXPECT_TRUE(near(found.families[0].fundamental, 31.21, within(1e-5, "mean of 25 lines known to 0.005 Hz")));
-  EXPECT_EQ(found.families[0].orders.size(), 25u);
-  EXPECT_EQ(found.free.size(), 2u);
+  const auto families = lines_in_families(seen(f), {});
+  ASSERT_EQ(families.families.size(), 1u);
+  EXPECT_TRUE(near(families.families[0].fundamental, 31.21, within(1e-5, "mean of 25 lines known to 0.005 Hz")));
+  EXPECT_EQ(families.families[0].orders.size(), 25u);
+  EXPECT_EQ(families.free.size(), 2u);
 }
 
 TEST(LineFamilies, MainsOfTheMeasuredFrequency)
 {
   const std::vector<KnownFundamental> known{{"mains, 50 Hz", 50, 0.004, 2}, {"mains, 60 Hz", 60, 0.004, 2}};
-  const auto found = lines_in_families(seen({60.01, 120.02, 180.03, 360.06, 29.93, 299.3}), known);
-  ASSERT_EQ(found.families.size(), 1u);
-  EXPECT_EQ(found.families[0].name, "mains, 60 Hz");
-  EXPECT_EQ(found.families[0].orders, (std::vector<int>{1, 2, 3, 6}));
-  EXPECT_EQ(found.free.size(), 2u) << "29.93 and 299.3 Hz are not mains";
+  const auto families = lines_in_families(seen({60.01, 120.02, 180.03, 360.06, 29.93, 299.3}), known);
+  ASSERT_EQ(families.families.size(), 1u);
+  EXPECT_EQ(families.families[0].name, "mains, 60 Hz");
+  EXPECT_EQ(families.families[0].orders, (std::vector<int>{1, 2, 3, 6}));
+  EXPECT_EQ(families.free.size(), 2u) << "29.93 and 299.3 Hz are not mains";
 }
 
 TEST(LineFamilies, LinesOfNoFamilyAreNone)
@@ -70,8 +70,8 @@ TEST(LineFamilies, LinesOfNoFamilyAreNone)
     std::vector<double> f;
     for (const double part : u)
       f.push_back(10 + 800 * part);
-    const auto found = lines_in_families(seen(f, 0.003), {});
-    EXPECT_EQ(found.families.size() + found.side_bands.size(), 0u) << "seed " << seed;
+    const auto families = lines_in_families(seen(f, 0.003), {});
+    EXPECT_EQ(families.families.size() + families.side_bands.size(), 0u) << "seed " << seed;
   }
 }
 
@@ -82,14 +82,14 @@ TEST(LineFamilies, SideBandsOfHarmonicsHaveOneCarrierAndOneSpacing)
     for (int j = -2; j <= 2; ++j)
       f.push_back(243.19 * h + 29.95 * j);
   f.push_back(29.95);
-  const auto found = lines_in_families(seen(f), {});
-  ASSERT_EQ(found.families.size(), 1u);
-  EXPECT_TRUE(near(found.families[0].fundamental, 243.19,
+  const auto families = lines_in_families(seen(f), {});
+  ASSERT_EQ(families.families.size(), 1u);
+  EXPECT_TRUE(near(families.families[0].fundamental, 243.19,
                    within_absolute(0.01, "hertz; lines known to 0.005 Hz, two deviations")));
-  ASSERT_GE(found.side_bands.size(), 1u);
-  EXPECT_TRUE(near(found.side_bands[0].spacing, 29.95,
+  ASSERT_GE(families.side_bands.size(), 1u);
+  EXPECT_TRUE(near(families.side_bands[0].spacing, 29.95,
                    within_absolute(0.01, "hertz; lines known to 0.005 Hz, two deviations")));
-  EXPECT_GE(found.side_bands[0].places.size(), 20u) << "of 24";
+  EXPECT_GE(families.side_bands[0].places.size(), 20u) << "of 24";
 }
 
 // Sixty harmonics of a shaft, all below half the rate: one finding, and no image among the chance hits of h x

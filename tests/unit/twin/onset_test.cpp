@@ -80,11 +80,11 @@ TEST(Onset, AlarmLeadsTheLimit)
       continue;  // not unstable for long enough
     ++reached;
     AlarmSettings settings;
-    settings.limit   = limit;
-    const auto found = alarms(envelope_of(record.signal, in["f0"]), settings);
-    ASSERT_FALSE(found.empty()) << "seed " << seed;
-    EXPECT_GT(found[0].time, start) << "calm before the ramp, seed " << seed;
-    leads.push_back(double(over) / rate - found[0].time);
+    settings.limit    = limit;
+    const auto raised = alarms(envelope_of(record.signal, in["f0"]), settings);
+    ASSERT_FALSE(raised.empty()) << "seed " << seed;
+    EXPECT_GT(raised[0].time, start) << "calm before the ramp, seed " << seed;
+    leads.push_back(double(over) / rate - raised[0].time);
   }
   ASSERT_EQ(reached, 20) << "TW-11: an alarm before the limit in all of them";
   std::sort(leads.begin(), leads.end());

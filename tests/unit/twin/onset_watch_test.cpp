@@ -51,9 +51,9 @@ TEST(OnsetWatch, SameAsTheWholeRecord)
   AlarmSettings rule;
   rule.limit = 2;
   for (Eigen::Index column = 0; column < 2; ++column) {
-    const auto whole = complex_envelope(x.col(column), {{0, n}}, rate, band);
-    const auto found = alarms(whole, rule);
-    ASSERT_FALSE(found.empty());
+    const auto whole  = complex_envelope(x.col(column), {{0, n}}, rate, band);
+    const auto raised = alarms(whole, rule);
+    ASSERT_FALSE(raised.empty());
     for (const Eigen::Index block : {Eigen::Index(1), Eigen::Index(333), n}) {
       const Watched watched = streamed(x, column, block);
       ASSERT_EQ(Eigen::Index(watched.level.size()), whole.z[0].size());
@@ -62,12 +62,12 @@ TEST(OnsetWatch, SameAsTheWholeRecord)
             near(watched.level[k], std::abs(whole.z[0][Eigen::Index(k)]), within(1e-11, "sums in another order")));
       EXPECT_TRUE(near(watched.time.back(), whole.start[0] + double(watched.level.size() - 1) / 50,
                        within_absolute(1e-9, "sample number over the rate, rounding")));
-      ASSERT_EQ(watched.alarms.size(), found.size());
-      EXPECT_TRUE(near(watched.alarms[0].time, found[0].time,
+      ASSERT_EQ(watched.alarms.size(), raised.size());
+      EXPECT_TRUE(near(watched.alarms[0].time, raised[0].time,
                        within_absolute(1e-9, "sample number over the rate, rounding")));
       EXPECT_TRUE(
-          near(watched.alarms[0].baseline, found[0].baseline, within_absolute(1e-12, "sums in another order")));
-      EXPECT_TRUE(near(watched.alarms[0].to_limit, found[0].to_limit,
+          near(watched.alarms[0].baseline, raised[0].baseline, within_absolute(1e-12, "sums in another order")));
+      EXPECT_TRUE(near(watched.alarms[0].to_limit, raised[0].to_limit,
                        within_absolute(1e-9, "sums in another order, divided by the growth rate")));
       EXPECT_TRUE(
           near(watched.growth[0], growth_rate(whole).sigma,

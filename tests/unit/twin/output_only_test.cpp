@@ -121,12 +121,12 @@ TEST(OutputOnly, EstimatesScatterByThePlannedDeviation)
   const int records                   = asked ? std::atoi(asked) : 12;
   const std::vector<Unknown> unknowns = {{"K3", 0.05}, {"K7", 0.1}, {"zeta", 0.7}};
   PlannedRecord plan;
-  plan.places                = {2, 3};
-  plan.duration              = 4;
-  plan.force_density         = std::sqrt(planned_density);
-  plan.force_highest         = 1500;
-  plan.force_recorded        = false;
-  const Identification found = planned(calibration::stand_r(), unknowns, plan);
+  plan.places                         = {2, 3};
+  plan.duration                       = 4;
+  plan.force_density                  = std::sqrt(planned_density);
+  plan.force_highest                  = 1500;
+  plan.force_recorded                 = false;
+  const Identification identification = planned(calibration::stand_r(), unknowns, plan);
   Eigen::ArrayXd sum = Eigen::ArrayXd::Zero(3), square = sum;
   for (int i = 0; i < records; ++i) {
     calibration::Recipe r   = short_recipe(80000);
@@ -145,11 +145,12 @@ TEST(OutputOnly, EstimatesScatterByThePlannedDeviation)
     problem.before              = equal_noise(record, truth);
     problem.values              = number_of_values(record.data);
     const Fit fit               = fitted(problem, truth, {1, 20, 1e-3, 1});
-    const Eigen::ArrayXd z = fit.estimate.head(3).array() / found.covariance.diagonal().head(3).array().sqrt();
+    const Eigen::ArrayXd z =
+        fit.estimate.head(3).array() / identification.covariance.diagonal().head(3).array().sqrt();
     sum += z;
     square += z.square();
     for (int q = 0; q < 3; ++q)  // the fit's own deviation
-      EXPECT_TRUE(near(fit.sd()[q], std::sqrt(found.covariance(q, q)),
+      EXPECT_TRUE(near(fit.sd()[q], std::sqrt(identification.covariance(q, q)),
                        within(0.3, "another force in each record, its density free at the knots")));
   }
   for (int q = 0; q < 3; ++q) {
@@ -158,11 +159,11 @@ TEST(OutputOnly, EstimatesScatterByThePlannedDeviation)
     EXPECT_TRUE(near(scatter, 1,
                      within_absolute(4 / std::sqrt(2.0 * records),
                                      "four deviations of a root mean square of so many normal numbers")))
-        << found.names[std::size_t(q)];
-    EXPECT_LT(std::abs(sum[q] / records), 4 / std::sqrt(double(records))) << found.names[std::size_t(q)];
+        << identification.names[std::size_t(q)];
+    EXPECT_LT(std::abs(sum[q] / records), 4 / std::sqrt(double(records))) << identification.names[std::size_t(q)];
     if (asked)
-      std::printf("%s: scatter %.3f, mean %.3f of the planned deviation\n", found.names[std::size_t(q)].c_str(),
-                  scatter, sum[q] / records);
+      std::printf("%s: scatter %.3f, mean %.3f of the planned deviation\n",
+                  identification.names[std::size_t(q)].c_str(), scatter, sum[q] / records);
   }
 }
 

@@ -82,23 +82,23 @@ TEST(Spectra, LinesBetweenBins)
 {
   const auto known      = reference("lines.found", "twin");
   const WelchSpectrum s = spectrum_of(lines_of_reference(), 20000);
-  const auto found      = peaks(s, 5, 9000);
-  ASSERT_EQ(found.size(), 3u) << "three lines and nothing else";
+  const auto lines      = peaks(s, 5, 9000);
+  ASSERT_EQ(lines.size(), 3u) << "three lines and nothing else";
   for (std::size_t i = 0; i < 3; ++i) {
-    EXPECT_TRUE(found[i].line);
-    EXPECT_TRUE(near(found[i].frequency, known[i]["frequency"], within(1e-8, "same arithmetic")));
-    EXPECT_TRUE(near(found[i].amplitude, known[i]["amplitude"], within(1e-8, "same arithmetic")));
+    EXPECT_TRUE(lines[i].line);
+    EXPECT_TRUE(near(lines[i].frequency, known[i]["frequency"], within(1e-8, "same arithmetic")));
+    EXPECT_TRUE(near(lines[i].amplitude, known[i]["amplitude"], within(1e-8, "same arithmetic")));
     // the weakest is 0.0223 Hz off in the reference as well: its noise
     EXPECT_TRUE(
-        near(found[i].frequency, known[i]["frequency_true"].get<double>(),
+        near(lines[i].frequency, known[i]["frequency_true"].get<double>(),
              within_absolute(
                  i < 2 ? 0.02 : 0.0224,
                  "TW-03, asked for; the weakest line is 0.0223 Hz off in the reference as well: its noise")))
         << "TW-03, asked for";
-    EXPECT_TRUE(near(line_at(s, found[i].bin).amplitude_bin, known[i]["amplitude_raw_bin"], within(1e-8, "same")));
+    EXPECT_TRUE(near(line_at(s, lines[i].bin).amplitude_bin, known[i]["amplitude_raw_bin"], within(1e-8, "same")));
   }
-  EXPECT_TRUE(near(found[0].amplitude, 11.76798, within(0.005, "TW-03, asked for")));
-  EXPECT_TRUE(near(found[2].amplitude, 0.05, within(0.05, "TW-03, weak line in noise")));
+  EXPECT_TRUE(near(lines[0].amplitude, 11.76798, within(0.005, "TW-03, asked for")));
+  EXPECT_TRUE(near(lines[2].amplitude, 0.05, within(0.05, "TW-03, weak line in noise")));
 }
 
 TEST(Spectra, WhiteNoiseHasNoPeaks)

@@ -97,9 +97,9 @@ TEST(SpectralPeaks, AStrongLowLineHidesNothing)
   const double rate   = 2000;
   const auto analysis = analysis_of({tones({{18.2, 3}, {151.7, 0.3}, {431, 0.2}}, 0.05, 11, rate, 9)}, rate);
   for (const Tone &line : std::vector<Tone>{{18.2, 3}, {151.7, 0.3}, {431, 0.2}}) {
-    const Finding *found = line_at_frequency(analysis, line.frequency, 1.0 / 9);
-    ASSERT_TRUE(found) << line.frequency;
-    EXPECT_TRUE(near(found->amplitude, line.amplitude, within(0.05, "three deviations of the weakest line")));
+    const Finding *finding = line_at_frequency(analysis, line.frequency, 1.0 / 9);
+    ASSERT_TRUE(finding) << line.frequency;
+    EXPECT_TRUE(near(finding->amplitude, line.amplitude, within(0.05, "three deviations of the weakest line")));
   }
   EXPECT_EQ(analysis.findings.size(), 3u);
   EXPECT_TRUE(near(analysis.channels[0].account.largest, 18.2,
@@ -111,7 +111,7 @@ TEST(SpectralPeaks, AStrongLowLineHidesNothing)
 // Sixty records of one tone in white noise.
 TEST(SpectralPeaks, AToneIsFoundInEveryRecord)
 {
-  int found = 0, others = 0;
+  int true_lines = 0, others = 0;
   for (const double seconds : {10.0, 20.0, 30.0})
     for (const int channels : {1, 3})
       for (std::uint64_t seed = 1; seed <= 10; ++seed) {
@@ -121,10 +121,10 @@ TEST(SpectralPeaks, AToneIsFoundInEveryRecord)
         for (int c = 0; c < channels; ++c)
           x.push_back(tones({{f, 1}}, 0.1, 7 * seed + std::uint64_t(c), 2000, seconds));
         const auto analysis = analysis_of(x, 2000);
-        found += line_at_frequency(analysis, f, 1 / seconds) != nullptr;
+        true_lines += line_at_frequency(analysis, f, 1 / seconds) != nullptr;
         others += int(analysis.findings.size()) - 1;
       }
-  EXPECT_EQ(found, 60);
+  EXPECT_EQ(true_lines, 60);
   EXPECT_EQ(others, 0);
 }
 

@@ -309,9 +309,9 @@ TEST(ChatterAdvice, SpreadOfAChangeIsWhatItsNumbersDo)
   EXPECT_TRUE(near(advice.spread, std::sqrt(of_speed), differences));
   EXPECT_TRUE(near(action(advice, names[0]).spread, std::sqrt(of_oil), differences));
   // 6.4 and 2.7 %: distinguishable within these doubts if their difference is above its own deviation.
-  const double apart = action(advice, names[0]).change - action(advice, names[1]).change;
-  const bool said    = !action(advice, names[1]).remarks.empty();
-  EXPECT_EQ(said, apart < std::sqrt(of_both)) << apart << " " << std::sqrt(of_both);
+  const double apart  = action(advice, names[0]).change - action(advice, names[1]).change;
+  const bool remarked = !action(advice, names[1]).remarks.empty();
+  EXPECT_EQ(remarked, apart < std::sqrt(of_both)) << apart << " " << std::sqrt(of_both);
 }
 
 TEST(ChatterAdvice, MarksActionsThatAreNotDistinguishable)

@@ -233,16 +233,16 @@ TEST(LevelAdvice, TunedDamperIsTheReference)
   EXPECT_TRUE(near(start.frequency, wanted["start"][0].get<double>(), within(1e-9, "closed form")));
   EXPECT_TRUE(near(start.ratio, wanted["start"][1].get<double>(), within(1e-9, "closed form")));
   const Eigen::VectorXd level = levels(stand, {}, force);
-  const TunedDamper found     = tune(stand, {}, 2, start, force, level[2]);
+  const TunedDamper tuned     = tune(stand, {}, 2, start, force, level[2]);
   const Tolerance of_level    = within(1e-4, "of the level", 1);
-  EXPECT_TRUE(near(found.start_change, wanted["start_change"][0].get<double>(), of_level));
-  EXPECT_TRUE(near(found.change, wanted["change"][0].get<double>(), of_level));
-  EXPECT_TRUE(near(found.best.frequency, wanted["frequency"].get<double>(), within(1e-2, "a flat minimum")));
-  EXPECT_TRUE(near(found.best.ratio, wanted["damping"].get<double>(), within(1e-2, "a flat minimum")));
-  EXPECT_TRUE(near(found.detuned_by(-0.05), wanted["detuned"][0][0].get<double>(), of_level));
-  EXPECT_TRUE(near(found.detuned_by(0.05), wanted["detuned"][1][0].get<double>(), of_level));
-  const Eigen::VectorXd after = levels(stand, {found.best}, force);
-  EXPECT_TRUE(near(after[2] / level[2] - 1, found.change,
+  EXPECT_TRUE(near(tuned.start_change, wanted["start_change"][0].get<double>(), of_level));
+  EXPECT_TRUE(near(tuned.change, wanted["change"][0].get<double>(), of_level));
+  EXPECT_TRUE(near(tuned.best.frequency, wanted["frequency"].get<double>(), within(1e-2, "a flat minimum")));
+  EXPECT_TRUE(near(tuned.best.ratio, wanted["damping"].get<double>(), within(1e-2, "a flat minimum")));
+  EXPECT_TRUE(near(tuned.detuned_by(-0.05), wanted["detuned"][0][0].get<double>(), of_level));
+  EXPECT_TRUE(near(tuned.detuned_by(0.05), wanted["detuned"][1][0].get<double>(), of_level));
+  const Eigen::VectorXd after = levels(stand, {tuned.best}, force);
+  EXPECT_TRUE(near(after[2] / level[2] - 1, tuned.change,
                    within_absolute(1e-10, "the same equations with the same damper, rounding")));
   EXPECT_TRUE(
       near(after[3] / level[3] - 1, 0, within_absolute(1e-10, "the lower half does not feel it, rounding")));
@@ -256,7 +256,7 @@ TEST(LevelAdvice, TuningIsTheMinimumOfAnIndependentSearch)
   const int mode              = leading_mode(stand, 2, 2, force);
   const Attachment start      = closed_tuning(stand, mode, 2, 0.08);
   const double level          = levels(stand, {}, force)[2];
-  const TunedDamper found     = tune(stand, {}, 2, start, force, level);
+  const TunedDamper tuned     = tune(stand, {}, 2, start, force, level);
   const auto at               = [&](const double f, const double ratio) {
     Attachment a = start;
     a.frequency = f, a.ratio = ratio;
@@ -268,12 +268,12 @@ TEST(LevelAdvice, TuningIsTheMinimumOfAnIndependentSearch)
     return at(f, best_ratio);
   };
   const double best = golden(over_ratio, 0.8 * start.frequency, 1.2 * start.frequency);
-  EXPECT_TRUE(near(found.best.frequency, best, within(1e-3, "a flat minimum, 24 sections")));
+  EXPECT_TRUE(near(tuned.best.frequency, best, within(1e-3, "a flat minimum, 24 sections")));
   over_ratio(best);
-  EXPECT_TRUE(near(found.best.ratio, best_ratio, within(1e-2, "a flat minimum, 24 sections")));
+  EXPECT_TRUE(near(tuned.best.ratio, best_ratio, within(1e-2, "a flat minimum, 24 sections")));
   EXPECT_TRUE(
-      near((1 + found.change) * level, at(best, best_ratio), within(1e-7, "at a minimum the level is flat")));
-  EXPECT_TRUE(found.inside);
+      near((1 + tuned.change) * level, at(best, best_ratio), within(1e-7, "at a minimum the level is flat")));
+  EXPECT_TRUE(tuned.inside);
 }
 
 TEST(LevelAdvice, PairsAreRecomputed)
@@ -363,11 +363,11 @@ TEST(LevelAdvice, StatesTheParametersItRestsOn)
   const LevelAdvice advice = level_advice(set_r().advised, q);
   const std::string chain  = "chain only: a damper sits on chocks, which the six masses do not have";
   for (const RatedAction &one : advice.actions) {
-    const auto &said = one.remarks;
-    EXPECT_EQ(std::count(said.begin(), said.end(), chain), one.joined.empty() ? 0 : 1) << one.name;
-    EXPECT_EQ(std::count(said.begin(), said.end(), "rests on K3, which the records do not tell"), 1)
+    const auto &remarks = one.remarks;
+    EXPECT_EQ(std::count(remarks.begin(), remarks.end(), chain), one.joined.empty() ? 0 : 1) << one.name;
+    EXPECT_EQ(std::count(remarks.begin(), remarks.end(), "rests on K3, which the records do not tell"), 1)
         << one.name << ": the level follows K3";
-    EXPECT_EQ(std::count(said.begin(), said.end(), "rests on K2, which the records do not tell"),
+    EXPECT_EQ(std::count(remarks.begin(), remarks.end(), "rests on K2, which the records do not tell"),
               one.name.find("K2") == std::string::npos ? 0 : 1)
         << one.name;
   }

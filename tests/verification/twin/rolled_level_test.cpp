@@ -185,10 +185,10 @@ TEST(RolledLevel, WithoutActionsTheLevelIsUnchanged)
   ASSERT_EQ(level.level().size(), 6);
   const auto after = level.after({}, {}, {ProcessAction()});  // speed x 1
   ASSERT_TRUE(after && after->level.size() == 6);
-  const Eigen::VectorXd own = levels(*open_chain({}), {}, force);
+  const Eigen::VectorXd of_stand = levels(*open_chain({}), {}, force);
   for (const Eigen::Index place : {0, 2, 3, 5}) {
-    EXPECT_TRUE(near(level.level()[place], own[place], within(1e-9, "nothing was done")));
-    EXPECT_TRUE(near(after->level[place], own[place], within(1e-9, "nothing was done")));
+    EXPECT_TRUE(near(level.level()[place], of_stand[place], within(1e-9, "nothing was done")));
+    EXPECT_TRUE(near(after->level[place], of_stand[place], within(1e-9, "nothing was done")));
   }
   EXPECT_EQ(after->nearer, 0);
 }
