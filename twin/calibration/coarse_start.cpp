@@ -32,7 +32,7 @@ std::vector<Eigen::VectorXd> spread_draws(const std::vector<Unknown> &unknowns, 
 }
 
 /// Where widened resonances agree best in their logarithms: many draws are ranked, the first ones descend, and
-/// those that end lowest descend in squares.  (44.8)
+/// those that end lowest descend in squares.  (44.8a)
 std::vector<Eigen::VectorXd> spread_minima(const WindowedFit &fit)
 {
   constexpr int drawn = 1000, first = 24, kept = 6;
