@@ -179,10 +179,14 @@ py::class_<HeldCase> add_case(py::module_ &module)
             py::list sets;
             for (const std::string &set : c.sets())
               sets.append(set);
-            return py::make_tuple(std::filesystem::path(c.path()).stem().string(), c.text(), sets);
+            return py::make_tuple(std::filesystem::absolute(c.path()).string(), c.text(), sets);
           },
           [](const py::tuple &state) {
-            HeldCase held(state[0].cast<std::string>(), state[1].cast<std::string>());
+            // A file of the user is read again where it still is: its records are known by paths from its folder.
+            const auto path = state[0].cast<std::string>();
+            HeldCase held   = std::filesystem::exists(path) ? HeldCase(path)
+                                                            : HeldCase(std::filesystem::path(path).stem().string(),
+                                                                       state[1].cast<std::string>());
             for (const std::string &set : state[2].cast<std::vector<std::string>>())
               held.set(set.substr(0, set.find('=')), set.substr(set.find('=') + 1));
             return held;

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <pybind11/stl.h>
+#include <sstream>
 
 namespace py = pybind11;
 namespace fs = std::filesystem;
@@ -26,6 +27,21 @@ std::string verdict_of(const FinishedRun &run, const std::string &summary)
     return sentence_of(speeds.front());
   const std::string &text = run.limits.empty() ? summary : run.limits;
   return text.substr(0, text.find('\n'));
+}
+
+// lumped_model.toml without its passes, whose records are known by paths from the folder of the run.
+std::string without_passes(const std::string &text)
+{
+  std::istringstream lines(text);
+  std::string kept, line;
+  bool of_pass = false;
+  while (std::getline(lines, line)) {
+    if (!line.empty() && line[0] == '[')
+      of_pass = line.rfind("[[pass]]", 0) == 0 || line.rfind("[pass.", 0) == 0;
+    if (!of_pass)
+      kept += line + "\n";
+  }
+  return kept;
 }
 
 HeldRun held_run(const HeldCase &the_case, const CommandLine &command, const CheckedCase &checked,
@@ -45,7 +61,7 @@ HeldRun held_run(const HeldCase &the_case, const CommandLine &command, const Che
   out.verdict     = verdict_of(run, out.summary);
   for (const auto &[path, table] : run.tables)
     out.tables[path] = held(table);
-  out.chain_text = text_if_readable(run.folder + "/lumped_model.toml").value_or("");
+  out.chain_text = without_passes(text_if_readable(run.folder + "/lumped_model.toml").value_or(""));
   return out;
 }
 

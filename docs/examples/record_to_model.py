@@ -22,7 +22,7 @@ seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 40
 rate = 5000
 
 mill = ms.load(case_file)
-mill["given.K1"] = (0.88 * mill.masses()["K1"].value, "N/m")
+mill["given.K1"] = (0.88 * mill.modes()["K1"].value, "N/m")
 chain = mill.modes().chain
 force = 976e3 + 3e3 * np.random.default_rng(4).standard_normal(int(seconds * rate))
 response = chain.simulate(force, rate=rate)

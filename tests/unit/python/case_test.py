@@ -44,17 +44,17 @@ class Cases(unittest.TestCase):
         self.assertEqual(case["work_roll.barrel_diameter"], "420 mm")
 
     def test_every_error_of_a_file_has_its_place_value_and_remedy(self):
-        text = (CASES / "published-1400.toml").read_text()
+        text = (CASES / "chatter-tandem.toml").read_text()
         with tempfile.TemporaryDirectory() as folder:
             path = Path(folder) / "wrong.toml"
-            path.write_text(text.replace('output_rate', 'output_raet'))
+            path.write_text(text.replace("entry_distance", "entry_distanec", 1))
             with self.assertRaises(ms.InputError) as caught:
                 ms.load(path).check()
         problem = caught.exception.problems[0]
         self.assertEqual(problem.place.file, str(path))
         self.assertGreater(problem.place.line, 1)
         self.assertGreaterEqual(problem.place.column, 1)
-        self.assertIn("output_rate", problem.remedy)
+        self.assertIn("entry_distance", problem.remedy)
         self.assertTrue(str(problem).startswith(f"{path}:{problem.place.line}:{problem.place.column}: "))
         self.assertEqual(pickle.loads(pickle.dumps(caught.exception)).problems, caught.exception.problems)
 
@@ -107,7 +107,7 @@ class Runs(unittest.TestCase):
     def test_a_result_has_unit_error_source_checks_and_meaning(self):
         k3 = lumped_run()["K3"]
         self.assertEqual(k3.unit, "N/m")
-        self.assertEqual(k3.source, "given")
+        self.assertEqual(k3.source, "published")
         self.assertEqual(k3.to("kN/mm") * 1e6, k3.value)
         self.assertIn("kN/mm", str(k3))
         self.assertTrue(k3.meaning)
