@@ -147,9 +147,10 @@ py::tuple check(const HeldCase &held)
   return problem_tuple(all);
 }
 
+// With every value, since records are known by paths from the folder of the file.
 void save(const HeldCase &held, const py::handle path)
 {
-  write_atomically(path_of(path), held.sets().empty() ? held.text() : held.read()->resolved);
+  write_atomically(path_of(path), held.read()->resolved);
 }
 }  // namespace
 

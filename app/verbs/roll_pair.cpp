@@ -49,6 +49,10 @@ struct RollPair::Implementation {
   std::string cache;
   int threads = 1;
   ContactModel model;
+  struct Profile {
+    Eigen::VectorXd gap, drop;  // m
+  };
+  std::array<Profile, 2> as_condensed;  // of mirrored and in_stand
   std::mutex access;
 
   const ContactSettings &settings() const
@@ -65,6 +69,8 @@ struct RollPair::Implementation {
     run.threads  = threads;
     run.progress = progress;
     model        = contact_model(run, stand, name, settings(), largest);
+    as_condensed = {{{model.mirrored.problem.initial_gap, model.mirrored.drop},
+                     {model.in_stand.problem.initial_gap, model.in_stand.drop}}};
   }
 
   void take_crowns(const PairQuestion &question)
@@ -80,8 +86,13 @@ struct RollPair::Implementation {
           "keeps theirs");
     stand.backup_roll.crown = backup;
     stand.work_roll.crown   = work;
-    for (fem::ContactPair *pair : {&model.mirrored, &model.in_stand})
-      fem::change_profiles(*pair, profile_drop(stand, settings(), name == "lower" ? -1 : 1, pair->grid.z));
+    fem::ContactPair *const pairs[]{&model.mirrored, &model.in_stand};
+    for (std::size_t i = 0; i < as_condensed.size(); ++i) {
+      // From the gap of the condensed pair, so that an answer does not depend on the questions before it.
+      pairs[i]->problem.initial_gap = as_condensed[i].gap;
+      pairs[i]->drop                = as_condensed[i].drop;
+      fem::change_profiles(*pairs[i], profile_drop(stand, settings(), name == "lower" ? -1 : 1, pairs[i]->grid.z));
+    }
   }
 
   const fem::ContactPair &pair(const PairQuestion &question) const
