@@ -32,10 +32,10 @@ from ._millstand import (
     new,
 )
 from ._plot import _plot_map, _plot_run, bar
-from ._records import Analysis, Calibration, Record, calibrate, record
+from ._records import Analysis, Calibration, Record, _calibrate, record
 from ._tables import Study, SweepTable, study, sweep
 
-Case.calibrate = calibrate
+Case.calibrate = _calibrate
 Run.plot = _plot_run
 StabilityMap.plot = _plot_map
 
@@ -50,5 +50,5 @@ _atexit.register(_finish_left_work)
 __all__ = [
     "Analysis", "Bearing", "BearingState", "Calibration", "Case", "Chain", "Chatter", "Check", "Curves", "InputError",
     "Modes", "PairState", "Place", "Problem", "Record", "Result", "RollPair", "Run", "SolverError", "StabilityMap",
-    "Study", "SweepTable", "SystemError", "bar", "calibrate", "load", "new", "record", "study", "sweep",
+    "Study", "SweepTable", "SystemError", "bar", "load", "new", "record", "study", "sweep",
 ]

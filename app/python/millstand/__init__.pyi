@@ -9,7 +9,7 @@ import numpy.typing as npt
 __all__ = [
     "Analysis", "Bearing", "BearingState", "Calibration", "Case", "Chain", "Chatter", "Check", "Curves", "InputError",
     "Modes", "PairState", "Place", "Problem", "Record", "Result", "RollPair", "Run", "SolverError", "StabilityMap",
-    "Study", "SweepTable", "SystemError", "bar", "calibrate", "load", "new", "record", "study", "sweep",
+    "Study", "SweepTable", "SystemError", "bar", "load", "new", "record", "study", "sweep",
 ]
 
 __version__: str
@@ -324,86 +324,7 @@ class Case:
         cache: _Path | None = None,
     ) -> RollPair: ...
     def bearing(self, which: str, *, threads: int = 0, cache: _Path | None = None) -> Bearing: ...
-    def calibrate(
-        self, records: Iterable[Record], *, free: str | None = None, model: str | None = None,
-        model_error: _Quantity | None = None, accept: bool = False, out: _Path | None = None, threads: int = 0,
-        overwrite: bool = False,
-    ) -> Calibration: ...
-
-class SweepTable:
-    names: list[str]
-    units: dict[str, str]
-    base: dict[str, tuple[float, str]]
-    failures: list[str]
-    texts: list[tuple[str, ...]]
-    array: npt.NDArray[np.void]
-    folder: str
-    work: str
-    def __init__(self, content: dict[str, Any], folder: _Path, kept: Any = None) -> None: ...
-    def __len__(self) -> int: ...
-    def __getitem__(self, name: str) -> _Array: ...
-    def __iter__(self) -> Iterator[np.void]: ...
-
-class Study:
-    folder: str
-    def __init__(self, folder: _Path, kept: Any = None) -> None: ...
-    def run(self, *, engine: str = "here", jobs: int = 0) -> Study: ...
-    def report(self, *, allow_failed: bool = False) -> dict[str, Any]: ...
-    def merge(self) -> str: ...
-
-class Record:
-    path: str
-    units: dict[str, str]
-    channels: dict[str, str]
-    scales: dict[str, str]
-    rate: _Quantity | float | None
-    zone: str | None
-    def __init__(
-        self, path: _Path, *, units: Mapping[str, str] | None = None, channels: Mapping[str, str] | None = None,
-        scales: Mapping[str, str] | None = None, rate: _Quantity | float | None = None, zone: str | None = None,
-    ) -> None: ...
-    def analyse(
-        self, case: Case | None = None, *, model: str | None = None, speed: _Quantity | None = None,
-        limit: _Quantity | None = None, out: _Path | None = None, threads: int = 0, overwrite: bool = False,
-    ) -> Analysis: ...
-
-class Analysis:
-    content: dict[str, Any]
-    folder: str
-    def __init__(self, content: dict[str, Any], folder: _Path, kept: Any = None) -> None: ...
-    @property
-    def findings(self) -> list[dict[str, Any]]: ...
-    @property
-    def lines(self) -> list[dict[str, Any]]: ...
-    @property
-    def modes(self) -> list[dict[str, Any]]: ...
-    @property
-    def account(self) -> list[dict[str, Any]]: ...
-    @property
-    def notes(self) -> list[str]: ...
-
-class Calibration:
-    content: dict[str, Any]
-    folder: str
-    def __init__(self, content: dict[str, Any], folder: _Path, origin: Case, kept: Any = None) -> None: ...
-    @property
-    def refused(self) -> list[str]: ...
-    @property
-    def case(self) -> Case: ...
-
-def bar(stage: str, fraction: float) -> None: ...
-def new(kind: str) -> Case: ...
-def load(path: _Path) -> Case: ...
-def record(
-    path: _Path, *, units: Mapping[str, str] | None = None, channels: Mapping[str, str] | None = None,
-    scales: Mapping[str, str] | None = None, rate: _Quantity | float | None = None, zone: str | None = None,
-) -> Record: ...
-def calibrate(
-    case: Case, records: Iterable[Record], *, free: str | None = None, model: str | None = None,
-    model_error: _Quantity | None = None, accept: bool = False, out: _Path | None = None, threads: int = 0,
-    overwrite: bool = False,
-) -> Calibration: ...
-def sweep(
+    def sweep(
     case: Case, vary: Mapping[str, str | Sequence[_Value]], watch: Iterable[str] | None = None, *,
     model: str = "full", out: _Path | None = None, threads: int = 0, fresh: bool = False, cache: _Path | None = None,
     overwrite: bool = False,

@@ -30,17 +30,17 @@ def _label(name, unit):
     return name if unit in ("", "1") else f"{name} [{unit}]"
 
 
-def _plot_run(run, name, columns=None, ax=None):
+def _plot_run(self, name, columns=None, ax=None):
     """A curve of the run over its first column; returns the axes of matplotlib.
 
-    name     as in run.curves; "campbell" and other beginnings of a name are enough where one curve has it
+    name     as in self.curves; "campbell" and other beginnings of a name are enough where one curve has it
     columns  names of the columns that are drawn; None: all
     """
-    names = [one for one in run.curves if one == name] or [one for one in run.curves if one.startswith(name)]
+    names = [one for one in self.curves if one == name] or [one for one in self.curves if one.startswith(name)]
     if len(names) != 1:
-        known = ", ".join(names or run.curves)
+        known = ", ".join(names or self.curves)
         raise InputError(f"no single curve '{name}' in this run; there are {known}")
-    curve, units = run.curves[names[0]], run.curves.units(names[0])
+    curve, units = self.curves[names[0]], self.curves.units(names[0])
     first, *others = curve.dtype.names
     axes = _axes(ax)
     wanted = others if columns is None else list(columns)
@@ -56,15 +56,15 @@ def _plot_run(run, name, columns=None, ax=None):
     return axes
 
 
-def _plot_map(stability, ax=None):
+def _plot_map(self, ax=None):
     """Growth rate over both quantities with its zero line, the border of stability; returns the axes."""
     axes = _axes(ax)
-    growth = np.ma.masked_invalid(stability.growth.T)
+    growth = np.ma.masked_invalid(self.growth.T)
     largest = float(np.abs(growth).max()) or 1.0
-    shown = axes.pcolormesh(stability.x, stability.y, growth, cmap="RdBu_r", vmin=-largest, vmax=largest)
+    shown = axes.pcolormesh(self.x, self.y, growth, cmap="RdBu_r", vmin=-largest, vmax=largest)
     axes.figure.colorbar(shown, ax=axes, label="growth rate [1/s]")
     if growth.min() < 0 < growth.max():
-        axes.contour(stability.x, stability.y, growth, levels=[0], colors="black")
-    axes.set_xlabel(_label(stability.x_name, stability.x_unit))
-    axes.set_ylabel(_label(stability.y_name, stability.y_unit))
+        axes.contour(self.x, self.y, growth, levels=[0], colors="black")
+    axes.set_xlabel(_label(self.x_name, self.x_unit))
+    axes.set_ylabel(_label(self.y_name, self.y_unit))
     return axes

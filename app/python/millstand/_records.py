@@ -42,11 +42,10 @@ class Record:
     def analyse(self, case=None, *, model=None, speed=None, limit=None, out=None, threads=0, overwrite=False):
         """Lines, modes, sources and the account of the variance, as `millstand analyse` finds them."""
         folder, kept = _folder(out, "analysis")
-        source = None if case is None else _case_file(case)
         options = _options(
             names=[self.path],
             out=str(folder),
-            case_file=None if source is None else str(source[0]),
+            case_file=None if case is None else case.path,
             model=model,
             speed=_text(speed),
             limit=_text(limit),
@@ -54,15 +53,11 @@ class Record:
             overwrite=overwrite,
             **self._reading(),
         )
-        _carry_out("analyse", case if source is not None else None, options)
+        _carry_out("analyse", case, options)
         return Analysis(json.loads((folder / "analysis.json").read_text()), folder, kept)
 
     def __repr__(self):
         return f"<millstand.Record {self.path}>"
-
-
-def _case_file(case):
-    return (case.path,)
 
 
 def record(path, *, units=None, channels=None, scales=None, rate=None, zone=None):
@@ -142,8 +137,8 @@ class Calibration:
         return {**self.__dict__, "_kept": None}
 
 
-def calibrate(case, records, *, free=None, model=None, model_error=None, accept=False, out=None, threads=0,
-              overwrite=False):
+def _calibrate(self, records, *, free=None, model=None, model_error=None, accept=False, out=None, threads=0,
+               overwrite=False):
     """Fits masses, springs and damping of a case to records, as `millstand calibrate` does."""
     records = list(records)
     if not records:
@@ -172,5 +167,5 @@ def calibrate(case, records, *, free=None, model=None, model_error=None, accept=
             rate=_text(records[0].rate),
             zone=records[0].zone,
         )
-        _carry_out("calibrate", case, options)
-    return Calibration(json.loads((folder / "calibration.json").read_text()), folder, case, kept)
+        _carry_out("calibrate", self, options)
+    return Calibration(json.loads((folder / "calibration.json").read_text()), folder, self, kept)

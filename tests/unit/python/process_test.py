@@ -1,6 +1,5 @@
 """The module as part of a process: start, threads, Ctrl-C, memory, stubs."""
 
-import _thread
 import os
 import resource
 import signal
@@ -9,6 +8,7 @@ import sys
 import threading
 import time
 import unittest
+from pathlib import Path
 
 import millstand as ms
 import numpy as np
@@ -94,7 +94,10 @@ class Process(unittest.TestCase):
         self.assertLess(resident_memory() - before, 4e6)  # the long form takes a thousand
 
     def test_the_stubs_agree_with_the_module(self):
-        done = subprocess.run(["/usr/bin/stubtest", "millstand", "--ignore-missing-stub"], capture_output=True, text=True)
+        here = Path(__file__).parent
+        done = subprocess.run(
+            ["/usr/bin/stubtest", "millstand", "--ignore-missing-stub", "--allowlist", here / "stubtest.allow",
+             "--mypy-config-file", here / "stubtest.ini"], capture_output=True, text=True)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
 
 
