@@ -105,7 +105,10 @@ TEST(StudioDrawing, TheBrowserDrawsTheStandAsTheReportDoes)
     std::vector<double> expected;
     const auto words          = shapes_of(svg, expected);
     const nlohmann::json seen = browser.run("return window.shapes(" + nlohmann::json(length).dump() + ")");
-    ASSERT_EQ(seen["words"].get<std::vector<std::string>>(), words) << svg;
+    const auto drawn = seen["words"].get<std::vector<std::string>>();
+    for (std::size_t i = 0; i < std::min(drawn.size(), words.size()); ++i)
+      ASSERT_EQ(drawn[i], words[i]) << "shape " << i;
+    ASSERT_EQ(drawn.size(), words.size());
     const auto numbers = seen["numbers"].get<std::vector<double>>();
     ASSERT_EQ(numbers.size(), expected.size());
     for (std::size_t i = 0; i < numbers.size(); ++i, ++compared)

@@ -22,9 +22,10 @@ struct HeldRecord {
     ForceRecord record{Eigen::VectorXd::LinSpaced(4000, 0, 3999 / rate), force, {}, {}};
     dynamics::StateSpace mode{Eigen::MatrixXd(2, 2), Eigen::VectorXd(2), Eigen::MatrixXd(1, 2),
                               Eigen::VectorXd(1)};
-    mode.A << 0, 1, -w * w, -2 * zeta * w;
+    // states w q and q': with q and q' the matrix exponential loses eight digits to their scale
+    mode.A << 0, w, -w, -2 * zeta * w;
     mode.B << 0, gain;
-    mode.C << -w * w, -2 * zeta * w;
+    mode.C << -w, -2 * zeta * w;
     mode.D << gain;
     acceleration =
         dynamics::first_order_hold(mode, record, rate, dynamics::HoldForm::matrix_exponential).output.row(0);

@@ -213,14 +213,16 @@ TEST_F(LiveBrowser, ARestartOfTheProgramIsSurvived)
   EXPECT_NE(program->printed().find("goes on at s = "), std::string::npos) << program->printed();
 }
 
-// A step of the force on standard input moves the drawn rolls by what statics says, in pixels of the stated scale:
-// the picture is relative to the mean force of the last second, of which two seconds later exp(-2) is left.
+// A step of the force on standard input moves the drawn rolls of the chain, whose rolls do not bend, by what
+// statics says, in pixels of the stated scale: the picture is relative to the mean force of the last second, of
+// which two seconds later exp(-2) is left.
 TEST(LiveBrowserMasses, MoveByTheSpringsAtTheStatedScale)
 {
   if (!Browser::missing().empty())
     GTEST_SKIP() << Browser::missing() << "; scripts/install-deps tests installs it";
   const std::string home = scratch("live-masses"), stand = MILLSTAND_SOURCE_DIR "/cases/four-high-1400.toml";
-  LiveProgram program(live_words({stand, "--input", "-", "--set", "dynamics.modal_damping=5 %"}), home);
+  LiveProgram program(
+      live_words({stand, "--model", "six-mass", "--input", "-", "--set", "dynamics.modal_damping=5 %"}), home);
   Browser browser;
   browser.dark(true);
   browser.size(1400, 900);
