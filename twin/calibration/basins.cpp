@@ -34,18 +34,18 @@ struct Walk {
   Eigen::VectorXd cost;
 };
 
-Walk walked(const Scan &scan, const Eigen::Index spring, const Eigen::VectorXd &grid, const bool upward)
+/// @param walked_problem  the problem of the scan or its groups of bins
+Walk walked(const Scan &scan, const FitProblem &walked_problem, const Eigen::Index spring,
+            const Eigen::VectorXd &grid, const bool upward)
 {
   Walk walk{std::vector<Eigen::VectorXd>(std::size_t(steps)), Eigen::VectorXd(steps)};
-  Eigen::VectorXd theta = scan.fit.estimate;
-  FitProblem thin       = scan.problem;  // fewer bins and a hundredth of the deviance show the shape of the cost
-  if (thin.quick)
-    thin.likelihood = thin.quick;
-  Scan quick              = {thin, scan.fit, scan.settings};
+  Eigen::VectorXd theta   = scan.fit.estimate;
+  Scan quick              = {walked_problem, scan.fit, scan.settings};  // a hundredth of the deviance is enough
   quick.settings.decrease = 5e-3;
   quick.settings.steps    = 25;
   const double above =
-      scan.fit.cost - thin.likelihood(scan.fit.estimate, scan.fit.noise, Wanted::cost, scan.settings.threads).cost;
+      scan.fit.cost -
+      walked_problem.likelihood(scan.fit.estimate, scan.fit.noise, Wanted::cost, scan.settings.threads).cost;
   for (Eigen::Index i = 0; i < steps; ++i) {
     const Eigen::Index k       = upward ? i : steps - 1 - i;
     theta[spring]              = grid[k];
@@ -126,10 +126,14 @@ struct Scanned {
 Scanned scan_once(const Scan &scan, const std::vector<Eigen::Index> &springs, const int threads,
                   const std::function<void()> &one_done)
 {
+  FitProblem groups = scan.problem;
+  if (groups.grouped)
+    groups.likelihood = groups.grouped(scan.fit.estimate, scan.fit.noise);
   std::vector<Walk> walks(2 * springs.size());
   share_tasks(long(walks.size()), threads, [&](const long t) {
     const Eigen::Index spring = springs[std::size_t(t / 2)];
-    walks[std::size_t(t)]     = walked(scan, spring, grid_of(scan.fit.unknowns[std::size_t(spring)]), t % 2 == 0);
+    walks[std::size_t(t)] =
+        walked(scan, groups, spring, grid_of(scan.fit.unknowns[std::size_t(spring)]), t % 2 == 0);
     one_done();
   });
   Scanned result;

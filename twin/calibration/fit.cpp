@@ -1,5 +1,5 @@
 #include "twin/calibration/fit.h"
-#include "twin/calibration/thinned_response.h"
+#include "twin/calibration/grouped_response.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
@@ -109,13 +109,11 @@ FitProblem recorded_force(const FittedStand &stand, const std::vector<Unknown> &
                                                  const Wanted wanted, const int threads) {
     return likelihood(stand, unknowns, theta, data, noise, wanted, threads);
   };
-  double damping = 1;
-  for (const double zeta : stand.damping)
-    damping = std::min(damping, zeta);
-  problem.quick = [&stand, unknowns, thin = thinned(data, damping)](const Eigen::VectorXd &theta,
-                                                                    const NoiseDensity &noise, const Wanted wanted,
-                                                                    const int threads) {
-    return likelihood(stand, unknowns, theta, thin.data, thinned(noise, thin), wanted, threads);
+  problem.grouped = [&stand, &data, unknowns](const Eigen::VectorXd &theta, const NoiseDensity &noise) {
+    return [&stand, unknowns, groups = grouped(stand, unknowns, theta, data, noise)](
+               const Eigen::VectorXd &trial, const NoiseDensity &, const Wanted wanted, const int threads) {
+      return likelihood(stand, unknowns, trial, groups.data, groups.noise, wanted, threads);
+    };
   };
   problem.renewed = [&stand, &data, unknowns](const Eigen::VectorXd &theta, const NoiseDensity &noise) {
     return noise_of(residuals(stand, unknowns, theta, data, noise));

@@ -43,15 +43,17 @@ struct Descent {
 Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &start,
                 int most_steps, double decrease, Eigen::Index fixed = -1);
 
+using LikelihoodOf =
+    std::function<Likelihood(const Eigen::VectorXd &theta, const NoiseDensity &noise, Wanted wanted, int threads)>;
+
 /// What is fitted: how records weigh theta, with and without a recorded force.
 struct FitProblem {
   std::vector<Unknown> unknowns;
   std::function<bool(const std::string &unknown)> is_spring;  ///< whose minima are looked for
-  std::function<Likelihood(const Eigen::VectorXd &theta, const NoiseDensity &noise, Wanted wanted, int threads)>
-      likelihood;
-  /// The same of fewer bins (thinned_response.h), for walks; empty: `likelihood` serves.
-  std::function<Likelihood(const Eigen::VectorXd &theta, const NoiseDensity &noise, Wanted wanted, int threads)>
-      quick;
+  LikelihoodOf likelihood;
+  /// The likelihood of neighbouring bins as one (grouped_response.h), for walks around theta; it keeps the noise
+  /// that it was made with.  Empty: `likelihood` serves.
+  std::function<LikelihoodOf(const Eigen::VectorXd &theta, const NoiseDensity &noise)> grouped;
   /// Noise that what is left at theta shows, weighed with `noise` until then.
   std::function<NoiseDensity(const Eigen::VectorXd &theta, const NoiseDensity &noise)> renewed;
   NoiseDensity before;  ///< noise for the first renewal
