@@ -22,6 +22,7 @@ seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 40
 rate = 5000
 
 mill = ms.load(case_file)
+mill["dynamics.force_meaning"] = "measured"  # the record holds the whole force of the bite
 mill["given.K1"] = (0.88 * mill.modes()["K1"].value, "N/m")
 chain = mill.modes().chain
 force = 976e3 + 3e3 * np.random.default_rng(4).standard_normal(int(seconds * rate))
@@ -35,7 +36,7 @@ with tempfile.TemporaryDirectory() as folder:
         columns.append(response[label])
         names.append(f"{label.replace(' ', '_')} [m/s2]")
     np.savetxt(path, np.column_stack(columns), delimiter=",", header=",".join(names), comments="", fmt="%.9g")
-    record = ms.record(path)
+    record = ms.record(path, between="lines")
     case = ms.load(case_file)
     analysis = record.analyse(case)
     calibration = case.calibrate([record])
