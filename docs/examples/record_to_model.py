@@ -22,23 +22,25 @@ seconds = float(sys.argv[3]) if len(sys.argv) > 3 else 40
 rate = 5000
 
 mill = ms.load(case_file)
+mill["dynamics.force_meaning"] = "measured"  # the record holds the whole force of the bite
 mill["given.K1"] = (0.88 * mill.modes()["K1"].value, "N/m")
 chain = mill.modes().chain
-force = 976e3 + 3e3 * np.random.default_rng(4).standard_normal(int(seconds * rate))
+random = np.random.default_rng(4)
+force = 976e3 + 3e3 * random.standard_normal(int(seconds * rate))
 response = chain.simulate(force, rate=rate)
 
 with tempfile.TemporaryDirectory() as folder:
     path = Path(folder) / "stand.csv"
     columns = [response["time"], response["force"]]
     names = ["time [s]", "force [N]"]
-    for label in chain.labels:
-        columns.append(response[label])
+    for label in ("upper work roll", "lower work roll"):  # a sensor on each chock, with its noise
+        columns.append(response[label] + 0.02 * response[label].std() * random.standard_normal(len(force)))
         names.append(f"{label.replace(' ', '_')} [m/s2]")
     np.savetxt(path, np.column_stack(columns), delimiter=",", header=",".join(names), comments="", fmt="%.9g")
-    record = ms.record(path)
+    record = ms.record(path, between="lines")
     case = ms.load(case_file)
     analysis = record.analyse(case)
-    calibration = case.calibrate([record])
+    calibration = case.calibrate([record], free="K1, K2, K6, K7")  # the springs of frame and chocks
     calibrated = calibration.case.modes().chain
 
 print("modes of the record:", [round(mode["frequency"], 1) for mode in analysis.modes])

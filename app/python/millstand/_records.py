@@ -20,7 +20,7 @@ def _text(value):
 class Record:
     """A file of measured channels, and what it does not say itself."""
 
-    def __init__(self, path, *, units=None, channels=None, scales=None, rate=None, zone=None):
+    def __init__(self, path, *, units=None, channels=None, scales=None, rate=None, zone=None, between="smooth"):
         self.path = str(path)
         if not Path(self.path).is_file():
             raise InputError(f"the record {self.path} is not a file")
@@ -29,6 +29,7 @@ class Record:
         self.scales = dict(scales or {})
         self.rate = rate
         self.zone = zone
+        self.between = between
 
     def _reading(self):
         return _options(
@@ -60,14 +61,15 @@ class Record:
         return f"<millstand.Record {self.path}>"
 
 
-def record(path, *, units=None, channels=None, scales=None, rate=None, zone=None):
+def record(path, *, units=None, channels=None, scales=None, rate=None, zone=None, between="smooth"):
     """A record: CSV, MATLAB, numpy, UFF, WAV and others.
 
     units     column -> unit, where the file says none: {"a1": "g"}
     channels  column -> place, {"AI_07": "upper_work_roll"}
     scales    column -> scale of a voltage, {"AI_07": "50 mV/g"}
+    between   course of the force between its samples; "lines" of a simulated record
     """
-    return Record(path, units=units, channels=channels, scales=scales, rate=rate, zone=zone)
+    return Record(path, units=units, channels=channels, scales=scales, rate=rate, zone=zone, between=between)
 
 
 class Analysis:
@@ -150,7 +152,10 @@ def _calibrate(self, records, *, free=None, model=None, model_error=None, accept
         channels.update(one.channels)
         scales.update(one.scales)
     with tempfile.TemporaryDirectory(prefix="millstand-records-") as listed:
-        entries = "".join(f"[[record]]\nfile = {json.dumps(str(Path(one.path).resolve()))}\n" for one in records)
+        entries = "".join(
+            f"[[record]]\nfile = {json.dumps(str(Path(one.path).resolve()))}\nbetween = {json.dumps(one.between)}\n"
+            for one in records
+        )
         (Path(listed) / "records.toml").write_text(entries)
         options = _options(
             measured=listed,
