@@ -7,6 +7,12 @@ export const needed = ["work_roll_diameter", "work_roll_length", "work_neck_diam
   "work_bearing_span", "backup_diameter", "backup_length", "backup_neck_diameter", "backup_neck_length",
   "backup_bearing_span"];
 
+// As the report prints it: a half goes to the even number, where Math.round goes up.
+function wholeNumber(value) {
+  const up = Math.round(value);
+  return up - value === 0.5 && up % 2 !== 0 ? up - 1 : up;
+}
+
 /** Length in m; 0 where the case does not draw it. */
 function sizes(length) {
   return name => length[name] > 0 ? length[name] : 0;
@@ -136,7 +142,7 @@ export function standToScale(length) {
   for (const end of [0, metres])
     front.line(10 + scale * end, foot - 4, 10 + scale * end, foot + 4, "dimension");
   shapes.push({ kind: "text", x: 10 + scale * metres + 8, y: foot + 4, text: `${1000 * metres} [mm]`, style: "axis" });
-  const diameter = name => Math.round(1e3 * size(name));
+  const diameter = name => wholeNumber(1e3 * size(name));
   shapes.push({ kind: "text", x: width - 10, y: tall + 34, anchor: "end", style: "axis",
     text: `\u2300 ${diameter("work_roll_diameter")} / ${diameter("backup_diameter")}` });
   return { width, height: tall + viewFoot, shapes, views, heights };

@@ -30,11 +30,17 @@ std::string stand()
   return mill::template_of("four-high");
 }
 
-// With all that the critical speed needs.
+// A cold strip, which bears tensions that the soft one of the template does not, and all that the critical speed
+// needs.
 std::string rolling_stand()
 {
   std::string text = stand();
-  for (const auto &[key, toml] : {std::pair("pass.0.speed", "\"16 m/s\""),
+  for (const auto &[key, toml] : {std::pair("strip.entry_thickness", "\"2.2 mm\""),
+                                  {"strip.exit_thickness", "\"1.6 mm\""},
+                                  {"strip.friction", "0.06"},
+                                  {"strip.flow_stress.k", "\"520 MPa\""},
+                                  {"pass.0.synthetic_range", "[\"9.4 MN\", \"9.6 MN\"]"},
+                                  {"pass.0.speed", "\"16 m/s\""},
                                   {"pass.0.entry_tension", "\"120 MPa\""},
                                   {"pass.0.exit_tension", "\"150 MPa\""}})
     text = mill::with_value(text, key, toml);

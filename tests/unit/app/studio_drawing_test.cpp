@@ -99,13 +99,15 @@ TEST(StudioDrawing, TheBrowserDrawsTheStandAsTheReportDoes)
     for (auto &[name, value] : length)
       if (round > 1)
         value *= 0.8 + 0.4 * double(draw() % 1000) / 1000;
+    if (round == 2)  // halves of a millimetre, which the report rounds to the even number
+      length["work_roll_diameter"] = 0.4205, length["backup_diameter"] = 1.4455;
     mill::report::Run run;
     run.manifest.geometry = length;
     const std::string svg = mill::report::stand_to_scale(run);
     std::vector<double> expected;
     const auto words          = shapes_of(svg, expected);
     const nlohmann::json seen = browser.run("return window.shapes(" + nlohmann::json(length).dump() + ")");
-    const auto drawn = seen["words"].get<std::vector<std::string>>();
+    const auto drawn          = seen["words"].get<std::vector<std::string>>();
     for (std::size_t i = 0; i < std::min(drawn.size(), words.size()); ++i)
       ASSERT_EQ(drawn[i], words[i]) << "shape " << i;
     ASSERT_EQ(drawn.size(), words.size());

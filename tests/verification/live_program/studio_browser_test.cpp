@@ -42,8 +42,8 @@ TEST_F(StudioBrowser, AWrongUnitAnOverlapAndUndoAreAnswered)
 {
   type("work_roll.barrel_diameter", "420 bar");
   ASSERT_TRUE(
-      browser->wait_for("return document.querySelector('.value.error[data-key=\"work_roll.barrel_diameter\"] "
-                        ".wrong').textContent.length > 10"));
+      browser->wait_for("const w = document.querySelector('.value.error[data-key=\"work_roll.barrel_diameter\"] "
+                        ".wrong'); return w !== null && w.textContent.length > 10"));
   EXPECT_EQ(text("#problems .error"), "error: ");
   EXPECT_TRUE(browser->run("return document.getElementById('quick').classList.contains('old')").get<bool>())
       << "an old answer is grey";
