@@ -64,6 +64,16 @@ std::vector<std::vector<double>> rows_of(const OT::Sample &sample)
       rows[i][k] = sample(i, k);
   return rows;
 }
+
+// The library divides independent inputs only.  Strata of correlated ones are those of the distribution's
+// independent standard variables.  (52.12)
+OT::Sample latin_hypercube(const OT::Distribution &inputs, const OT::UnsignedInteger size)
+{
+  if (inputs.hasIndependentCopula())
+    return OT::LHSExperiment(inputs, size).generate();
+  const OT::Sample standard = OT::LHSExperiment(inputs.getStandardDistribution(), size).generate();
+  return inputs.getInverseIsoProbabilisticTransformation()(standard);
+}
 }  // namespace
 
 std::vector<std::vector<double>> drawn_rows(const DrawMethod method, const std::vector<Spread> &spreads,
@@ -77,7 +87,7 @@ std::vector<std::vector<double>> drawn_rows(const DrawMethod method, const std::
   const auto size               = OT::UnsignedInteger(n);
   switch (method) {
   case DrawMethod::latin_hypercube:
-    return rows_of(OT::LHSExperiment(inputs, size).generate());
+    return rows_of(latin_hypercube(inputs, size));
   case DrawMethod::monte_carlo:
     return rows_of(OT::MonteCarloExperiment(inputs, size).generate());
   case DrawMethod::saltelli:

@@ -19,7 +19,7 @@ struct Correlation {
 OT::Distribution distribution_of(const Spread &spread);
 
 enum class DrawMethod {
-  latin_hypercube,  ///< one row in each of n equal strata of every input
+  latin_hypercube,  ///< one row in each of n equal strata of every input; of correlated ones see theory (52.12)
   monte_carlo,      ///< independent rows
   saltelli          ///< n (d + 2) rows on points of Sobol's sequence: A, B, and B with one column of A each
 };

@@ -5,6 +5,7 @@
 #include "core/model/material.h"
 #include <cstdio>
 #include <cstring>
+#include <dlfcn.h>
 #include <exception>
 #include <nlohmann/json.hpp>
 
@@ -144,6 +145,10 @@ void carry_out(const std::string &folder)
 
 int main(int argc, char **argv)
 {
+  // Matrices are small: threads would wait for each other, on a busy machine a hundred times longer than they
+  // work.
+  if (const auto set_threads = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    set_threads(1);
   if (argc != 2) {
     std::fputs("millstand-study is started by millstand; type: millstand study\n", stderr);
     return 2;

@@ -1,5 +1,6 @@
 #include "app/study/analysis_program.h"
 #include "tests/support/near.h"
+#include <boost/math/distributions/normal.hpp>
 #include <cmath>
 #include <functional>
 #include <gtest/gtest.h>
@@ -99,5 +100,49 @@ TEST(SobolIndices, CorrelatedInputsAreRefused)
                    within_absolute(0.05, "three standard errors of a correlation of 4000 rows")));
   study.correlations = {"x1,x3=0.5"};
   EXPECT_THROW(draw_rows(study, "monte-carlo", 64), InputError);
+}
+
+// Places in [0, 1) of uniform inputs, each in the first, second, .. of n strata.
+std::vector<std::size_t> rows_of_strata(const std::vector<double> &places)
+{
+  std::vector<std::size_t> rows(places.size(), 0);
+  for (const double place : places)
+    ++rows.at(std::size_t(place * double(places.size())));
+  return rows;
+}
+
+TEST(LatinHypercube, JoinsItsStrataToCorrelatedInputs)
+{
+  constexpr double r   = 0.9;
+  constexpr long n     = 500;
+  Study study          = study_of(3, 0, 1);
+  study.correlations   = {"x1,x2=0.9"};
+  const auto normal    = [](const double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); };
+  const auto normal_of = [](const double p) { return boost::math::quantile(boost::math::normal(), p); };
+  const auto rows      = draw_rows(study, "latin-hypercube", n);
+  const std::vector<std::size_t> one_each(n, 1);
+  std::vector<double> first, second, third;
+  double product = 0;
+  for (const auto &row : rows) {
+    const double z1 = normal_of(row[0]), z2 = normal_of(row[1]);
+    first.push_back(row[0]);
+    second.push_back(
+        normal((z2 - r * z1) / std::sqrt(1 - r * r)));  // independent part, second row of the Cholesky factor
+    third.push_back(row[2]);
+    product += z1 * z2 / n;
+  }
+  EXPECT_EQ(rows_of_strata(first), one_each);
+  EXPECT_EQ(rows_of_strata(second), one_each);
+  EXPECT_EQ(rows_of_strata(third), one_each) << "an input without correlation keeps its strata";
+  EXPECT_TRUE(near(product, r,
+                   within_absolute(0.18, "three standard errors of a product of 500 rows, "
+                                         "sqrt((1 + r2) / n) if they were independent")));
+}
+
+TEST(LatinHypercube, RefusesCorrelationsThatExcludeEachOther)
+{
+  Study study        = study_of(3, 0, 1);
+  study.correlations = {"x1,x2=0.9", "x1,x3=0.9", "x2,x3=-0.9"};
+  EXPECT_THROW(draw_rows(study, "latin-hypercube", 16), InputError);
 }
 }  // namespace
