@@ -1,3 +1,4 @@
+#include "core/model/stack_statics.h"
 #include "tests/support/condensed_reference.h"
 
 // The long form of the two engines side by side: stacks of more than four rolls.
