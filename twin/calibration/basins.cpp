@@ -10,6 +10,7 @@ constexpr Eigen::Index steps   = 17;
 constexpr double half_width    = 2.5;   // prior sd
 constexpr double worth_a_scan  = 0.01;  // sd over prior sd
 constexpr double interval_rise = 3.84;  // chi-square of one, 95 %
+constexpr double exact_below   = 200;   // deviance: profiles below it are of all bins
 constexpr double lower_by      = 0.5;   // of the cost: a minimum that is worth another scan
 
 struct Scan {
@@ -43,16 +44,21 @@ Walk walked(const Scan &scan, const FitProblem &walked_problem, const Eigen::Ind
   Scan quick              = {walked_problem, scan.fit, scan.settings};  // a hundredth of the deviance is enough
   quick.settings.decrease = 5e-3;
   quick.settings.steps    = 25;
+  const Scan whole        = {scan.problem, scan.fit, quick.settings};
   const double above =
       scan.fit.cost -
       walked_problem.likelihood(scan.fit.estimate, scan.fit.noise, Wanted::cost, scan.settings.threads).cost;
   for (Eigen::Index i = 0; i < steps; ++i) {
-    const Eigen::Index k       = upward ? i : steps - 1 - i;
-    theta[spring]              = grid[k];
-    const Fit found            = quick.at(theta, spring);
+    const Eigen::Index k = upward ? i : steps - 1 - i;
+    theta[spring]        = grid[k];
+    Fit found            = quick.at(theta, spring);
+    found.cost += above;
+    // groups lead to the minimum; where it matters all bins say how deep it is
+    if (scan.deviance(found) < exact_below)
+      found = whole.at(found.estimate, spring);
     theta                      = found.estimate;
     walk.theta[std::size_t(k)] = theta;
-    walk.cost[k]               = found.cost + above;
+    walk.cost[k]               = found.cost;
   }
   return walk;
 }
