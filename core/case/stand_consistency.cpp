@@ -90,8 +90,43 @@ void check_place_of_bearing(const OnRoll &seat, Reading &reading)
           {barrel, width});
 }
 
+// A bearing without a width is at least as long as what carries its load: all rows of rollers, or the oil film.
+void check_carrying_length(const std::string &section, const Roll &roll, const double length,
+                           const std::vector<std::string> &keys, const std::string &what, Reading &reading)
+{
+  const std::string span = section + ".bearing_span", barrel = section + ".barrel_length";
+  const double from_barrel = (roll.bearing_span - roll.barrel_length) / 2;
+  if (!reading.usable(keys) || !reading.usable({span, barrel, section + ".bearing"}) || !(from_barrel > 0) ||
+      !(length / 2 > from_barrel * rounding_of_units))
+    return;
+  std::vector<std::string> related{barrel};
+  related.insert(related.end(), keys.begin(), keys.end());
+  doubt(reading, span,
+        fmt::format("puts bearing.{} into the barrel: {} {} long, its centre is {} from the barrel end; give a "
+                    "larger span",
+                    roll.bearing, what, millimetres(length), millimetres(from_barrel)),
+        related);
+}
+
+void check_rows_on_neck(const OnRoll &seat, Reading &reading)
+{
+  const RollerBearing &b = seat.bearing;
+  if (!std::isnan(b.width))
+    return;
+  const bool ends = !std::isnan(b.roller_total_length);
+  check_carrying_length(seat.section, seat.roll, b.rows * (ends ? b.roller_total_length : b.roller_length),
+                        {seat.of_bearing(ends ? "roller_total_length" : "roller_length"), seat.of_bearing("rows")},
+                        fmt::format("its {} {} of rollers {}", b.rows, b.rows > 1 ? "rows" : "row",
+                                    b.rows > 1 ? "are together" : "is"),
+                        reading);
+}
+
 void check_sleeve(const FourHigh &stand, Reading &reading)
 {
+  for (const OilFilmBearing &film : stand.oil_films)
+    if (film.name == stand.backup_roll.bearing)
+      check_carrying_length("backup_roll", stand.backup_roll, film.length, {"bearing." + film.name + ".length"},
+                            "its oil film is", reading);
   for (const OilFilmBearing &film : stand.oil_films) {
     const std::string diameter = "bearing." + film.name + ".diameter", neck = "backup_roll.neck_diameter";
     if (film.name == stand.backup_roll.bearing && reading.usable({diameter, neck}) &&
@@ -199,6 +234,7 @@ void check_consistency(const FourHigh &stand, Reading &reading)
   for (const OnRoll &seat : seats) {
     check_neck_in_bore(seat, reading);
     check_place_of_bearing(seat, reading);
+    check_rows_on_neck(seat, reading);
     if (stand.housing.present())
       check_chock_in_window(seat, stand.housing, reading);
   }

@@ -1,6 +1,7 @@
 #include "app/studio/answers/check_answer.h"
 #include "app/run/run_kind.h"
 #include "core/base/units.h"
+#include "core/base/visible_text.h"
 #include "core/case/case_edit.h"
 #include "core/model/four_high.h"
 #include <algorithm>
@@ -41,7 +42,7 @@ ordered_json problem_json(const Problem &problem, const char *severity, const st
   ordered_json out{{"severity", severity},
                    {"line", problem.place.line},
                    {"column", problem.place.column},
-                   {"message", problem.message},
+                   {"message", visible(problem.message, true)},
                    {"key", key_of(problem, values)}};
   for (const Place &place : problem.related)
     if (const std::string key = key_of({place, "", {}}, values); !key.empty())
@@ -78,7 +79,9 @@ ordered_json check_json(const CheckAnswer &answer, const std::string &text)
 {
   const auto values = written_values(text);
   ordered_json out{
-      {"problems", ordered_json::array()}, {"facts", answer.facts}, {"values", ordered_json::object()}};
+      {"problems", ordered_json::array()}, {"facts", ordered_json::array()}, {"values", ordered_json::object()}};
+  for (const std::string &fact : answer.facts)
+    out["facts"].push_back(visible(fact, true));
   for (const Problem &problem : answer.errors)
     out["problems"].push_back(problem_json(problem, "error", values));
   for (const Problem &problem : answer.remarks)

@@ -2,6 +2,7 @@
 #include "app/stages/response/dynamics_stage.h"
 #include "app/stages/stand/mode_results.h"
 #include "app/trace/closed_form_speed.h"
+#include "core/base/visible_text.h"
 #include "core/model/four_high.h"
 #include "reduce/stand/stand_errors.h"
 #include "report/results/names.h"
@@ -50,7 +51,7 @@ ordered_json speed_json(const SpeedVerdict &v)
 {
   ordered_json out{{"pass", v.pass},
                    {"finding", id_of(v.finding)},
-                   {"sentence", sentence_of(v)},
+                   {"sentence", visible(sentence_of(v), true)},
                    {"speed", number(v.speed)},
                    {"critical", number(v.critical)},
                    {"low", number(v.low)},

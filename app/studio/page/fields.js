@@ -17,7 +17,8 @@ export function rowOf(key) {
   return null;
 }
 
-export const words = key => key.replace(/_/g, " ");
+/** A key as words; '.' and '/' in a name of the user are escaped in its key. */
+export const words = key => key.replace(/_/g, " ").replace(/%2E/g, ".").replace(/%2F/g, "/");
 export const valueOf = key => (key in studio.typed ? studio.typed[key] : key in studio.values ? studio.values[key] : null);
 
 /** Number and unit of a text, or null: "16,5 in" -> {number: "16,5", unit: "in"}. */

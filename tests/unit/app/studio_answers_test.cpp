@@ -113,6 +113,17 @@ TEST(StudioAnswers, AProblemNamesItsKey)
   EXPECT_FALSE(answer.contains("geometry"));
 }
 
+// '.' and '/' are escaped where a name is part of a key, and "check" prints the name.
+TEST(StudioAnswers, ANameOfTheUserStandsAsItWasTyped)
+{
+  const auto answer = checked(
+      mill::with_value(mill::with_value(stand(), "pass.0.name", "\"2.0 mm/A\""), "strip.width", "\"300 mm\""));
+  const std::string facts = answer["facts"].dump(), problems = answer["problems"].dump();
+  EXPECT_NE(facts.find("2.0 mm/A: the noise"), std::string::npos) << facts;
+  EXPECT_NE(problems.find("2.0 mm/A: by the slab theory"), std::string::npos) << problems;
+  EXPECT_EQ((facts + problems).find("%2"), std::string::npos) << facts << problems;
+}
+
 TEST(StudioAnswers, TheQuickAnswerIsTheClosedFormOfTrace)
 {
   mill::ClosedFormMemory memory, of_trace;
@@ -121,6 +132,10 @@ TEST(StudioAnswers, TheQuickAnswerIsTheClosedFormOfTrace)
   of_trace.with_responses   = false;
   const auto closed         = mill::closed_form_chain(the_case, of_trace);
   ASSERT_EQ(quick.results.size(), closed.size());
+  for (std::size_t i = 0; i < closed.size(); ++i) {
+    EXPECT_EQ(quick.results[i].name, closed[i].name);
+    EXPECT_EQ(quick.results[i].parameter.value, closed[i].parameter.value) << closed[i].name;
+  }
   for (const char *name : {"K3", "K5", "Kzc1", "M1", "M6", "stand.modulus.kiss", "mode.gap_first_kind.frequency"})
     EXPECT_NE(mill::find(quick.results, name), nullptr) << name;
   ASSERT_EQ(quick.speeds.size(), mill::all_passes(the_case).size());

@@ -59,6 +59,30 @@ TEST(StandConsistency, ABearingMustBeOnTheNeck)
       "roll: its centre is 400 mm from the barrel end, and the neck 460 mm long");
 }
 
+// Of a bearing without a width: four rows of 110 mm, half of which is 220 mm; a film of 700 mm, half of it 350 mm.
+TEST(StandConsistency, RowsOrFilmInTheBarrelAreAWarning)
+{
+  EXPECT_EQ(warned({"backup_roll.bearing_span=1500 mm"}),
+            "backup_roll.bearing_span = \"1500 mm\" puts bearing.crb into the barrel: its 4 rows of rollers are "
+            "together 440 mm long, its centre is 50 mm from the barrel end; give a larger span");
+  EXPECT_EQ(warned({"backup_roll.bearing_span=1840 mm"}), "") << "they end at the barrel";
+  const Sets film{"bearing.film.type=oil-film",
+                  "bearing.film.diameter=950 mm",
+                  "bearing.film.length=700 mm",
+                  "bearing.film.clearance=0.45 mm",
+                  "bearing.film.viscosity=[['40 degC', '0.4 Pa s'], ['100 degC', '0.027 Pa s']]",
+                  "backup_roll.bearing=film",
+                  "pass.0.speed=5 m/s",
+                  "pass.1.speed=5 m/s"};
+  const auto warnings = [&](const char *span) { return warned(with(film, {span})); };
+  EXPECT_EQ(warnings("backup_roll.bearing_span=2000 mm")
+                .find("backup_roll.bearing_span = \"2000 mm\" puts bearing.film into the barrel: its oil film is "
+                      "700 mm long, its centre is 300 mm from the barrel end; give a larger span"),
+            0u)
+      << warnings("backup_roll.bearing_span=2000 mm");
+  EXPECT_EQ(warnings("backup_roll.bearing_span=2100 mm").find("into the barrel"), std::string::npos);
+}
+
 TEST(StandConsistency, ChocksAndRollsMustFitIntoTheWindow)
 {
   const char *drawn = "cases/four-high-drawn.toml";
