@@ -18,22 +18,33 @@ using Texts = std::vector<std::string>;
 // Options by their names on the command line; a name that is not here is our bug.
 void take_options(CommandLine &command, const py::dict &options)
 {
-  const std::map<std::string, std::string *> texts{
-      {"out", &command.output},          {"cache", &command.cache},
-      {"model", &command.model},         {"row_model", &command.sweep.model},
-      {"rate", &command.record_rate},    {"zone", &command.zone},
-      {"speed", &command.speed},         {"limit", &command.limit},
-      {"case_file", &command.case_file}, {"measured", &command.calibrate.measured},
-      {"free", &command.calibrate.free}, {"model_error", &command.calibrate.model_error},
-      {"method", &command.study.method}, {"list", &command.study.list},
-      {"engine", &command.study.engine}, {"action", &command.study.action},
-      {"target", &command.target}};
+  const std::map<std::string, std::string *> texts{{"out", &command.output},
+                                                   {"cache", &command.cache},
+                                                   {"model", &command.model},
+                                                   {"row_model", &command.sweep.model},
+                                                   {"rate", &command.record_rate},
+                                                   {"zone", &command.zone},
+                                                   {"speed", &command.speed},
+                                                   {"limit", &command.limit},
+                                                   {"case_file", &command.case_file},
+                                                   {"measured", &command.calibrate.measured},
+                                                   {"free", &command.calibrate.free},
+                                                   {"model_error", &command.calibrate.model_error},
+                                                   {"method", &command.study.method},
+                                                   {"list", &command.study.list},
+                                                   {"engine", &command.study.engine},
+                                                   {"action", &command.study.action},
+                                                   {"target", &command.target},
+                                                   {"minimise", &command.study.minimise},
+                                                   {"maximise", &command.study.maximise},
+                                                   {"cache_limit", &command.sweep.cache_limit}};
   const std::map<std::string, Texts *> lists{
       {"vary", &command.sweep.vary}, {"watch", &command.sweep.watch}, {"correlate", &command.study.correlate},
       {"names", &command.names},     {"channels", &command.channels}, {"units", &command.channel_units},
       {"scales", &command.scales},   {"severity", &command.severity}};
   const std::map<std::string, bool *> flags{{"accept", &command.calibrate.accept},
                                             {"fresh", &command.fresh},
+                                            {"keep", &command.study.keep},
                                             {"overwrite", &command.force_overwrite},
                                             {"allow_failed", &command.study.allow_failed},
                                             {"align", &command.align}};

@@ -409,7 +409,8 @@ def sweep(
 def study(
     case: Case, vary: Mapping[str, str | Sequence[_Value]], watch: Iterable[str] | None = None, *,
     method: str = "monte-carlo", samples: int | None = None, seed: int = 1, model: str = "full",
-    correlate: Iterable[str] | None = None, list_file: _Path | None = None, out: _Path | None = None,
-    run: bool = True, engine: str = "here", jobs: int = 0, threads: int = 0, cache: _Path | None = None,
+    correlate: Iterable[str] | None = None, list_file: _Path | None = None, minimise: str | None = None,
+    maximise: str | None = None, out: _Path | None = None, run: bool = True, engine: str = "here", jobs: int = 0,
+    threads: int = 0, cache: _Path | None = None, keep: bool = False, cache_limit: str | None = None,
     overwrite: bool = False,
 ) -> Study: ...

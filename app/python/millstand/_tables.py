@@ -109,9 +109,15 @@ class Study:
         self.folder = str(folder)
         self._kept = kept
 
-    def run(self, *, engine="here", jobs=0):
-        """Computes the rows that are not finished; run again after an interruption."""
-        options = _options(action="run", target=self.folder, engine=engine, jobs=jobs)
+    def run(self, *, engine="here", jobs=0, keep=False, cache_limit=None):
+        """Computes the rows that are not finished; run again after an interruption.
+
+        keep         all files of each row of a full model, not results.json alone
+        cache_limit  largest size of the cache folder, "20GB"; what was not used for longest is removed first
+        """
+        options = _options(
+            action="run", target=self.folder, engine=engine, jobs=jobs, keep=keep, cache_limit=cache_limit
+        )
         code = _carry_out("study", None, options)
         if code == 130:
             raise KeyboardInterrupt
@@ -134,10 +140,14 @@ class Study:
 
 
 def study(case, vary, watch=None, *, method="monte-carlo", samples=None, seed=1, model="full", correlate=None,
-          list_file=None, out=None, run=True, engine="here", jobs=0, threads=0, cache=None, overwrite=False):
+          list_file=None, minimise=None, maximise=None, out=None, run=True, engine="here", jobs=0, threads=0, cache=None,
+          keep=False, cache_limit=None, overwrite=False):
     """A study as `millstand study` draws it; run=False draws and checks the rows only.
 
-    vary  key -> distribution "normal(5, 0.2) MN/mm" (or a list of values for method="grid")
+    vary      key -> distribution "normal(5, 0.2) MN/mm" (or a list of values for method="grid")
+    minimise  the result whose least value method="optimise" searches between the bounds of uniform(low, high);
+              maximise its greatest one
+    keep, cache_limit  as in Study.run
     """
     folder, kept = _folder(out, "study")
 
@@ -155,11 +165,14 @@ def study(case, vary, watch=None, *, method="monte-carlo", samples=None, seed=1,
         row_model=model,
         correlate=list(correlate or []),
         list=None if list_file is None else str(list_file),
+        minimise=minimise,
+        maximise=maximise,
         out=str(folder),
         threads=threads,
         cache=None if cache is None else str(cache),
+        cache_limit=cache_limit,
         overwrite=overwrite,
     )
     _carry_out("study", case, options)
     drawn = Study(folder, kept)
-    return drawn.run(engine=engine, jobs=jobs) if run else drawn
+    return drawn.run(engine=engine, jobs=jobs, keep=keep, cache_limit=cache_limit) if run else drawn

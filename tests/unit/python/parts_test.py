@@ -148,5 +148,16 @@ class ChatterOfATandem(unittest.TestCase):
                 self.chatter.map(x, y, n=3)
 
 
+class Studies(unittest.TestCase):
+    def test_the_optimum_is_at_the_bounds_of_the_chain(self):
+        inputs = {"given.K1": "uniform(4, 8) MN/mm", "given.M2": "uniform(50, 70) t"}
+        case = ms.load(CASES / "published-1400.toml")
+        study = ms.study(case, inputs, method="optimise", maximise="f1", samples=4, model="quick", cache_limit="1GB")
+        optimum = study.report()["optimum"]
+        self.assertEqual(optimum["inputs"], [8, 50])  # f1 grows with K1 and falls with M2; the bounds themselves
+        with self.assertRaisesRegex(ms.InputError, "belong to --method optimise"):
+            ms.study(case, inputs, minimise="f1", samples=4, model="quick")
+
+
 if __name__ == "__main__":
     unittest.main()
