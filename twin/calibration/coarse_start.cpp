@@ -15,6 +15,12 @@ Eigen::Index length_of_bin(const double bin, const double rate)
   return Eigen::Index(1) << std::max(3, int(std::lround(std::log2(rate / bin))));
 }
 
+/// A stiffness or mass whose nearest minimum is often a false one; damping moves no resonance.
+bool is_wide(const Unknown &unknown)
+{
+  return unknown.prior_sd > 0.15 && unknown.name.compare(0, 4, "zeta") != 0;  // ln
+}
+
 /// Draws of the unknowns from their priors, spread evenly (a Sobol sequence through the normal quantile).
 std::vector<Eigen::VectorXd> spread_draws(const std::vector<Unknown> &unknowns, const int number)
 {
@@ -68,11 +74,11 @@ std::vector<Eigen::VectorXd> spread_minima(const WindowedFit &fit)
 Eigen::VectorXd lowest_minimum(const Objective &cost, const std::vector<Unknown> &unknowns,
                                const Eigen::VectorXd &theta)
 {
-  constexpr double wide = 0.15, reach = 2, step = 0.5;  // ln; prior sd
+  constexpr double reach = 2, step = 0.5;  // prior sd
   Descent best = descend(cost, unknowns, theta, 60, 1e-3);
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const Unknown &unknown = unknowns[i];
-    if (!(unknown.prior_sd > wide) || unknown.name.compare(0, 4, "zeta") == 0)
+    if (!is_wide(unknown))
       continue;
     const Eigen::VectorXd from = best.theta;
     for (double s = -reach; s <= reach; s += step) {
@@ -146,7 +152,7 @@ Eigen::VectorXd coarse_start(const FittedStand &stand, const std::vector<Unknown
     if (measured.H.rows() < 4)
       continue;
     const WindowedFit fit = windowed_fit(stand, unknowns, places, measured);
-    if (L == widest)
+    if (L == widest && std::any_of(unknowns.begin(), unknowns.end(), is_wide))
       for (Eigen::VectorXd &theta : spread_minima(fit))
         candidates.push_back(std::move(theta));
     const Objective squares = [&](const Eigen::VectorXd &theta, const Wanted wanted) {
