@@ -40,7 +40,10 @@ RecordLock::~RecordLock()
   ::close(file_);
 }
 
-LiveState::LiveState(std::string folder) : path_(std::move(folder) + "/state.json") {}
+LiveState::LiveState(const std::string &folder) : path_(folder + "/state.json")
+{
+  remove_stale_parts(folder);  // what a kill left while a text was written aside
+}
 
 std::optional<nlohmann::json> LiveState::read(const std::function<void(const std::string &)> &said) const
 {

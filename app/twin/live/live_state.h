@@ -25,7 +25,7 @@ private:
 /// The state of a twin in the folder of its recording, FOLDER/state.json, written under another name and renamed.
 class LiveState {
 public:
-  explicit LiveState(std::string folder);
+  explicit LiveState(const std::string &folder);
   /// The stored state; nothing where there is none, or where it cannot be read: then it is renamed to
   /// state.json.damaged.
   /// @param said  why it cannot be read, a sentence
