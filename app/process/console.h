@@ -26,7 +26,7 @@ void say(const std::string &text);
 /// that is done with the next one; without that the next bar is the last.
 void begin_progress();
 void next_bar_ends_at(double share);
-/// Per cent between two lines of progress where there is no terminal; 10 otherwise.
+/// Per cent between two lines of progress where the output is not a terminal; 10 otherwise.
 void progress_line_every(int percent);
 
 /// What the user sees while a run works: a bar with stage and time left on a terminal, percent lines elsewhere.

@@ -92,7 +92,7 @@ std::vector<std::string> parts_of_key(const std::string &key)
 }
 
 struct Location {
-  const Node::Entry *entry = nullptr;  ///< of the key; nullptr: it does not stand in the file
+  const Node::Entry *entry = nullptr;  ///< of the key; nullptr: it is not in the file
   const Node *section      = nullptr;  ///< around it; nullptr: missing
   std::string header;                  ///< of that section, "[bearing.trb]"; empty: the top level
   std::size_t items = 0;               ///< of a list of sections: how many there are

@@ -7,7 +7,7 @@
 
 // Stability over two quantities of the pass.  theory.md 27.5
 namespace mill::dynamics {
-/// Rows go with the first axis, columns with the second; nan where there is no bite.
+/// Rows go with the first axis, columns with the second; nan where the strip does not enter the bite.
 struct GrowthMap {
   bite::MapAxis rows, columns;       ///< friction by a law of several constants: the factor on it
   Eigen::MatrixXd growth;            ///< (n, m) 1/s, largest real part of the roots: above zero it is unstable

@@ -124,7 +124,8 @@ bool agree(const FittedPole &half, const FittedPole &whole)
   return stands_out(half) &&
          std::abs(half.frequency - whole.frequency) <=
              mode_deviations * std::hypot(half.sd_frequency, whole.sd_frequency) &&
-         std::abs(half.damping - whole.damping) <= mode_deviations * std::hypot(half.sd_damping, whole.sd_damping) &&
+         std::abs(half.damping - whole.damping) <=
+             mode_deviations * std::hypot(half.sd_damping, whole.sd_damping) &&
          modal_assurance(half.residue, whole.residue) >= alike;
 }
 

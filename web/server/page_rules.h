@@ -49,7 +49,7 @@ struct RequestRules {
 struct RequestVerdict {
   int status           = 200;  ///< 200: go on; otherwise the answer
   const PageFile *file = nullptr;
-  std::size_t route    = 0;  ///< number in PageTable::routes, where it is no file
+  std::size_t route    = 0;  ///< number in PageTable::routes, where the route is not a file
   std::string path;          ///< without the query
   std::string error;         ///< one sentence, of a status that is not 200
   std::string allow;         ///< of 405

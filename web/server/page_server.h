@@ -39,8 +39,8 @@ struct PageSite {
   std::string program;  ///< "millstand live", for messages
   PageTable table;
   EventKinds events;
-  /// Answers a route that is no stream; a slow one in one of two threads, the others in the thread of the server,
-  /// which all browsers wait for.  An InputError is answered with status 400.
+  /// Answers a route that is not a stream; a slow one in one of two threads, the others in the thread of the
+  /// server, which all browsers wait for.  An InputError is answered with status 400.
   std::function<PageReply(const PageRequest &request)> answer;
 };
 

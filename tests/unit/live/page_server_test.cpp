@@ -374,7 +374,8 @@ TEST(PageServer, TokensAreLongKeptAndGuarded)
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(mill::web::token_of_file(path), "0123456789abcdefghijklmnop");
   fs::permissions(path, fs::perms::group_read, fs::perm_options::add);
-  EXPECT_EQ(refusal([&] { mill::web::token_of_file(path); }), "others than its owner may read the token; chmod 600 it");
+  EXPECT_EQ(refusal([&] { mill::web::token_of_file(path); }),
+            "others than its owner may read the token; chmod 600 it");
   std::ofstream(path) << "short\n";
   fs::permissions(path, fs::perms::owner_read | fs::perms::owner_write);
   EXPECT_EQ(

@@ -2,6 +2,7 @@
 
 import functools
 import os
+import tempfile
 from pathlib import Path
 
 import millstand as ms
@@ -9,7 +10,7 @@ import millstand as ms
 SOURCE = Path(os.environ["MILLSTAND_SOURCE_DIR"])
 CASES = SOURCE / "cases"
 PROGRAM = os.environ["MILLSTAND_PROGRAM"]
-CACHE = os.environ.get("MILLSTAND_TEST_CACHE", "/tmp/millstand-python-cache")
+CACHE = os.environ.get("MILLSTAND_TEST_CACHE", str(Path(tempfile.gettempdir()) / "millstand-python-cache"))
 
 
 _load = ms.load  # a test of the documents gives readers another one

@@ -1,11 +1,11 @@
 #include "twin/live/source/line_session.h"
 #include "core/base/errors.h"
 #include "core/base/visible_text.h"
-#include "web/server/page_rules.h"
 #include "twin/live/source/row_times.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/channel_scale.h"
 #include "twin/records/record_clock.h"
+#include "web/server/page_rules.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
