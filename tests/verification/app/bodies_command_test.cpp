@@ -70,7 +70,7 @@ TEST(Bodies, ARollerAgreesWithLundbergAndWarnsOfASharpEnd)
 }
 
 // The largest line load lies where the rounding begins, in the middle of rows that grow towards mid-length.
-TEST(Bodies, ARoundedRollersEdgeFactorsHoldTheirErrorEstimates)
+TEST(BodiesLong, ARoundedRollersEdgeFactorsHoldTheirErrorEstimates)
 {
   const std::string rounded = few +
                               "--set contact.space.tilt='0 mrad' --set upper='{diameter = \"25 mm\", length = "

@@ -65,7 +65,7 @@ speed = "8 m/s"
 }  // namespace
 
 // The structure leaves the run as matrices in files and is read again by the other kind of case.
-TEST(CriticalSpeed, OfARunIsThatOfKindChatterWithTheSameStructure)
+TEST(CriticalSpeedLong, OfARunIsThatOfKindChatterWithTheSameStructure)
 {
   const std::string other = scratch("same-structure");
   const auto outcome      = millstand("chatter " + chatter_of(cold_run()) + " -q -o " + other +

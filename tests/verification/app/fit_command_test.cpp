@@ -133,7 +133,9 @@ TEST(FitCommand, BlandAndFordsForceGivesBackTheFrictionThatMadeIt)
            "mm\"\nentry_thickness = \"2 mm\"\nexit_thickness = \"1.4 mm\"\nflow_stress = { law = "
            "\"constant\", k = \"60 MPa\" }\nfriction = "
         << friction << "\n[[pass]]\nname = \"a\"\n"
-        << load << "[bite]\ntheory = \"bland-ford\"\narc = \"rigid\"\n"
+        << load
+        << "[bite]\ntheory = \"bland-ford\"\narc = \"rigid\"\nelements_along = 8\n"
+           "elements_through = 2\n"
         << bite;
     return path;
   };

@@ -185,7 +185,7 @@ TEST(Modes, LevelsStateNoErrorWhereItIsNotKnown)
   EXPECT_TRUE(lacks(values.at("craig-bampton.f1"), "frame.oil_column_stiffness_tolerance"));
 }
 
-TEST(Models, EachDrivesTheStandAndMakesAChainThatRuns)
+TEST(ModelsLong, EachDrivesTheStandAndMakesAChainThatRuns)
 {
   for (const std::string model : {"six-mass", "beam", "craig-bampton"}) {
     const auto outcome = run("simulate", demo, model, "--set dynamics.model=" + model);

@@ -227,7 +227,7 @@ TEST(FourierRoll, NeitherOrdersNorMeshMatter)
   EXPECT_TRUE(near(larger.tangent, fine.tangent, within(1e-3, "the same")));
 }
 
-TEST(FourierRoll, AgreesWithTheThreeDimensionalEngine)
+TEST(FourierRollLong, AgreesWithTheThreeDimensionalEngine)
 {
   const auto &[A, B] = solid_rolls();
   for (const double crown : {0., 60e-6})
@@ -264,7 +264,7 @@ TEST(FourierRoll, AgreesWithTheThreeDimensionalEngine)
     }
 }
 
-TEST(FourierRoll, AgreesWithTheThreeDimensionalEngineUnderAnOffCentreLoad)
+TEST(FourierRollLong, AgreesWithTheThreeDimensionalEngineUnderAnOffCentreLoad)
 {
   const auto &A = solid_rolls().first.roll, &B = solid_rolls().second.roll;
   const auto a = fem::held_by_necks(A, fem::Extent::whole), b = fem::held_by_strip(B, 0.5, fem::Extent::whole);
