@@ -14,6 +14,14 @@ bool is_one_peak(const Peak &a, const Peak &b)
     return apart <= 2 * bins && (a.line ? b.width : a.width) < 3 * bins;
   return apart <= std::max({a.width, b.width, 2 * bins});
 }
+
+// Two lines of one channel are two lines however close they are.
+bool holds_line_of(const MergedPeak &peak, const MergedPeak &one)
+{
+  return peak.peak.line && one.peak.line &&
+         std::any_of(peak.seen.begin(), peak.seen.end(),
+                     [&](const MergedPeak::Place &place) { return place.channel == one.seen.front().channel; });
+}
 }  // namespace
 
 std::vector<MergedPeak> merged_peaks(const Analysis &analysis)
@@ -30,9 +38,13 @@ std::vector<MergedPeak> merged_peaks(const Analysis &analysis)
                    [](const MergedPeak &a, const MergedPeak &b) { return a.peak.prominence > b.peak.prominence; });
   std::vector<MergedPeak> kept;
   for (const MergedPeak &one : all) {
-    const auto same = std::find_if(kept.begin(), kept.end(),
-                                   [&](const MergedPeak &other) { return is_one_peak(other.peak, one.peak); });
-    if (same == kept.end())
+    MergedPeak *same = nullptr;  // the nearest
+    for (MergedPeak &other : kept)
+      if (is_one_peak(other.peak, one.peak) && !holds_line_of(other, one) &&
+          (!same || std::abs(other.peak.frequency - one.peak.frequency) <
+                        std::abs(same->peak.frequency - one.peak.frequency)))
+        same = &other;
+    if (!same)
       kept.push_back(one);
     else
       same->seen.insert(same->seen.end(), one.seen.begin(), one.seen.end());

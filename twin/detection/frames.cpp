@@ -11,7 +11,7 @@ struct FrameValues {
 };
 
 FrameValues values_of_frames(const Eigen::VectorXd &value, const std::vector<Span> &pieces, const WelchSpectrum &s,
-                             const double frequency)
+                             const double frequency, const Eigen::Index hop)
 {
   const Eigen::Index L = s.L;
   Eigen::VectorXd real(L), imag(L);
@@ -24,7 +24,7 @@ FrameValues values_of_frames(const Eigen::VectorXd &value, const std::vector<Spa
   FrameValues frames;
   const double sum_real = real.sum(), sum_imag = imag.sum();
   for (const Span &piece : pieces)
-    for (Eigen::Index first = piece.begin; first + L <= piece.end; first += L / 2) {
+    for (Eigen::Index first = piece.begin; first + L <= piece.end; first += hop) {
       const auto part   = value.segment(first, L);
       const double mean = part.mean();
       const double turn = -2 * M_PI * std::fmod(frequency / s.rate * (double(first) + double(L) / 2), 1.0);
@@ -35,12 +35,17 @@ FrameValues values_of_frames(const Eigen::VectorXd &value, const std::vector<Spa
   return frames;
 }
 
-double power_at(const FrameValues &frames, const double away)
+std::complex<double> sum_turned_back(const FrameValues &frames, const double away)
 {
   std::complex<double> sum = 0;
   for (std::size_t m = 0; m < frames.z.size(); ++m)
     sum += frames.z[m] * std::polar(1.0, -2 * M_PI * away * frames.time[m]);
-  return std::norm(sum);
+  return sum;
+}
+
+double power_at(const FrameValues &frames, const double away)
+{
+  return std::norm(sum_turned_back(frames, away));
 }
 
 // Hz from the frequency of the frames, within `reach`, at which they add up best.
@@ -62,6 +67,83 @@ double best_turn(const FrameValues &frames, const double reach)
       }
   return best;
 }
+// Sum of a turn of one frequency against that of another, over the times of the segments.
+std::complex<double> overlap_of(const FrameValues &frames, const double difference)
+{
+  std::complex<double> sum = 0;
+  for (const double time : frames.time)
+    sum += std::polar(1.0, 2 * M_PI * difference * time);
+  return sum;
+}
+
+// Two steady turns that explain the segments together, by least squares.
+struct TwoTurns {
+  double first = 0, second = 0;     // Hz from the frequency of the frames
+  std::complex<double> one, other;  // their values
+  double power   = 0;               // of the segments that they explain, sum of |z|^2
+  double overlap = 0;               // -, of the two over the times of the segments, below 1
+};
+
+TwoTurns explained_by(const FrameValues &frames, const double first, const double second)
+{
+  const auto a = sum_turned_back(frames, first), b = sum_turned_back(frames, second),
+             g   = overlap_of(frames, second - first);
+  const double n = double(frames.z.size()), determinant = n * n - std::norm(g);
+  TwoTurns turns{first, second, {}, {}, 0, std::abs(g) / n};
+  if (determinant < 0.05 * n * n)  // nearly one turn: its beat is longer than the record
+    return turns;
+  turns.one   = (n * a - g * b) / determinant;
+  turns.other = (n * b - std::conj(g) * a) / determinant;
+  turns.power = (std::conj(a) * turns.one + std::conj(b) * turns.other).real();
+  return turns;
+}
+
+// Of few segments every pair of a grid is tried; of many the best partner of the best single turn, and from that
+// the best partner again.
+TwoTurns best_two_turns(const FrameValues &frames, const double reach)
+{
+  constexpr std::size_t few = 128;
+  constexpr int rounds      = 6;
+  const double T = frames.time.back() - frames.time.front(), step = 0.4 / T;
+  TwoTurns best;
+  const auto take = [&](const double first, const double second) {
+    if (const TwoTurns turns = explained_by(frames, first, second); turns.power > best.power)
+      best = turns;
+  };
+  if (frames.z.size() <= few)
+    for (double first = -reach; first <= reach; first += step)
+      for (double second = first + step; second <= reach; second += step)
+        take(first, second);
+  for (double kept = best_turn(frames, reach), before = -1; best.power > before * (1 + 1e-9); kept = best.second) {
+    before = best.power;
+    for (double other = -reach; other <= reach; other += step)
+      take(kept, other);
+    for (double fine = step / 2; fine > 1e-3 / T; fine /= 2)
+      for (int round = 0; round < rounds; ++round)
+        for (const auto &[da, db] : {std::pair{fine, 0.}, {-fine, 0.}, {0., fine}, {0., -fine}})
+          take(best.first + da, best.second + db);
+  }
+  if (best.first > best.second) {
+    std::swap(best.first, best.second);
+    std::swap(best.one, best.other);
+  }
+  return best;
+}
+
+// Share that two free turns hardly ever explain of a mode, which fades: simulated, 150 draws each of modes that
+// are 0.3 to 2 bins wide, in 8, 12, 16 and 24 segments: at most 0.97, 0.945, 0.915 and 0.84.
+double least_explained(const double segments)
+{
+  return 1 - 0.07 * std::clamp((segments - 4) / 12, 0.0, 1.0);
+}
+
+// Cramer and Rao for a line in white noise, Hz; ratio of the line and its noise in one segment; of n segments that
+// overlap by half n/1.2 are independent.
+double deviation_of_line(const FrameValues &frames, const WelchSpectrum &s, const double ratio, const double n)
+{
+  const double T = std::max(frames.time.back() - frames.time.front(), double(s.L) / s.rate);
+  return std::sqrt(6 / (std::max(ratio - 1, 0.1) * std::max(1.0, n / 1.2))) / (2 * M_PI * T);
+}
 }  // namespace
 
 bool FrameTest::steady() const
@@ -79,7 +161,7 @@ FrameTest frame_test(const Eigen::VectorXd &value, const std::vector<Span> &piec
                      const Eigen::Index k, const double ratio)
 {
   const double start       = line_at(s, k).frequency;
-  const FrameValues frames = values_of_frames(value, pieces, s, start);
+  const FrameValues frames = values_of_frames(value, pieces, s, start, s.L / 2);
   FrameTest test;
   test.n         = Eigen::Index(frames.z.size());
   test.frequency = start;
@@ -97,9 +179,55 @@ FrameTest frame_test(const Eigen::VectorXd &value, const std::vector<Span> &piec
   test.coherence    = mean > 0 ? std::min(1.0, power_at(frames, away) / (n * sum) / line) : 0;
   test.swing        = mean > 0 ? squares / n / (mean * mean) - 1 - (2 * ratio - 1) / (ratio * ratio) : 0;
   test.allowance    = 2 * (2 * ratio - 1) / (ratio * ratio) / std::sqrt(n);
-  // Cramer and Rao for a line in white noise: ratio of the line to the noise in one segment, n/1.2 of them apart
-  const double T = std::max(frames.time.back() - frames.time.front(), double(s.L) / s.rate);
-  test.deviation = std::sqrt(6 / (std::max(ratio - 1, 0.1) * std::max(1.0, n / 1.2))) / (2 * M_PI * T);
+  test.deviation    = deviation_of_line(frames, s, ratio, n);
   return test;
+}
+
+namespace {
+// Hz, between the two lines of a peak.
+double centre_of_power(const WelchSpectrum &s, const Eigen::Index k)
+{
+  const Eigen::Index first = std::max<Eigen::Index>(1, k - 2), last = std::min(s.density.size() - 1, k + 2);
+  double sum = 0, moment = 0;
+  for (Eigen::Index i = first; i <= last; ++i) {
+    sum += s.density[i];
+    moment += s.density[i] * s.at(i);
+  }
+  return moment / sum;
+}
+}  // namespace
+
+std::optional<LinePair> line_pair(const Eigen::VectorXd &value, const std::vector<Span> &pieces,
+                                  const WelchSpectrum &s, const Eigen::Index k, const double ratio)
+{
+  // Segments a quarter of their length apart see turns of less than two bins to either side as they are; of half
+  // of them the deviation and what modes may explain are known.
+  constexpr std::size_t fewest = 15;
+  constexpr double wide        = 1.5;  // bins, where the window still leaves a sixth
+  const double start           = centre_of_power(s, k);
+  const FrameValues frames     = values_of_frames(value, pieces, s, start, s.L / 4);
+  if (frames.z.size() < fewest)
+    return std::nullopt;
+  double sum = 0;
+  for (const auto &z : frames.z)
+    sum += std::norm(z);
+  const double halves  = 0.5 * double(frames.z.size() + 1);
+  const TwoTurns turns = best_two_turns(frames, wide * s.resolution());
+  const double lines   = std::max(ratio - 1, 1e-9) / std::max(ratio, 1.0);  // share of the lines, noise taken off
+  LinePair pair;
+  pair.coherence = std::min(1.0, turns.power / sum / lines);
+  if (turns.power == 0 || pair.coherence < least_explained(halves))
+    return std::nullopt;
+  const double mean = sum / double(frames.z.size()), overlap = std::sqrt(1 - turns.overlap * turns.overlap);
+  const auto line = [&](const double away, const double size) {
+    const double bins = away / s.resolution(), x = M_PI * bins;
+    const double gain = std::abs(x) < 1e-6                 ? 1
+                        : std::abs(bins * bins - 1) < 1e-6 ? 0.5
+                                                           : std::sin(x) / x / (1 - bins * bins);  // Hann
+    return LinePair::Line{start + away, 4 * size / (double(s.L) * std::abs(gain)),
+                          deviation_of_line(frames, s, ratio * size * size / mean, halves) / overlap};
+  };
+  pair.lines = {line(turns.first, std::abs(turns.one)), line(turns.second, std::abs(turns.other))};
+  return pair;
 }
 }  // namespace mill::twin

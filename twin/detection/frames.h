@@ -1,6 +1,8 @@
 #pragma once
 #include "twin/spectra/welch.h"
 #include <Eigen/Core>
+#include <array>
+#include <optional>
 #include <vector>
 
 namespace mill::twin {
@@ -21,4 +23,18 @@ struct FrameTest {
 /// Cost: one product of the length of the record.
 FrameTest frame_test(const Eigen::VectorXd &value, const std::vector<Span> &pieces, const WelchSpectrum &spectrum,
                      Eigen::Index k, double ratio);
+
+/// Two lines that lie so close that they make one peak of the spectrum, which beats.  theory.md (41.23a)
+struct LinePair {
+  struct Line {
+    double frequency = 0, amplitude = 0, deviation = 0;  ///< Hz; of the channel, peak value; Hz
+  };
+  std::array<Line, 2> lines;  ///< by frequency
+  double coherence = 0;       ///< -, share of the power that the two explain; noise is taken off
+};
+
+/// Arguments and cost as of frame_test, and some 10^4 pairs of frequencies.  Nothing where two lines do not
+/// explain the segments, or where there are too few segments to see it.
+std::optional<LinePair> line_pair(const Eigen::VectorXd &value, const std::vector<Span> &pieces,
+                                  const WelchSpectrum &spectrum, Eigen::Index k, double ratio);
 }  // namespace mill::twin

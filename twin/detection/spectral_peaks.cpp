@@ -3,6 +3,7 @@
 #include "twin/detection/resonances.h"
 #include "twin/spectra/noise_floor.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 
@@ -10,6 +11,7 @@ namespace mill::twin {
 namespace {
 constexpr Eigen::Index most_tested = 400;  // maxima of one channel whose segments are looked at
 constexpr double narrow            = 1.6;  // equivalent noise bandwidths
+constexpr double beating           = 2.5;  // the same, widest peak of two lines
 
 double in_decibel(const double ratio)
 {
@@ -53,6 +55,42 @@ Peak line_peak(const WelchSpectrum &s, const Eigen::Index k, const double next_t
   peak.coherence  = test.coherence;
   peak.swing      = test.swing;
   return peak;
+}
+
+// The two lines of a peak that one line does not explain and two do: a modulated line has lines on both sides, of
+// which one takes half of what is left.
+std::optional<LinePair> pair_of(const Eigen::VectorXd &value, const std::vector<Span> &pieces,
+                                const WelchSpectrum &s, const Peak &peak, const double ratio, const FrameTest &one)
+{
+  constexpr double whole = 0.97, left = 0.25;
+  const bool may_be_one = peak.width < narrow * s.enbw();
+  if (peak.width > beating * s.enbw() || (may_be_one && one.coherence > whole))
+    return std::nullopt;
+  const auto pair = line_pair(value, pieces, s, peak.bin, ratio);
+  return pair && (!may_be_one || 1 - pair->coherence < left * (1 - one.coherence)) ? pair : std::nullopt;
+}
+
+// The two lines of a peak that beats, as candidates.
+std::array<SpectralCandidate, 2> candidates_of(const LinePair &pair, const Peak &common, const double floor)
+{
+  std::array<SpectralCandidate, 2> both;
+  for (std::size_t i = 0; i < 2; ++i) {
+    const LinePair::Line &line = pair.lines[i];
+    Peak peak                  = common;
+    peak.frequency             = line.frequency;
+    peak.amplitude             = line.amplitude;
+    peak.density               = line.amplitude * line.amplitude / (3 * common.resolution);  // A^2/2 over 1.5 bins
+    peak.prominence            = in_decibel(peak.density / floor);
+    peak.deviation             = line.deviation;
+    peak.coherence             = pair.coherence;
+    peak.swing                 = 0;
+    both[i]                    = {peak, "line",
+                                  fmt::format("{:.0f} dB over the floor, one of two lines {:.3g} Hz apart that beat ({:.0f} % of "
+                                                                 "the power of their peak turns steadily)",
+                                              peak.prominence, pair.lines[1].frequency - pair.lines[0].frequency,
+                                              100 * pair.coherence)};
+  }
+  return both;
 }
 
 // Bins of a line that stand out of what is next to it.
@@ -120,9 +158,15 @@ SpectralPeaks spectral_peaks(const Eigen::VectorXd &value, const std::vector<Spa
     }
     if (++tested > most_tested)
       break;
-    const FrameTest test = frame_test(value, pieces, s, k, s.density[k] / std::max(next_to, leaked));
+    const double ratio   = s.density[k] / std::max(next_to, leaked);
+    const FrameTest test = frame_test(value, pieces, s, k, ratio);
     Peak peak            = line_peak(s, k, next_to, result.floor[k], test);
-    if (peak.width < narrow * s.enbw() && test.steady()) {
+    if (const auto pair = pair_of(value, pieces, s, peak, ratio, test)) {
+      for (const SpectralCandidate &one : candidates_of(*pair, peak, result.floor[k])) {
+        result.candidates.push_back(one);
+        take_out(result.without_lines, one.peak, next_to);
+      }
+    } else if (peak.width < narrow * s.enbw() && test.steady()) {
       result.candidates.push_back(
           {peak, "line",
            fmt::format("{:.0f} dB over the floor, steady from segment to segment ({:.0f} % of its power)",

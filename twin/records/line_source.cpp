@@ -38,14 +38,24 @@ bool LineSource::fill()
     decoder_.append(buffer_, {raw_.data(), n});
   else
     buffer_.append(raw_, 0, n);
+  if (number_ == 0)
+    find_end_of_lines();
   return n > 0;
+}
+
+// Old instruments, and spreadsheets that save for the Macintosh, end lines with CR alone.
+void LineSource::find_end_of_lines()
+{
+  const std::size_t cr = buffer_.find('\r');
+  if (cr != std::string::npos && cr + 1 < buffer_.size() && buffer_.find('\n') == std::string::npos)
+    end_ = '\r';
 }
 
 bool LineSource::next(std::string_view &line)
 {
   std::size_t searched = at_;
   while (true) {
-    const auto end = buffer_.find('\n', searched);
+    const auto end = buffer_.find(end_, searched);
     if (end != std::string::npos) {
       line = std::string_view(buffer_).substr(at_, end - at_);
       at_  = end + 1;

@@ -5,7 +5,8 @@
 #include <string_view>
 
 namespace mill::twin {
-/// Lines of a text file, read block by block; UTF-16 and Windows-1252 become UTF-8.
+/// Lines of a text file, read block by block; they end with LF, CR LF, or CR alone; UTF-16 and Windows-1252 become
+/// UTF-8.
 class LineSource {
 public:
   static constexpr std::size_t longest_line = 1 << 24;  ///< byte
@@ -25,10 +26,12 @@ public:
 
 private:
   bool fill();
+  void find_end_of_lines();
 
   InputFile file_;
   std::string path_, buffer_, encoding_ = "UTF-8", raw_, converted_;
   Utf16Decoder decoder_{true};
+  char end_       = '\n';
   std::size_t at_ = 0;
   double done_    = 0;
   int number_     = 0;

@@ -142,6 +142,19 @@ double velocity_rms(const WelchSpectrum &s, const Quantity quantity, const doubl
   return std::sqrt(square);
 }
 
+namespace {
+// A line whose frequency moves fills a band, at whose end the floor falls too, but which is as low before the
+// band.
+double median_of_two_octaves_to(const std::vector<double> &level, const std::size_t i, const double step)
+{
+  const auto span = std::min(i, std::size_t(std::log(4.) / std::log(step)));
+  std::vector<double> part(level.begin() + std::ptrdiff_t(i - span), level.begin() + std::ptrdiff_t(i + 1));
+  const auto middle = part.begin() + std::ptrdiff_t(part.size() / 2);
+  std::nth_element(part.begin(), middle, part.end());
+  return *middle;
+}
+}  // namespace
+
 double bandwidth(const WelchSpectrum &s)
 {
   constexpr double fall = 1e-3, ratio = 1.2, step = 1.02;
@@ -157,7 +170,8 @@ double bandwidth(const WelchSpectrum &s)
     highest_above[i] = std::max(highest_above[i + 1], level[i]);
   const auto apart = std::size_t(std::log(ratio) / std::log(step));
   for (std::size_t i = 0; i + apart < level.size(); ++i)
-    if (highest_above[i + apart] < fall * level[i] && level[i] > 0) {
+    if (const double before = std::min(level[i], median_of_two_octaves_to(level, i, step));
+        highest_above[i + apart] < fall * before && before > 0) {
       std::size_t edge = i;
       while (edge + 1 < level.size() && level[edge + 1] > 0.1 * level[i])
         ++edge;

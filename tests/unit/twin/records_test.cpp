@@ -202,6 +202,13 @@ TEST_F(Records, ALastLineThatIsCutOffIsSaid)
   EXPECT_EQ(record.notes.back(), "line 4, the last, is cut off and was not used");
 }
 
+TEST_F(Records, LinesMayEndWithACarriageReturnAlone)
+{
+  const RawRecord record = csv("time [s],a [g]\r0,1\r0.1,3\r0.2,5\r");
+  ASSERT_EQ(record.n_samples(), 3);
+  EXPECT_DOUBLE_EQ(record.find("a")->value[2], record.find("a")->value[0] * 5);
+}
+
 // Bad input of section 1, word for word.
 TEST_F(Records, RefusalsOfCsv)
 {

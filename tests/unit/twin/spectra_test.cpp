@@ -244,3 +244,15 @@ TEST(Spectra, ABandThatAFilterLeft)
   EXPECT_TRUE(near(bandwidth(spectrum_of(synthetic::normals(4, 50000), rate)), rate / 2.56,
                    within_absolute(1, "Hz; the top of the band as it is defined, no edge is estimated")));
 }
+
+// The band of a tone that runs from 50 to 80 Hz ends as a filter does, but begins as low.
+TEST(Spectra, ATimeOfRisingSpeedIsNoFilter)
+{
+  const double rate = 2000, seconds = 20;
+  Eigen::VectorXd x = 0.1 * synthetic::normals(8, Eigen::Index(rate * seconds));
+  for (Eigen::Index k = 0; k < x.size(); ++k) {
+    const double t = double(k) / rate;
+    x[k] += std::sin(2 * M_PI * (50 * t + 15 / seconds * t * t));
+  }
+  EXPECT_TRUE(near(bandwidth(spectrum_of(x, rate)), rate / 2.56, within(1e-12, "the whole band")));
+}

@@ -144,6 +144,27 @@ TEST(SpectralPeaks, NoiseAloneHasNoCandidate)
   EXPECT_GE(analysis.channels[0].account.floor, 0.95);
 }
 
+// Two motors that turn 0.1 to 0.3 Hz apart make one peak that beats: 0.4 to 1.2 bins of these records of 20 s.
+TEST(SpectralPeaks, TwoLinesThatBeatAreTwoLines)
+{
+  std::uint64_t seed = 1;
+  for (const double apart : {0.1, 0.2, 0.3})
+    for (const double second : {1.0, 0.6}) {
+      const Analysis analysis =
+          analysis_of({tones({{100.07, 1}, {100.07 + apart, second}}, 0.1, seed++, 2000, 20)}, 2000);
+      int lines = 0;
+      for (const Finding &one : analysis.findings)
+        lines += one.kind == "line";
+      EXPECT_EQ(lines, 2) << apart << " Hz apart, " << second;
+      for (const auto &[frequency, amplitude] : {std::pair{100.07, 1.0}, {100.07 + apart, second}}) {
+        const Finding *line = line_at_frequency(analysis, frequency, 0.01);
+        ASSERT_TRUE(line) << apart << " Hz apart, " << second;
+        EXPECT_TRUE(
+            near(line->amplitude, amplitude, within(0.05, "0.1 of noise, and the window's form between bins")));
+      }
+    }
+}
+
 // A resonance that noise drives comes and goes from segment to segment; a line does not.
 TEST(SpectralPeaks, AModeIsNoLineAndALineIsNoMode)
 {
