@@ -116,9 +116,14 @@ void score_growth(Score &score, const Content &content, const Analysis &analysis
                  });
         });
     score.growth_found += found;
-    if (!found)
-      score.missed += fmt::format("{}: growth of {:+.2f} 1/s at {:.1f} Hz not found\n", name, content.growth,
-                                  content.growth_frequency);
+    if (found)
+      return;
+    score.missed += fmt::format("{}: growth of {:+.2f} 1/s at {:.1f} Hz not found, {:.1f} to {:.1f} s\n", name,
+                                content.growth, content.growth_frequency, content.growth_from, content.growth_to);
+    for (const Finding &finding : analysis.findings)  // what it was taken for
+      if (std::abs(finding.frequency - content.growth_frequency) < 25)
+        score.missed += fmt::format("  {} at {:.2f} Hz: {}\n", finding.kind, finding.frequency,
+                                    fmt::join(finding.evidence, "; "));
     return;
   }
   ++score.calm;

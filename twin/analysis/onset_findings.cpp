@@ -12,6 +12,7 @@ constexpr double band_of_envelope = 2 * widest_half_band;  // Hz, that the low-p
 constexpr double enough_time      = 60;                    // s, below it an interval about zero says nothing
 constexpr double usual_damping    = 0.001;                 // of critical: modes of steady machines have more
 constexpr int most_alarms         = 20;
+constexpr int most_lines          = 30;  // whose level over time is looked at
 
 // The mode that a recorded force drives, if the finding is one; its decay then needs no noise to be read from.
 const ForcedMode *forced_of(const Analysis &analysis, const Finding &finding)
@@ -170,17 +171,52 @@ void add_alarms(Analysis &analysis, const Finding &of_mode, const ComplexEnvelop
     analysis.findings.push_back(std::move(finding));
   }
 }
+double median_level(const ComplexEnvelope &envelope)
+{
+  std::vector<double> level;
+  for (const auto &z : envelope.z)
+    for (const std::complex<double> value : z)
+      level.push_back(std::abs(value));
+  if (level.empty())
+    return 0;
+  const auto middle = level.begin() + std::ptrdiff_t(level.size() / 2);
+  std::nth_element(level.begin(), middle, level.end());
+  return *middle;
+}
+
+// A vibration that grows out of a steady one for a few seconds of minutes is a line of the whole record.  What
+// follows a start of the mill, or is modulated, does not leave its usual level so far behind.
+void add_growth_of_line(Analysis &analysis, Finding &line, const CleanChannel &channel, const double rate,
+                        const AnalysisSettings &settings)
+{
+  constexpr double far           = 3;
+  const ComplexEnvelope envelope = complex_envelope(channel.value, channel.pieces, rate, line.frequency);
+  const auto stretch             = growth_stretch(envelope);
+  if (!stretch || stretch->level < far * median_level(envelope))
+    return;
+  line.evidence.push_back(sentence_of(*stretch));
+  add_near_instability(analysis, line, sentence_of(*stretch));
+  add_alarms(analysis, line, envelope, stretch, settings);
+}
 }  // namespace
 
 void add_onset_findings(Analysis &analysis, const CleanRecord &record, const std::vector<CleanChannel> &line_free,
                         const AnalysisSettings &settings)
 {
   const std::size_t n = analysis.findings.size();
+  int lines_seen      = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::string kind      = analysis.findings[i].kind;
+    const std::string kind = analysis.findings[i].kind;
+    const bool within_band = analysis.findings[i].frequency + band_of_envelope <= record.rate / 2;
+    if (const CleanChannel *whole = record.find(analysis.findings[i].channel);
+        kind == "line" && whole && is_vibration(whole->quantity) && within_band && lines_seen++ < most_lines) {
+      Finding line = analysis.findings[i];
+      add_growth_of_line(analysis, line, *whole, record.rate, settings);
+      analysis.findings[i] = line;
+      continue;
+    }
     const CleanChannel *channel = line_free_channel(record, line_free, analysis.findings[i].channel);
-    if ((kind != "mode" && kind != "resonance") || !channel ||
-        analysis.findings[i].frequency + band_of_envelope > record.rate / 2)
+    if ((kind != "mode" && kind != "resonance") || !channel || !within_band)
       continue;
     const ComplexEnvelope envelope =
         complex_envelope(channel->value, channel->pieces, record.rate, analysis.findings[i].frequency);
