@@ -53,7 +53,6 @@ void say(const std::string &text)
   put(visible(text));
 }
 
-namespace {
 // What one command has shown; bars may be shown from several threads.
 struct CommandProgress {
   double done                                 = 0;  // share of the command, never falls
@@ -61,32 +60,53 @@ struct CommandProgress {
   int last_percent                            = -1;
   int line_every                              = 10;  // per cent
   std::chrono::steady_clock::time_point start = std::chrono::steady_clock::now();
+  std::function<void(const std::string &, double)> listener;  // in place of the screen
 };
-CommandProgress of_command;
+
+namespace {
+CommandProgress of_process;
+thread_local std::shared_ptr<CommandProgress> heard;
 std::mutex progress_access;
+
+CommandProgress &of_command()
+{
+  return heard ? *heard : of_process;
+}
 }  // namespace
+
+HeardProgress::HeardProgress(std::function<void(const std::string &, double)> listener)
+{
+  heard           = std::make_shared<CommandProgress>();
+  heard->listener = std::move(listener);
+}
+
+HeardProgress::~HeardProgress()
+{
+  heard.reset();
+}
 
 void begin_progress()
 {
   const std::lock_guard lock(progress_access);
-  of_command = {};
+  of_command() = {};
 }
 
 void next_bar_ends_at(const double share)
 {
   const std::lock_guard lock(progress_access);
-  of_command.next_end = share;
+  of_command().next_end = share;
 }
 
 void progress_line_every(const int percent)
 {
   const std::lock_guard lock(progress_access);
-  of_command.line_every = percent;
+  of_command().line_every = percent;
 }
 
 struct ProgressBar::State {
   std::vector<std::pair<std::string, double>> stages;
   bool quiet, terminal;
+  std::shared_ptr<CommandProgress> listened = heard;
   double begin = 0, end = 1;                                              // share of the command
   double done                  = 0;                                       // share of this bar, never falls
   std::vector<double> fraction = std::vector<double>(stages.size(), 0.);  // of each stage
@@ -96,9 +116,10 @@ ProgressBar::ProgressBar(std::vector<std::pair<std::string, double>> stages, con
     : state(new State{std::move(stages), quiet, isatty(STDERR_FILENO) == 1})
 {
   const std::lock_guard lock(progress_access);
-  state->begin        = of_command.done;
-  state->end          = std::max(of_command.done, of_command.next_end);
-  of_command.next_end = 1;
+  CommandProgress &c = of_command();
+  state->begin       = c.done;
+  state->end         = std::max(c.done, c.next_end);
+  c.next_end         = 1;
 }
 
 ProgressBar::~ProgressBar() = default;
@@ -107,7 +128,7 @@ void ProgressBar::show(const std::string &stage, const double fraction)
 {
   stop_if_asked();
   State &s = *state;
-  if (s.quiet)
+  if (s.quiet && !s.listened)
     return;
   const std::lock_guard lock(progress_access);
   // Stages run side by side; the next report of a name that is done belongs to the next stage of that name.
@@ -122,8 +143,12 @@ void ProgressBar::show(const std::string &stage, const double fraction)
     reached += s.stages[i].second * s.fraction[i];
   }
   s.done             = std::max(s.done, all > 0 ? reached / all : fraction);
-  CommandProgress &c = of_command;
+  CommandProgress &c = s.listened ? *s.listened : of_process;
   c.done             = std::max(c.done, s.begin + (s.end - s.begin) * std::min(1., s.done));
+  if (c.listener) {
+    c.listener(stage, c.done);
+    return;
+  }
   const std::chrono::duration<double> elapsed = std::chrono::steady_clock::now() - c.start;
   const int percent                           = int(100 * c.done);
   if (s.terminal) {
@@ -140,7 +165,7 @@ void ProgressBar::show(const std::string &stage, const double fraction)
 
 void ProgressBar::finish()
 {
-  if (!state->quiet && state->terminal)
+  if (!state->quiet && !state->listened && state->terminal)
     put("\r\033[K");
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/errors.h"
 #include "core/process/progress.h"
+#include <functional>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -28,6 +29,16 @@ void begin_progress();
 void next_bar_ends_at(double share);
 /// Per cent between two lines of progress where the output is not a terminal; 10 otherwise.
 void progress_line_every(int percent);
+
+/// While it lives, bars that this thread makes tell `listener` their stage and the share of the command that is
+/// done, quiet or not, and show nothing.  They may be shown, and so call it, from other threads, one at a time.
+class HeardProgress {
+public:
+  explicit HeardProgress(std::function<void(const std::string &stage, double done)> listener);
+  ~HeardProgress();
+  HeardProgress(const HeardProgress &)            = delete;
+  HeardProgress &operator=(const HeardProgress &) = delete;
+};
 
 /// What the user sees while a run works: a bar with stage and time left on a terminal, percent lines elsewhere.
 /// What is shown never falls, also from one bar to the next.

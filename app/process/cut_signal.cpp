@@ -1,4 +1,5 @@
 #include "app/process/cut_signal.h"
+#include "core/process/stop.h"
 #include <csignal>
 
 namespace mill {
@@ -12,8 +13,10 @@ void ask_for_cut(const int number)
 }
 }  // namespace
 
-CutSignal::CutSignal()
+CutSignal::CutSignal() : of_caller(Stoppable::current())
 {
+  if (of_caller)
+    return;
   cut_by = 0;
   std::signal(SIGINT, ask_for_cut);
   std::signal(SIGTERM, ask_for_cut);
@@ -21,12 +24,16 @@ CutSignal::CutSignal()
 
 CutSignal::~CutSignal()
 {
+  if (of_caller)
+    return;
   std::signal(SIGINT, SIG_DFL);
   std::signal(SIGTERM, SIG_DFL);
 }
 
 int CutSignal::asked() const
 {
+  if (of_caller)
+    return of_caller->load(std::memory_order_relaxed) ? SIGINT : 0;
   return cut_by;
 }
 }  // namespace mill

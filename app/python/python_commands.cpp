@@ -1,3 +1,4 @@
+#include "app/process/console.h"
 #include "app/python/long_call.h"
 #include "app/python/python_parts.h"
 #include "app/python/python_values.h"
@@ -69,7 +70,8 @@ void take_options(CommandLine &command, const py::dict &options)
   }
 }
 
-int carry_out_verb(const std::string &verb, const py::object &the_case, const py::dict &options)
+int carry_out_verb(const std::string &verb, const py::object &the_case, const py::dict &options,
+                   const py::object &progress)
 {
   CommandLine command;
   if (!the_case.is_none())
@@ -77,7 +79,8 @@ int carry_out_verb(const std::string &verb, const py::object &the_case, const py
   command.verb  = verb;
   command.quiet = true;
   take_options(command, options);
-  return long_call<int>(py::none(), [command](const Progress &) {
+  return long_call<int>(progress, [command](const Progress &shown) {
+    const console::HeardProgress heard(shown.step);
     if (command.verb == "sweep")
       return sweep_command(command);
     if (command.verb == "study")
@@ -91,7 +94,8 @@ int carry_out_verb(const std::string &verb, const py::object &the_case, const py
 
 void add_commands(py::module_ &module)
 {
-  module.def("_carry_out", &carry_out_verb, py::arg("verb"), py::arg("case"), py::arg("options"));
+  module.def("_carry_out", &carry_out_verb, py::arg("verb"), py::arg("case"), py::arg("options"),
+             py::arg("progress") = py::none());
   module.def("_full_name", &full_result_name, py::arg("name"));
   module.def("_text_of_value", &text_of_value, py::arg("value"));
 }

@@ -52,6 +52,8 @@ RowList read_row_list(const Case &the_case, const std::vector<std::string> &sets
   list.rows.resize(sheet.n_rows());
   if (list.rows.empty())
     throw InputError(Place{path, 1, 1}, "the list has no rows");
+  for (std::size_t r = 0; r < list.rows.size(); ++r)
+    list.places.push_back(sheet.place(sheet.cell(r, 0)));
   std::vector<std::string> names;
   for (std::size_t column = 0; column < sheet.header.size(); ++column) {
     const KnownKey known = key_of_column(the_case, sets, sheet, sheet.header[column]);

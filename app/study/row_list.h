@@ -1,5 +1,6 @@
 #pragma once
 #include "app/study/spread.h"
+#include "core/base/errors.h"
 #include <string>
 #include <vector>
 
@@ -8,6 +9,7 @@ namespace mill {
 struct RowList {
   std::vector<UncertainKey> keys;
   std::vector<std::vector<double>> rows;  ///< (rows, keys) as set_value() takes them
+  std::vector<Place> places;              ///< (rows) of their first cells
 };
 
 /// Reads a CSV file whose header names keys with their units, "backup_roll.crown [um]"; words of a choice need

@@ -155,11 +155,18 @@ void require_inside(const std::string &written, const KnownKey &key, const std::
   const auto in_common = [&](const double end) {
     return quantity && std::isfinite(end) ? from_si(to_si(end, unit(key.row.form)), *find_unit(common)) : end;
   };
+  const bool normal    = spread.kind == Spread::Kind::normal;
   const double outside = share_outside(spread, in_common(key.row.range.min), in_common(key.row.range.max));
-  if (outside > (spread.kind == Spread::Kind::normal ? most_outside : 0))
-    refuse_spread(written, fmt::format("{} of this distribution is outside of {}, which {} allows; truncate it: "
+  if (outside <= (normal ? most_outside : 0))
+    return;
+  const std::string allows = range_text(key.row) + ", which " + key.name + " allows";
+  if (normal)
+    refuse_spread(written, fmt::format("{} of this distribution is outside of {}; truncate it: "
                                        "truncated(mean, sd, low, high)",
-                                       percent_text(outside), range_text(key.row), key.name));
+                                       percent_text(outside), allows));
+  refuse_spread(written, (std::isnan(outside) ? "this distribution reaches outside of "
+                                              : percent_text(outside) + " of this distribution is outside of ") +
+                             allows + "; move its ends inside");
 }
 }  // namespace
 
@@ -171,8 +178,10 @@ bool is_distribution(const std::string &written)
 
 double share_outside(const Spread &spread, const double low, const double high)
 {
+  if (spread.kind == Spread::Kind::uniform)
+    return 1 - std::max(0.0, std::min(high, spread.high) - std::max(low, spread.low)) / (spread.high - spread.low);
   if (spread.kind != Spread::Kind::normal)
-    return spread.low < low || spread.high > high ? 1 : 0;
+    return spread.low < low || spread.high > high ? not_given : 0;
   const boost::math::normal law(spread.mean, spread.sd);
   return (std::isfinite(low) ? cdf(law, low) : 0) + (std::isfinite(high) ? cdf(complement(law, high)) : 0);
 }

@@ -2,9 +2,11 @@
 #include "core/base/errors.h"
 #include "core/process/own_library.h"
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <fcntl.h>
 #include <filesystem>
-#include <spawn.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -14,6 +16,21 @@ std::string program_path(const std::string &name)
   return own_folder() + "/" + name;
 }
 
+namespace {
+// In the child: nothing but calls that are safe after fork().
+[[noreturn]] void become(const char *file, char *const *words, const pid_t parent, const int pipe)
+{
+  ::prctl(PR_SET_PDEATHSIG, SIGTERM);
+  if (::getppid() != parent)  // which ended before this line
+    ::_exit(1);
+  ::execvp(file, words);
+  const int error = errno;
+  if (::write(pipe, &error, sizeof error) < 0)
+    ::_exit(126);
+  ::_exit(127);
+}
+}  // namespace
+
 pid_t start_program(const std::string &file, const std::vector<std::string> &arguments, const std::string &what)
 {
   std::vector<std::string> words{file};
@@ -22,8 +39,16 @@ pid_t start_program(const std::string &file, const std::vector<std::string> &arg
   for (std::string &word : words)
     pointers.push_back(word.data());
   pointers.push_back(nullptr);
-  pid_t process   = 0;
-  const int error = posix_spawnp(&process, file.c_str(), nullptr, nullptr, pointers.data(), environ);
+  int ends[2] = {-1, -1}, error = 0;
+  const pid_t parent = ::getpid(), process = ::pipe2(ends, O_CLOEXEC) == 0 ? ::fork() : -1;
+  if (process == 0)
+    become(file.c_str(), pointers.data(), parent, ends[1]);
+  if (process < 0)
+    error = errno;
+  ::close(ends[1]);
+  if (process > 0 && ::read(ends[0], &error, sizeof error) > 0)
+    wait_for(process);
+  ::close(ends[0]);
   if (error != 0) {
     const std::string name = std::filesystem::path(file).filename().string();
     throw InputError(

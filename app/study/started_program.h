@@ -7,7 +7,8 @@ namespace mill {
 /// A program in the folder of this one.
 std::string program_path(const std::string &name);
 
-/// Starts a program without a shell; its output is that of this one.
+/// Starts a program without a shell; its output is that of this one.  When the calling thread ends before it, even
+/// by a kill, it gets SIGTERM, so that no worker goes on for a study whose command has ended.
 /// @throws InputError  it cannot be started
 pid_t start_program(const std::string &file, const std::vector<std::string> &arguments, const std::string &what);
 

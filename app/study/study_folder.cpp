@@ -191,6 +191,15 @@ std::string study_toml(const Study &study)
   return text;
 }
 
+std::string differences(const Study &before, const Study &now)
+{
+  const auto asked = [](Study study) {
+    study.seconds = not_given;  // measured
+    return study_toml(study);
+  };
+  return differing_lines(asked(before), asked(now));
+}
+
 Study read_study(const std::string &folder)
 {
   const std::string path = folder + "/study.toml";

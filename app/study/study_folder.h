@@ -54,6 +54,9 @@ long held_out_rows(const Study &study);
 /// Text of study.toml.
 std::string study_toml(const Study &study);
 
+/// Lines of study.toml that one study has and another has not, some of each; empty: they ask for the same.
+std::string differences(const Study &before, const Study &now);
+
 /// Reads DIR/study.toml.  @throws InputError  no study there, or one of another version of the format
 Study read_study(const std::string &folder);
 

@@ -140,9 +140,9 @@ long expected_rows(const Study &study)
   return long(std::min(rows, 1e18));
 }
 
-// Every row as a case; all refused rows are named before the study exists.
+// Every row as a case, with its place in a list; all refused rows are named before the study exists.
 std::vector<std::int64_t> checked_keys(const Study &study, const std::vector<std::vector<double>> &rows,
-                                       const int threads, const bool quiet)
+                                       const std::vector<Place> &places, const int threads, const bool quiet)
 {
   std::vector<std::int64_t> keys(rows.size());
   std::map<std::size_t, std::vector<Problem>> refused;
@@ -168,6 +168,8 @@ std::vector<std::int64_t> checked_keys(const Study &study, const std::vector<std
     for (Problem problem : its_problems)
       if (problems.size() < most_refusals) {
         problem.message = row_name(study, {0, std::int64_t(place) + 1, 0, rows[place]}) + ": " + problem.message;
+        if (problem.place.line == 0 && !places.empty())
+          problem.place = places[place];
         problems.push_back(problem);
       }
   if (refused.size() > most_refusals)
@@ -205,10 +207,15 @@ void require_study_folder(const Study &study, const bool overwrite)
 {
   std::error_code ignored;
   if (!overwrite && std::filesystem::exists(study.folder + "/study.toml", ignored)) {
-    const Study there = read_study(study.folder);
+    const Study there        = read_study(study.folder);
+    const std::string differ = differences(there, study), discard = "--force-overwrite, which discards its rows";
+    if (differ.empty())
+      throw InputError("the folder " + study.folder +
+                       " holds this study already; go on with: millstand study run " + study.folder +
+                       ", or give " + discard);
     throw InputError("the folder " + study.folder + " holds a study of " + there.case_name + " by " +
                      there.method + fmt::format(" with {} rows", there.rows) +
-                     "; choose another with -o, or give --force-overwrite, which discards its rows");
+                     "; choose another with -o, or give " + discard + differ);
   }
   require_result_folder(study.folder, "study.toml", "study", overwrite);
   for (const char *old :
@@ -268,10 +275,12 @@ int study_new(const CommandLine &command)
   cache_limit(command);  // before anything is computed
   study.base = hash_of(read_case(study.case_path, study.sets).resolved);
   std::vector<std::vector<double>> rows;
+  std::vector<Place> places;
   if (study.method == "list") {
     RowList list = read_row_list(base, command.sets, command.study.list);
     study.keys   = std::move(list.keys);
     rows         = std::move(list.rows);
+    places       = std::move(list.places);
   } else {
     study.keys = keys_of_command(command, base);
     if (study.keys.empty())
@@ -296,7 +305,7 @@ int study_new(const CommandLine &command)
   RunContext setup{base, out, cache_folder(command, study.folder + "/cache")};
   open_cache(setup, out.staging());
   set_up_threads(setup, command);
-  const auto keys = checked_keys(study, rows, setup.threads, command.quiet);
+  const auto keys = checked_keys(study, rows, places, setup.threads, command.quiet);
   watch(command, base, setup, study);
   require_study_folder(study, command.force_overwrite);
   write_study(study, ordered_rows(study, std::move(rows), keys));

@@ -197,7 +197,8 @@ int study_merge(const CommandLine &command)
   StudyRows rows = study_rows(study);
   append_search(study, rows);
   write_csv(study, rows);
-  console::print(fmt::format("{}/results.csv: {} of {} rows\n", study.folder, rows.finished, study.rows));
+  if (!command.quiet)
+    console::print(fmt::format("{}/results.csv: {} of {} rows\n", study.folder, rows.finished, study.rows));
   return 0;
 }
 

@@ -4,16 +4,14 @@
 #include "app/study/started_program.h"
 #include "app/study/store/row_files.h"
 #include "app/study/study_optimum.h"
+#include "app/study/worker_processes.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>
-#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fmt/format.h>
-#include <map>
-#include <sys/wait.h>
 #include <thread>
 
 namespace fs = std::filesystem;
@@ -22,7 +20,6 @@ namespace mill {
 namespace {
 constexpr double seconds_of_shard = 20;
 constexpr long shards_of_core     = 10;
-constexpr int most_restarts       = 100;
 
 // A word of the shell, whatever it holds.
 std::string shell_word(const std::string &text)
@@ -94,82 +91,16 @@ void say_notes(const std::vector<std::string> &notes)
     console::say("warning: " + note + "\n");
 }
 
-// Processes of this machine: a shard that a crash ended is started again, since its second crash is marked.
-class HerePool {
-public:
-  HerePool(const Study &asked, const CommandLine &command, const long n_jobs) : study(asked), jobs(n_jobs)
-  {
-    const long threads = command.threads > 0 ? command.threads : std::max(1L, processors() / jobs);
-    common             = {"--threads", std::to_string(threads)};
-    if (!command.cache.empty())
-      common.insert(common.end(), {"--cache", command.cache});
-    if (cache_limit(command) > 0)
-      common.insert(common.end(), {"--cache-limit", command.sweep.cache_limit});
-    if (command.study.keep)
-      common.push_back("--keep");
-    if (command.fresh)
-      common.push_back("--fresh");
-    if (command.quiet || jobs > 1)
-      common.push_back("-q");
-  }
-
-  int work(const CutSignal &signal)
-  {
-    for (long i = 1; i <= jobs; ++i)
-      start(i);
-    int worst = 0;
-    bool sent = false;
-    while (!running.empty()) {
-      if (signal.asked() && !sent) {
-        for (const auto &[process, shard] : running)
-          ::kill(process, SIGTERM);
-        sent = true;
-      }
-      int status          = 0;
-      const pid_t process = ::waitpid(-1, &status, WNOHANG);
-      if (process <= 0) {
-        std::this_thread::sleep_for(std::chrono::milliseconds(5));
-        continue;
-      }
-      const auto entry = running.find(process);
-      if (entry == running.end())
-        continue;
-      const long shard = entry->second;
-      running.erase(entry);
-      const bool crashed = WIFSIGNALED(status);
-      if (crashed && !signal.asked() && ++restarts <= most_restarts)
-        start(shard);
-      else
-        worst = std::max(worst, crashed ? 3 : WEXITSTATUS(status));
-    }
-    return signal.asked() ? 130 : worst;
-  }
-
-private:
-  void start(const long shard)
-  {
-    std::vector<std::string> words{"study", "work", study.folder, "--shard", fmt::format("{}/{}", shard, jobs)};
-    words.insert(words.end(), common.begin(), common.end());
-    running[start_program(program_path("millstand-all"), words, "rows of a study")] = shard;
-  }
-  const Study &study;
-  long jobs;
-  int restarts = 0;
-  std::vector<std::string> common;
-  std::map<pid_t, long> running;
-};
-
-// Carries out the script of an engine.
-int run_script(const Study &study, const CommandLine &command, const std::string &script)
+// The script of an engine, for whoever wants to see what was started.
+std::string written_script(const Study &study, const std::string &engine, const std::string &script)
 {
-  const std::string file = study.folder + "/" + command.study.engine + ".sh";
+  const std::string file = study.folder + "/" + engine + ".sh";
   write_atomically(file, script);
-  return command.study.engine == "slurm" ? run_program("sbatch", {file}, "arrays of a study")
-                                         : run_program("sh", {file}, "shards of a study");
+  return file;
 }
 
-// Keys of all rows that are over; the files are read as they are, since merging a million rows takes longer.
-bool all_finished(const Study &study)
+// Rows that are not over; the files are read as they are, since merging a million rows takes longer.
+long open_rows_of(const Study &study)
 {
   std::vector<std::int64_t> keys;
   auto files = row_files(study.folder);
@@ -177,10 +108,10 @@ bool all_finished(const Study &study)
   for (const std::string &file : files)
     read_rows(file, 0, [&](FinishedRow &&row) { keys.push_back(row.key); });
   std::sort(keys.begin(), keys.end());
-  bool all = true;
+  long open = 0;
   read_design(study, 0, study.rows,
-              [&](DesignRow &&row) { all = all && std::binary_search(keys.begin(), keys.end(), row.key); });
-  return all;
+              [&](DesignRow &&row) { open += !std::binary_search(keys.begin(), keys.end(), row.key); });
+  return open;
 }
 
 // A worker reads the files of its own shard and what is merged: shards that were cut in another way are merged
@@ -213,13 +144,16 @@ std::string engine_script(const Study &study, const std::string &engine, const l
                        "#SBATCH --open-mode=append\n#SBATCH --signal=B:TERM@60\n#SBATCH --output={}/slurm-%a.log\n"
                        "exec {}\"$SLURM_ARRAY_TASK_ID\"/{}{}\n",
                        shards, folder, work, shards, options_of(command));
-  const long jobs           = command.study.jobs > 0 ? command.study.jobs : processors();
-  const std::string hosts   = command.study.hosts.empty()
-                                  ? ""
-                                  : " --sshloginfile " + shell_word(fs::absolute(command.study.hosts).string());
-  const std::string threads = command.threads > 0 ? "" : " --threads 1";
-  return fmt::format("#!/bin/sh\nseq {} | parallel --jobs {} --retries 3 --halt never{} --joblog {} \\\n  {}\n",
-                     shards, jobs, hosts, shell_word(folder + "/parallel.log"),
+  const long jobs              = command.study.jobs > 0 ? command.study.jobs : processors();
+  const std::string shard_file = shell_word(folder + "/parallel.shards");
+  const std::string hosts      = command.study.hosts.empty()
+                                     ? ""
+                                     : " --sshloginfile " + shell_word(fs::absolute(command.study.hosts).string());
+  const std::string threads    = command.threads > 0 ? "" : " --threads 1";
+  // By exec it has the process number that `study run` ends; its workers have ten seconds for what is under way.
+  return fmt::format("#!/bin/sh\nseq {} > {}\nexec parallel --arg-file {} --jobs {} --retries 3 --halt never \\\n"
+                     "  --termseq TERM,10000,KILL,25{} --joblog {} \\\n  {}\n",
+                     shards, shard_file, shard_file, jobs, hosts, shell_word(folder + "/parallel.log"),
                      shell_word(work + "{}/" + std::to_string(shards) + options_of(command) + threads));
 }
 
@@ -240,28 +174,35 @@ int study_run(const CommandLine &command)
     return 0;
   }
   require_engine(engine);
+  if (!command.study.hosts.empty())
+    read_text(command.study.hosts);  // one that cannot be read is named here, not by every worker
   base_case(study);
-  if (all_finished(study) && study.method != "optimise") {
-    console::print("all rows are finished; report: millstand study report " + study.folder + "\n");
+  const long open = open_rows_of(study);
+  if (open == 0 && study.method != "optimise") {
+    if (!command.quiet)
+      console::print("all rows are finished; report: millstand study report " + study.folder + "\n");
     return 0;
   }
   merge_other_shards(study, engine == "here" ? jobs : shards);
+  const std::string script =
+      engine == "here" ? ""
+                       : written_script(study, engine,
+                                        engine_script(study, engine, shards, command, program_path("millstand")));
   if (engine == "slurm") {
-    const int status =
-        run_script(study, command, engine_script(study, engine, shards, command, program_path("millstand")));
-    if (status != 0)
-      throw SystemError("sbatch did not accept the array; its message is above, its script " + study.folder +
-                        "/slurm.sh");
-    console::print("watch it with: millstand study status " + study.folder + "\n");
+    if (run_program("sbatch", {script}, "arrays of a study") != 0)
+      throw SystemError("sbatch did not accept the array; its message is above, its script " + script);
+    if (!command.quiet)
+      console::print("watch it with: millstand study status " + study.folder + "\n");
     return 0;
   }
   const CutSignal signal;
+  RowWatch watch(study, open, command.quiet);
   int code = 0;
   if (engine == "here")
-    code = HerePool(study, command, jobs).work(signal);
-  else if (run_script(study, command, engine_script(study, engine, shards, command, program_path("millstand"))) !=
-           0)
+    code = run_workers_here(study, command, jobs, signal, watch);
+  else if (wait_or_end(start_program("sh", {script}, "shards of a study"), signal, watch) != 0)
     code = signal.asked() ? 130 : 3;
+  watch.finish();
   say_notes(merge_rows(study.folder));
   if (code == 0 && study.method == "optimise") {
     code = run_search(study, command, signal);

@@ -11,6 +11,7 @@
 #include "core/process/parallel.h"
 #include "report/study/sweep_page.h"
 #include <algorithm>
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <filesystem>
@@ -163,15 +164,19 @@ void compute_rows(const CommandLine &command, RowModel &model, const int threads
 {
   const auto start = std::chrono::steady_clock::now();
   console::ProgressBar bar({{"rows", 1}}, command.quiet);
-  if (command.sweep.model == "quick") {
-    share_tasks(long(table.rows.size()), threads,
-                [&](const long i) { compute_row(command, model, table, table.rows[std::size_t(i)]); });
-  } else {
-    for (std::size_t i = 0; i < table.rows.size(); ++i) {
-      compute_row(command, model, table, table.rows[i]);
-      bar.show("rows", double(i + 1) / double(table.rows.size()));
-    }
-  }
+  const std::size_t n = table.rows.size();
+  std::atomic<std::size_t> done{0};
+  const auto one = [&](const long i) {
+    compute_row(command, model, table, table.rows[std::size_t(i)]);
+    if (const std::size_t now = ++done; 100 * now / n != 100 * (now - 1) / n)
+      bar.show("rows", double(now) / double(n));
+  };
+  bar.show("rows", 0);
+  if (command.sweep.model == "quick")
+    share_tasks(long(n), threads, one);
+  else
+    for (std::size_t i = 0; i < n; ++i)
+      one(long(i));
   bar.finish();
   table.seconds = seconds_since(start);
 }

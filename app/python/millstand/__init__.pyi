@@ -327,7 +327,7 @@ class Case:
     def calibrate(
         self, records: Iterable[Record], *, free: str | None = None, model: str | None = None,
         model_error: _Quantity | None = None, accept: bool = False, out: _Path | None = None, threads: int = 0,
-        overwrite: bool = False,
+        overwrite: bool = False, progress: _Progress = None,
     ) -> Calibration: ...
 
 class SweepTable:
@@ -349,6 +349,7 @@ class Study:
     def __init__(self, folder: _Path, kept: Any = None) -> None: ...
     def run(
         self, *, engine: str = "here", jobs: int = 0, keep: bool = False, cache_limit: str | None = None,
+        progress: _Progress = None,
     ) -> Study: ...
     def report(self, *, allow_failed: bool = False) -> dict[str, Any]: ...
     def merge(self) -> str: ...
@@ -369,6 +370,7 @@ class Record:
     def analyse(
         self, case: Case | None = None, *, model: str | None = None, speed: _Quantity | None = None,
         limit: _Quantity | None = None, out: _Path | None = None, threads: int = 0, overwrite: bool = False,
+        progress: _Progress = None,
     ) -> Analysis: ...
 
 class Analysis:
@@ -406,7 +408,7 @@ def record(
 def sweep(
     case: Case, vary: Mapping[str, str | Sequence[_Value]], watch: Iterable[str] | None = None, *,
     model: str = "full", out: _Path | None = None, threads: int = 0, fresh: bool = False, cache: _Path | None = None,
-    overwrite: bool = False,
+    overwrite: bool = False, progress: _Progress = None,
 ) -> SweepTable: ...
 def study(
     case: Case, vary: Mapping[str, str | Sequence[_Value]], watch: Iterable[str] | None = None, *,
@@ -414,5 +416,5 @@ def study(
     correlate: Iterable[str] | None = None, list_file: _Path | None = None, minimise: str | None = None,
     maximise: str | None = None, out: _Path | None = None, run: bool = True, engine: str = "here", jobs: int = 0,
     threads: int = 0, cache: _Path | None = None, keep: bool = False, cache_limit: str | None = None,
-    overwrite: bool = False,
+    overwrite: bool = False, progress: _Progress = None,
 ) -> Study: ...

@@ -40,8 +40,12 @@ class Record:
             zone=self.zone,
         )
 
-    def analyse(self, case=None, *, model=None, speed=None, limit=None, out=None, threads=0, overwrite=False):
-        """Lines, modes, sources and the account of the variance, as `millstand analyse` finds them."""
+    def analyse(self, case=None, *, model=None, speed=None, limit=None, out=None, threads=0, overwrite=False,
+                progress=None):
+        """Lines, modes, sources and the account of the variance, as `millstand analyse` finds them.
+
+        progress  called on the way as progress(stage, fraction)
+        """
         folder, kept = _folder(out, "analysis")
         options = _options(
             names=[self.path],
@@ -54,7 +58,7 @@ class Record:
             overwrite=overwrite,
             **self._reading(),
         )
-        _carry_out("analyse", case, options)
+        _carry_out("analyse", case, options, progress)
         return Analysis(json.loads((folder / "analysis.json").read_text()), folder, kept)
 
     def __repr__(self):
@@ -140,8 +144,11 @@ class Calibration:
 
 
 def _calibrate(self, records, *, free=None, model=None, model_error=None, accept=False, out=None, threads=0,
-               overwrite=False):
-    """Fits masses, springs and damping of a case to records, as `millstand calibrate` does."""
+               overwrite=False, progress=None):
+    """Fits masses, springs and damping of a case to records, as `millstand calibrate` does.
+
+    progress  called on the way as progress(stage, fraction)
+    """
     records = list(records)
     if not records:
         raise InputError("calibrate needs at least one record, for example case.calibrate([ms.record(\"stand4.csv\")])")
@@ -172,5 +179,5 @@ def _calibrate(self, records, *, free=None, model=None, model_error=None, accept
             rate=_text(records[0].rate),
             zone=records[0].zone,
         )
-        _carry_out("calibrate", self, options)
+        _carry_out("calibrate", self, options, progress)
     return Calibration(json.loads((folder / "calibration.json").read_text()), folder, self, kept)

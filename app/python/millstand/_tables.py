@@ -77,12 +77,14 @@ class SweepTable:
         return "\n".join(lines)
 
 
-def sweep(case, vary, watch=None, *, model="full", out=None, threads=0, fresh=False, cache=None, overwrite=False):
+def sweep(case, vary, watch=None, *, model="full", out=None, threads=0, fresh=False, cache=None, overwrite=False,
+          progress=None):
     """Every combination of the values in `vary`, as `millstand sweep` computes it.
 
     vary   key -> list of values ("0 um", (50, "um"), "solid"), or a text "0..200 um:21"
     watch  names of results; None: the usual ones of the kind
     model  "full" as a run, "quick" by closed forms
+    progress  called on the way as progress(stage, fraction); progress=ms.bar shows a bar
     """
     folder, kept = _folder(out, "sweep")
     options = _options(
@@ -95,7 +97,7 @@ def sweep(case, vary, watch=None, *, model="full", out=None, threads=0, fresh=Fa
         cache=None if cache is None else str(cache),
         overwrite=overwrite,
     )
-    code = _carry_out("sweep", case, options)
+    code = _carry_out("sweep", case, options, progress)
     table = SweepTable(json.loads((folder / "sweep.json").read_text()), folder, kept)
     if code != 0:
         raise SolverError(f"every row of the sweep failed; the first: {table.failures[0]}")
@@ -109,16 +111,17 @@ class Study:
         self.folder = str(folder)
         self._kept = kept
 
-    def run(self, *, engine="here", jobs=0, keep=False, cache_limit=None):
+    def run(self, *, engine="here", jobs=0, keep=False, cache_limit=None, progress=None):
         """Computes the rows that are not finished; run again after an interruption.
 
         keep         all files of each row of a full model, not results.json alone
         cache_limit  largest size of the cache folder, "20GB"; what was not used for longest is removed first
+        progress     called about once a second with the share of the open rows that are finished
         """
         options = _options(
             action="run", target=self.folder, engine=engine, jobs=jobs, keep=keep, cache_limit=cache_limit
         )
-        code = _carry_out("study", None, options)
+        code = _carry_out("study", None, options, progress)
         if code == 130:
             raise KeyboardInterrupt
         if code != 0:
@@ -141,13 +144,13 @@ class Study:
 
 def study(case, vary, watch=None, *, method="monte-carlo", samples=None, seed=1, model="full", correlate=None,
           list_file=None, minimise=None, maximise=None, out=None, run=True, engine="here", jobs=0, threads=0, cache=None,
-          keep=False, cache_limit=None, overwrite=False):
+          keep=False, cache_limit=None, overwrite=False, progress=None):
     """A study as `millstand study` draws it; run=False draws and checks the rows only.
 
     vary      key -> distribution "normal(5, 0.2) MN/mm" (or a list of values for method="grid")
     minimise  the result whose least value method="optimise" searches between the bounds of uniform(low, high);
               maximise its greatest one
-    keep, cache_limit  as in Study.run
+    keep, cache_limit, progress  as in Study.run
     """
     folder, kept = _folder(out, "study")
 
@@ -173,6 +176,8 @@ def study(case, vary, watch=None, *, method="monte-carlo", samples=None, seed=1,
         cache_limit=cache_limit,
         overwrite=overwrite,
     )
-    _carry_out("study", case, options)
+    _carry_out("study", case, options, progress)
     drawn = Study(folder, kept)
-    return drawn.run(engine=engine, jobs=jobs, keep=keep, cache_limit=cache_limit) if run else drawn
+    if run:
+        drawn.run(engine=engine, jobs=jobs, keep=keep, cache_limit=cache_limit, progress=progress)
+    return drawn

@@ -21,20 +21,32 @@
 namespace mill {
 namespace {
 constexpr int most_degree = 10, resamples = 200, map_points = 21;
-constexpr int most_worse = 3;  // degrees in sequence; functions of even powers gain at every second degree
+constexpr double most_deviations = 8;  // beyond them 1e-15 of a normal law
+constexpr int most_worse         = 3;  // degrees in sequence; functions of even powers gain at every second degree
 constexpr OT::UnsignedInteger most_candidates = 170;  // degree 8 of three inputs; least angles take time for more
 
-// Inputs about their means in units of their deviations, so that polynomials of a diameter of 420 mm with a
-// tolerance of 0.5 mm keep their digits.
+// Inputs in the units of the law for which OpenTURNS makes the polynomials orthonormal: about the mean in
+// deviations for a normal one, from -1 to 1 for one with ends.  Polynomials of a diameter of 420 mm with a
+// tolerance of 0.5 mm keep their digits so.
 struct Scale {
   double middle = 0, length = 1;
 };
 
+// Ends that a truncated normal never comes near would leave it no width between -1 and 1.
+Spread without_far_ends(Spread s)
+{
+  const double far = most_deviations * s.sd;
+  if (s.kind == Spread::Kind::truncated && s.high > s.mean - far && s.low < s.mean + far) {
+    s.low  = std::max(s.low, s.mean - far);
+    s.high = std::min(s.high, s.mean + far);
+  }
+  return s;
+}
+
 Scale scale_of(const Spread &s)
 {
-  const bool normal =
-      s.kind == Spread::Kind::normal || s.kind == Spread::Kind::truncated || s.kind == Spread::Kind::tolerance;
-  return normal ? Scale{s.mean, s.sd} : Scale{0.5 * (s.low + s.high), 0.5 * (s.high - s.low)};
+  return s.kind == Spread::Kind::normal ? Scale{s.mean, s.sd}
+                                        : Scale{0.5 * (s.low + s.high), 0.5 * (s.high - s.low)};
 }
 
 Spread scaled(Spread s)
@@ -127,7 +139,8 @@ public:
   {
     OT::OrthogonalProductPolynomialFactory::PolynomialFamilyCollection families;
     OT::ComposedDistribution::DistributionCollection marginals;
-    for (const Spread &spread : spreads) {
+    for (const Spread &asked : spreads) {
+      const Spread spread = without_far_ends(asked);
       scales.push_back(scale_of(spread));
       marginals.add(distribution_of(scaled(spread)));
       families.add(OT::StandardDistributionPolynomialFactory(marginals[marginals.getSize() - 1]));

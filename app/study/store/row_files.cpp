@@ -84,6 +84,17 @@ ReadRows read_rows(const std::string &path, const std::int64_t after,
   return read;
 }
 
+long rows_in(const std::string &path)
+{
+  try {
+    Database file(path, Database::Open::read);
+    Statement last = file.prepare("SELECT max(place) FROM row");
+    return last.step() ? long(last.integer(0)) : 0;
+  } catch (const InputError &) {  // not yet made
+    return 0;
+  }
+}
+
 std::vector<std::int64_t> begun_rows(const std::string &path)
 {
   std::vector<std::int64_t> keys;

@@ -41,6 +41,9 @@ struct ReadRows {
 /// Reads the rows of a file behind a place, in the order in which they were written.
 ReadRows read_rows(const std::string &path, std::int64_t after, const std::function<void(FinishedRow &&)> &take);
 
+/// Number of rows in a file; 0 where it cannot be read now.
+long rows_in(const std::string &path);
+
 /// Keys of rows that a file has begun and not finished.
 std::vector<std::int64_t> begun_rows(const std::string &path);
 

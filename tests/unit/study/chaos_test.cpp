@@ -81,6 +81,39 @@ TEST(Chaos, APolynomialIsFoundExactly)
   EXPECT_EQ(fit["map"]["height"].size(), 21u);
 }
 
+// A linear function: spread and shares follow from the variances of the laws, whatever their form.
+TEST(Chaos, SpreadAndSharesHoldForEveryLaw)
+{
+  // Deviation of a normal law cut at a and b deviations to both sides of its mean, and its mean.
+  const auto cut = [](const double a, const double b) {
+    const auto density = [](const double x) { return std::exp(-0.5 * x * x) / std::sqrt(2 * M_PI); };
+    const double z = 0.5 * (std::erf(b / M_SQRT2) - std::erf(a / M_SQRT2)), m = (density(a) - density(b)) / z;
+    return std::sqrt(1 + (a * density(a) - b * density(b)) / z - m * m);
+  };
+  const std::vector<Spread> spreads{{Spread::Kind::tolerance, 58, 0.5, 56.5, 59.5},
+                                    {Spread::Kind::truncated, 10, 2, 9, 1e9},
+                                    {Spread::Kind::normal, 210, 2.1, not_given, not_given},
+                                    {Spread::Kind::uniform, not_given, not_given, 0, 3},
+                                    {Spread::Kind::triangular, 1.0, not_given, 0.5, 2.0}};
+  const double sd[]{0.5 * cut(-3, 3), 2 * cut(-0.5, 8), 2.1, 3 / std::sqrt(12.0),
+                    std::sqrt((0.25 + 1 + 4 - 0.5 - 1 - 2) / 18)};  // closed forms
+  const double slopes[]{-3, 0.7, 0.5, 1, 2};
+  const auto fit  = fitted(study_with(spreads), 64, [&](const std::vector<double> &x) {
+                     double sum = 0;
+                     for (std::size_t k = 0; k < x.size(); ++k)
+                       sum += slopes[k] * x[k];
+                     return sum;
+                   }).fit;
+  double variance = 0;
+  for (std::size_t k = 0; k < 5; ++k)
+    variance += std::pow(slopes[k] * sd[k], 2);
+  EXPECT_TRUE(near(fit["sd"].get<double>(), std::sqrt(variance), within(1e-6, "quadrature of the cut laws")));
+  for (std::size_t k = 0; k < 5; ++k)
+    EXPECT_TRUE(near(fit["first"][k].get<double>(), std::pow(slopes[k] * sd[k], 2) / variance,
+                     within(1e-6, "quadrature of the cut laws")))
+        << k;
+}
+
 TEST(Chaos, TheHeldOutErrorShowsWhatLeaveOneOutDoesNot)
 {
   const Spread uniform{Spread::Kind::uniform, not_given, not_given, 0, 1};

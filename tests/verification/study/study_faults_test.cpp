@@ -100,7 +100,7 @@ TEST(StudyFaults, ADamagedMergedRowIsComputedOnceMoreAndThenRight)
   EXPECT_EQ(resumed.exit_code, 0) << resumed.err;
   EXPECT_NE(resumed.err.find("with a wrong checksum"), std::string::npos) << resumed.err;
   EXPECT_EQ(dump(folder), whole);
-  const Outcome again = millstand("study run " + folder + " -q");
+  const Outcome again = millstand("study run " + folder);
   EXPECT_NE(again.out.find("all rows are finished"), std::string::npos) << again.out << again.err;
   EXPECT_EQ(again.err, "") << "the file was mended";
 }
