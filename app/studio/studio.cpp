@@ -11,7 +11,7 @@
 #include "core/case/case_template.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
-#include "web/server/listen_address.h"
+#include "twin/web/server/listen_address.h"
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>

@@ -3,7 +3,7 @@
 #include "app/studio/document/document.h"
 #include "app/studio/jobs/jobs.h"
 #include "app/trace/closed_form_chain.h"
-#include "web/server/page_server.h"
+#include "twin/web/server/page_server.h"
 #include <map>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>

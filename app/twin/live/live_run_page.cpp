@@ -7,7 +7,7 @@
 #include "core/base/errors.h"
 #include "core/base/visible_text.h"
 #include "core/model/case.h"
-#include "web/server/listen_address.h"
+#include "twin/web/server/listen_address.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>

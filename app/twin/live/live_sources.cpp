@@ -1,7 +1,7 @@
 #include "app/twin/live/live_sources.h"
 #include "core/base/errors.h"
 #include "twin/live/source/file_sources.h"
-#include "web/server/listen_address.h"
+#include "twin/web/server/listen_address.h"
 #include <filesystem>
 #include <fmt/format.h>
 

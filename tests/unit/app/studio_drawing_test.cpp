@@ -3,7 +3,7 @@
 #include "report/page/sections.h"
 #include "tests/support/near.h"
 #include "tests/support/web_driver.h"
-#include "web/server/page_server.h"
+#include "twin/web/server/page_server.h"
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <random>

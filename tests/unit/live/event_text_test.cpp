@@ -1,5 +1,5 @@
 #include "twin/live/page/event_text.h"
-#include "web/server/json_writer.h"
+#include "twin/web/server/json_writer.h"
 #include <cmath>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

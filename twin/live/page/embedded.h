@@ -1,7 +1,7 @@
 #pragma once
 
 /// Texts that the build puts into the library (cmake/embed_text.cmake), so that the program needs no data files;
-/// the files of this folder and of web/page with the same names.
+/// the files of this folder and of twin/web/page with the same names.
 namespace mill::live::embedded {
 extern const char *const index_html;
 extern const char *const theme_css;

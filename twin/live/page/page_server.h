@@ -1,5 +1,5 @@
 #pragma once
-#include "web/server/page_server.h"
+#include "twin/web/server/page_server.h"
 #include <functional>
 #include <memory>
 #include <string>

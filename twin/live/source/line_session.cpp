@@ -5,7 +5,7 @@
 #include "twin/records/channel_names.h"
 #include "twin/records/channel_scale.h"
 #include "twin/records/record_clock.h"
-#include "web/server/page_rules.h"
+#include "twin/web/server/page_rules.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>

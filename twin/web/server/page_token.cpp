@@ -1,6 +1,6 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
-#include "web/server/page_server.h"
+#include "twin/web/server/page_server.h"
 #include <algorithm>
 #include <cerrno>
 #include <cstdint>

@@ -1,4 +1,4 @@
-#include "web/server/listen_address.h"
+#include "twin/web/server/listen_address.h"
 #include "core/base/errors.h"
 #include "core/base/units.h"
 #include "core/base/visible_text.h"

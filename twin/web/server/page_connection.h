@@ -1,7 +1,7 @@
 #pragma once
-#include "web/server/event_frames.h"
-#include "web/server/page_rules.h"
-#include "web/server/page_server.h"
+#include "twin/web/server/event_frames.h"
+#include "twin/web/server/page_rules.h"
+#include "twin/web/server/page_server.h"
 #include <atomic>
 #include <cstdint>
 #include <set>

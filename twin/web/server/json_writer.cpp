@@ -1,4 +1,4 @@
-#include "web/server/json_writer.h"
+#include "twin/web/server/json_writer.h"
 #include <cmath>
 #include <cstring>
 #include <nlohmann/json.hpp>

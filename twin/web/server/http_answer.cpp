@@ -1,4 +1,4 @@
-#include "web/server/http_answer.h"
+#include "twin/web/server/http_answer.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 

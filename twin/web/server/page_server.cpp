@@ -1,6 +1,6 @@
-#include "web/server/page_server.h"
+#include "twin/web/server/page_server.h"
 #include "core/base/errors.h"
-#include "web/server/page_connection.h"
+#include "twin/web/server/page_connection.h"
 #include <boost/asio.hpp>
 #include <fcntl.h>
 #include <fmt/format.h>

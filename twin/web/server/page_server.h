@@ -1,6 +1,6 @@
 #pragma once
-#include "web/server/event_frames.h"
-#include "web/server/page_rules.h"
+#include "twin/web/server/event_frames.h"
+#include "twin/web/server/page_rules.h"
 #include <cstdint>
 #include <functional>
 #include <memory>

@@ -1,6 +1,6 @@
-#include "web/server/page_connection.h"
+#include "twin/web/server/page_connection.h"
 #include "core/base/errors.h"
-#include "web/server/http_answer.h"
+#include "twin/web/server/http_answer.h"
 #include <algorithm>
 #include <boost/asio.hpp>
 #include <boost/beast/core/flat_buffer.hpp>

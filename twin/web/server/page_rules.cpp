@@ -1,4 +1,4 @@
-#include "web/server/page_rules.h"
+#include "twin/web/server/page_rules.h"
 #include <algorithm>
 
 namespace mill::web {

@@ -1,4 +1,4 @@
-#include "web/server/event_frames.h"
+#include "twin/web/server/event_frames.h"
 #include <algorithm>
 
 namespace mill::web {
