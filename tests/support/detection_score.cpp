@@ -40,6 +40,18 @@ bool is_true_line(const Content &content, const double frequency, const double b
          });
 }
 
+// Why each channel has a line there.
+std::string reasons_at(const Analysis &analysis, const double f)
+{
+  std::string all;
+  for (const ChannelAnalysis &channel : analysis.channels)
+    for (const SpectralCandidate &one : channel.detected.candidates)
+      if (std::abs(one.peak.frequency - f) < one.peak.resolution)
+        all +=
+            fmt::format("; {} {:.5g} Hz {:.3g}: {}", one.fate, one.peak.frequency, one.peak.amplitude, one.reason);
+  return all;
+}
+
 void score_lines(Score &score, const Content &content, const Analysis &analysis, const double bin,
                  const std::string &name)
 {
@@ -58,7 +70,7 @@ void score_lines(Score &score, const Content &content, const Analysis &analysis,
   for (const double f : reported)
     if (!is_true_line(content, f, bin)) {
       ++score.false_lines;
-      score.missed += fmt::format("{}: line of {:.2f} Hz is false\n", name, f);
+      score.missed += fmt::format("{}: line of {:.2f} Hz is false{}\n", name, f, reasons_at(analysis, f));
     }
 }
 
@@ -98,7 +110,8 @@ void score_modes(Score &score, const Content &content, const Analysis &analysis,
                     [&](const auto &line) { return std::abs(f - line.frequency) < 2 * bin; });
     if (!is_true) {
       ++score.false_modes;
-      score.missed += fmt::format("{}: {} of {:.2f} Hz is false\n", name, finding.kind, f);
+      score.missed += fmt::format("{}: {} of {:.2f} Hz, {:.3g} {}, is false: {}\n", name, finding.kind, f,
+                                  finding.amplitude, finding.unit, fmt::join(finding.evidence, "; "));
     }
   }
 }

@@ -203,19 +203,19 @@ std::optional<LinePair> line_pair(const Eigen::VectorXd &value, const std::vecto
   // Segments a quarter of their length apart see turns of less than two bins to either side as they are; of half
   // of them the deviation and what modes may explain are known.
   constexpr std::size_t fewest = 15;
+  constexpr double clear       = 100;  // noise takes no more than a hundredth of the power
   constexpr double wide        = 1.5;  // bins, where the window still leaves a sixth
   const double start           = centre_of_power(s, k);
   const FrameValues frames     = values_of_frames(value, pieces, s, start, s.L / 4);
-  if (frames.z.size() < fewest)
+  if (frames.z.size() < fewest || ratio < clear)
     return std::nullopt;
   double sum = 0;
   for (const auto &z : frames.z)
     sum += std::norm(z);
   const double halves  = 0.5 * double(frames.z.size() + 1);
   const TwoTurns turns = best_two_turns(frames, wide * s.resolution());
-  const double lines   = std::max(ratio - 1, 1e-9) / std::max(ratio, 1.0);  // share of the lines, noise taken off
   LinePair pair;
-  pair.coherence = std::min(1.0, turns.power / sum / lines);
+  pair.coherence = turns.power / sum;
   if (turns.power == 0 || pair.coherence < least_explained(halves))
     return std::nullopt;
   const double mean = sum / double(frames.z.size()), overlap = std::sqrt(1 - turns.overlap * turns.overlap);

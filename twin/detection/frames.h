@@ -30,7 +30,7 @@ struct LinePair {
     double frequency = 0, amplitude = 0, deviation = 0;  ///< Hz; of the channel, peak value; Hz
   };
   std::array<Line, 2> lines;  ///< by frequency
-  double coherence = 0;       ///< -, share of the power that the two explain; noise is taken off
+  double coherence = 0;       ///< -, share of the power that the two explain
 };
 
 /// Arguments and cost as of frame_test, and some 10^4 pairs of frequencies.  Nothing where two lines do not
