@@ -44,10 +44,10 @@ DynamicsSettings undamped(const char *meaning)
 }
 
 // The same with a damper in each film, N s/m both of a roll.
-reduce::LumpedStand chain_with_films(const FourHigh &stand, const double damper)
+reduce::LumpedStand chain_with_films(const FourHigh &stand, const double damper, const double stiffness = film)
 {
-  reduce::LumpedStand chain = chain_on(stand, film);
-  chain.model.film          = {ChainFilm{film, damper}, ChainFilm{film, damper}};
+  reduce::LumpedStand chain = chain_on(stand, stiffness);
+  chain.model.film          = {ChainFilm{stiffness, damper}, ChainFilm{stiffness, damper}};
   dynamics::take_films(chain.model, undamped("disturbance"), [&](const double upper, double) {
     std::array<double, 6> masses{};
     for (std::size_t i = 0; i < masses.size(); ++i)
@@ -154,6 +154,67 @@ TEST(OilFilmInStand, AtItsFrequencyTheChainIsTheOneWithTheWholeFilm)
   reduced.imag()               = w * chain.C;
   const Eigen::VectorXcd equal = reduced.partialPivLu().solve(Eigen::VectorXcd(b.head(6)));
   EXPECT_LT((whole - equal).norm(), 1e-9 * whole.norm());
+}
+
+// A film turns at half the speed of its journal: k/b is a few rad/s, far below every mode, and the film of the gap
+// mode serves all of them.  Compared with the state matrix in which each film is a state of its own,
+// b y' = r (x_frame - y) - k (y - x_roll) + b x_roll'.
+TEST(OilFilmInStand, FilmsOfAMillAreLockedInEveryMode)
+{
+  constexpr double k = 2.06e11, b = 2.73e10;  // both bearings of 950 x 700 mm at 5 MN each and 66 rpm
+  const FourHigh stand = verify::demo_stand();
+  const auto films     = chain_with_films(stand, b, k);
+  const auto settings  = undamped("disturbance");
+  const auto chain     = dynamics::mill_model(films.model, settings);
+  LumpedModel bare     = films.model;
+  bare.film            = {};
+  const double rest[2] = {1 / (1 / bare.K[1].value - 1 / k), 1 / (1 / bare.K[5].value - 1 / k)};
+  bare.K[1].value = bare.K[5].value = 0;
+  const auto open                   = dynamics::mill_model(bare, settings);
+  const Eigen::VectorXd by_mass     = chain.M.cwiseInverse();
+  const auto first_order            = [&](const Eigen::MatrixXd &K, const Eigen::MatrixXd &C, const int own) {
+    Eigen::MatrixXd A   = Eigen::MatrixXd::Zero(12 + own, 12 + own);
+    A.block(0, 6, 6, 6) = Eigen::MatrixXd::Identity(6, 6);
+    A.block(6, 0, 6, 6) = by_mass.asDiagonal() * -K;
+    A.block(6, 6, 6, 6) = by_mass.asDiagonal() * -C;
+    return A;
+  };
+  Eigen::MatrixXd whole = first_order(open.K, Eigen::MatrixXd::Zero(6, 6), 2);
+  const int frame[2]    = {dynamics::upper_frame, dynamics::lower_frame},
+            roll[2]     = {dynamics::upper_backup_roll, dynamics::lower_backup_roll};
+  for (const int i : {0, 1}) {
+    const int y = 12 + i;
+    for (const auto &[end, sign] : {std::pair(frame[i], -1.), {roll[i], 1.}}) {  // the same force on both ends
+      whole(6 + end, frame[i]) += sign * by_mass[end] * rest[i];
+      whole(6 + end, y) -= sign * by_mass[end] * rest[i];
+    }
+    whole(y, frame[i])    = rest[i] / b;
+    whole(y, y)           = -(rest[i] + k) / b;
+    whole(y, roll[i])     = k / b;
+    whole(y, 6 + roll[i]) = 1;
+  }
+  const auto vibrations = [](const Eigen::MatrixXd &A) {
+    std::vector<std::complex<double>> roots;
+    const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues();
+    for (const std::complex<double> &root : all)
+      if (root.imag() > 0)
+        roots.push_back(root);
+    std::sort(roots.begin(), roots.end(), [](const auto a, const auto c) { return a.imag() < c.imag(); });
+    return roots;
+  };
+  const auto exact = vibrations(whole), equal = vibrations(first_order(chain.K, chain.C, 0));
+  ASSERT_EQ(exact.size(), 6u);
+  ASSERT_EQ(equal.size(), 6u);
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double w = exact[i].imag(), locked = std::max(rest[0], rest[1]) / (w * b);  // r over |k + i w b|
+    EXPECT_LT(locked, 0.02);
+    EXPECT_TRUE(near(equal[i].imag(), w, within(2 * locked * locked + 1e-4 * locked, "second order in the film")));
+    EXPECT_LT(std::abs(equal[i].real() - exact[i].real()) / w, 1e-3) << "of critical, at " << w / (2 * M_PI);
+    RecordProperty("mode_" + std::to_string(i + 1), std::to_string(w / (2 * M_PI)) + " Hz, frequency " +
+                                                        std::to_string(equal[i].imag() / w - 1) + ", damping " +
+                                                        std::to_string(-exact[i].real() / w) + " and " +
+                                                        std::to_string(-equal[i].real() / w));
+  }
 }
 
 TEST(OilFilmInStand, DetailedStandsHaveItsDamperInResponseAndStructure)
