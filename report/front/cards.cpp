@@ -238,21 +238,21 @@ std::string contact_cards(const Run &run)
   return all;
 }
 
-// Critical speed and gap modes as of any stand, then force and limits of the first pass.
+// Critical speed and gap modes as of any stand, then force and limits of the first pass; its modes by their shape
+// where it has no gap modes.
 std::string cluster_cards(const Run &run)
 {
-  constexpr std::size_t most = 4;
-  std::string all =
-      speed_cards(run) + gap_mode_card(run, "gap_first_kind") + gap_mode_card(run, "gap_second_kind");
-  const auto groups = short_groups(run);
+  const std::string gap = gap_mode_card(run, "gap_first_kind") + gap_mode_card(run, "gap_second_kind");
+  std::string all       = speed_cards(run) + gap;
+  const auto groups     = short_groups(run);
   if (groups.empty())
     return all;
   std::size_t n = 0;
   for (const Result *result : groups.front().results) {
     const auto parts = parts_of(result->name);
-    if (parts[0] == family::chatter || n++ == most)
+    const bool mode  = parts.size() == 4;
+    if (parts[0] == family::chatter || (mode && (!gap.empty() || n++ >= most_modes)))
       continue;
-    const bool mode   = parts.size() == 4;
     std::string label = parts.back();
     std::replace(label.begin(), label.end(), mode ? '-' : '_', ' ');
     all += card(result, mode ? label : label + ", " + parts[1]);
