@@ -154,11 +154,13 @@ double held_step(const double output_rate, const double highest)
 
 double film_damping(const DrivenStand &stand)
 {
-  const auto largest = [](const Eigen::MatrixXd &C, const Eigen::VectorXd &frequency) {
+  const auto largest = [&](const Eigen::MatrixXd &C, const Eigen::VectorXd &frequency) {
     double damping = 0;
     for (Eigen::Index k = 0; k < frequency.size(); ++k)
-      if (frequency[k] > 0)
-        damping = std::max(damping, C(k, k) / (4 * M_PI * frequency[k]));
+      if (frequency[k] > 0) {
+        const double locked = std::pow(stand.chain.film_frequency / frequency[k], 2);  // (29.19)
+        damping             = std::max(damping, locked * C(k, k) / (4 * M_PI * frequency[k]));
+      }
     return damping;
   };
   if (stand.modes)

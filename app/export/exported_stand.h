@@ -13,7 +13,7 @@ fmu::ModelData modal_data(const dynamics::ModalModel &modes);
 dynamics::DrivenModel driven_of(const DrivenStand &stand);
 
 /// -, of critical: what the dampers of the oil films add to the damping of the mode that they damp most, for small
-/// damping phi^T C phi/(2 w); 0: no films.
+/// damping phi^T C phi/(2 w), with a locked film at the frequency of each mode (29.19); 0: no films.
 double film_damping(const DrivenStand &stand);
 
 /// s, the longest communication step that a client should take which holds the force over it: an equal part of the
