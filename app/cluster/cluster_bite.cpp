@@ -107,7 +107,13 @@ void check_strip_contact(const Case &the_case, const ClusterStand &stand)
                       "stack has no load; give load, or lower tensions, more reduction or more flow "
                       "stress",
                       pass.name, 1e-3 * force.value, force.given ? "" : " by " + force.method));
-    const double K4 = strip_spring(stand, pass, force);
+    const double K4 = [&] {
+      try {
+        return strip_spring(stand, pass, force);
+      } catch (const InputError &e) {
+        throw InputError(pass.place, "pass \"" + pass.name + "\": " + e.problems.front().message);
+      }
+    }();
     if (K4 <= 0)
       throw InputError(pass.place,
                        fmt::format("pass \"{}\": K4 of the bite is {:.4g} kN/mm: the strip does not push "

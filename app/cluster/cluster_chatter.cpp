@@ -326,6 +326,7 @@ StabilityQuestion stability_question(const RunContext &run, const ClusterStand &
   StabilityQuestion q;
   q.pass          = pass.pass->name;
   q.speed         = pass.pass->speed;
+  q.K4            = strip_spring(stand, *pass.pass, pass.force);
   q.model         = from.structure;
   q.leading.stand = from.stand;
   keep_stack_motions(q.leading.stand.structure, stand, pass, modes);

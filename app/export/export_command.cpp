@@ -70,13 +70,15 @@ void warn_of_slopes(const DynamicsSettings &settings)
                  "model is linear, with the slopes of the springs at the working load\n");
 }
 
-// Curves leave the springs of the chain, and with them those of the films at a frequency.
+// A unit on curves has the springs of the locked films; their dampers belong to the linear unit.  (29.19)
 void warn_of_films(const DrivenStand &driven)
 {
-  if (has_film_dampers(driven))
-    console::say(
-        "warning: a unit on curves has the spring of the oil films at the frequency of the gap mode, and not "
-        "their damper; dynamics.contact = \"tangent\" has both\n");
+  constexpr double small = 0.1;  // of the modal damping
+  const double films = film_damping(driven), modal = driven.dynamics.modal_damping;
+  if (films > small * modal)
+    console::say(fmt::format("warning: the oil films add {:.2g} % of critical to the modal damping of {:.2g} %; a "
+                             "unit on curves leaves them out, dynamics.contact = \"tangent\" has them\n",
+                             100 * films, 100 * modal));
 }
 
 fmu::ExportedModel unit_of(const DrivenStand &driven, const Case &the_case)

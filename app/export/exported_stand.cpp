@@ -152,10 +152,25 @@ double held_step(const double output_rate, const double highest)
   return 1 / (output_rate * std::max(1., std::ceil(per_period * highest / output_rate)));
 }
 
-bool has_film_dampers(const DrivenStand &stand)
+double film_damping(const DrivenStand &stand)
 {
-  return stand.modes ? stand.modes->dampers.size() > 0
-                     : stand.chain.film[0].damper > 0 || stand.chain.film[1].damper > 0;
+  const auto largest = [&](const Eigen::MatrixXd &C, const Eigen::VectorXd &frequency) {
+    double damping = 0;
+    for (Eigen::Index k = 0; k < frequency.size(); ++k)
+      if (frequency[k] > 0) {
+        const double locked = std::pow(stand.chain.film_frequency / frequency[k], 2);  // (29.19)
+        damping             = std::max(damping, locked * C(k, k) / (4 * M_PI * frequency[k]));
+      }
+    return damping;
+  };
+  if (stand.modes)
+    return stand.modes->dampers.size() > 0 ? largest(stand.modes->dampers, stand.modes->frequency) : 0;
+  DynamicsSettings undamped = stand.dynamics;
+  undamped.modal_damping    = 0;
+  undamped.force_meaning    = "measured";  // without the damper of the gap
+  const auto chain          = dynamics::mill_model(stand.chain, undamped);
+  const auto modes          = dynamics::modes(chain);
+  return largest(modes.shape.transpose() * chain.C * modes.shape, modes.frequency);
 }
 
 fmu::ExportedModel exported_model(const DrivenStand &stand, const Case &of)

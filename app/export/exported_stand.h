@@ -12,8 +12,9 @@ fmu::ModelData modal_data(const dynamics::ModalModel &modes);
 /// The stand in its modes, or its chain.
 dynamics::DrivenModel driven_of(const DrivenStand &stand);
 
-/// Has it oil films, whose damper a unit leaves out?
-bool has_film_dampers(const DrivenStand &stand);
+/// -, of critical: what the dampers of the oil films add to the damping of the mode that they damp most, for small
+/// damping phi^T C phi/(2 w), with a locked film at the frequency of each mode (29.19); 0: no films.
+double film_damping(const DrivenStand &stand);
 
 /// s, the longest communication step that a client should take which holds the force over it: an equal part of the
 /// output step and at most 1/(20 f).

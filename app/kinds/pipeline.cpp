@@ -273,7 +273,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
   const bool first = p == 0;
   const auto in    = chain_inputs(drawn, parts, p, forces.loads[p]);
   auto chain       = reduce::lumped_stand(drawn, in);
-  add_films(chain.model, drawn, parts.bearings[p], in);
+  add_films(chain.model, drawn, parts.bearings[p].film_damper, in);
   FourHigh stand   = drawn;
   stand.frame      = with_tolerance_of_given(drawn, chain.frame);
   const Pass &pass = stand.passes[p];
@@ -399,7 +399,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   DrivenStand driven_stand;
   const auto in = chain_inputs(stand, made.parts, p, forces.loads[p]);
   auto chain    = reduce::lumped_stand(stand, in);
-  add_films(chain.model, stand, made.parts.bearings[p], in);
+  add_films(chain.model, stand, made.parts.bearings[p].film_damper, in);
   std::optional<StandModels> models;
   const reduce::StandWithModes *detailed = nullptr;
   if (stand.dynamics.model != "six-mass" || stand.dynamics.mass_source != "closed-form") {

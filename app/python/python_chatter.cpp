@@ -79,7 +79,7 @@ std::string mode(const HeldChatter &chatter, const std::string &pass)
   const auto &q       = asked.question;
   const auto point = dynamics::working_point(q.bite, critical ? critical->parameter.value : asked.speed, q.scheme);
   const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(q.stand, point.by));
-  return text_of_root(q.stand, point.by, std::abs(roots[0].imag()) / (2 * M_PI));
+  return text_of_root(q.stand, point.by, roots[0]);
 }
 
 dynamics::GrowthMap growth_map(const HeldChatter &chatter, const std::string &x, const std::string &y, const int n,

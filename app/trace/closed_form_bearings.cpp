@@ -88,7 +88,9 @@ ClosedFormResult closed_form_film(const char *name, const OilFilmBearing &film, 
 {
   ClosedFormResult r;
   r.name             = name;
-  r.parameter.value  = bearing::coarse_oil_film(film, load).at.stiffness(across, across);
+  const auto state   = bearing::coarse_oil_film(film, load).at;
+  r.parameter.value  = state.stiffness(across, across);
+  r.film_damper      = state.damping(across, across);
   r.parameter.unit   = "N/m";
   r.parameter.method = across ? "oil film on one grid, across the load" : "oil film on one grid";
   r.parameter.at     = {"{} on one bearing", {{load.load, "kN", ".1f"}}};
@@ -127,6 +129,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     ClosedFormResult r = one;
     r.name             = name;
     r.parameter.value *= 2;
+    r.film_damper *= 2;
     all.push_back(r);
   };
   for (int i = 0; i < 4; ++i) {

@@ -1,5 +1,6 @@
 #include "app/trace/closed_form_chain.h"
 #include "app/run/run_kind.h"
+#include "app/stages/bearing/bearing_stage.h"
 #include "app/stages/bite/fit_stage.h"
 #include "app/stages/response/detailed_model_stage.h"
 #include "app/stages/response/dynamics_stage.h"
@@ -254,7 +255,8 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
     tagged.given["K_ZW"].parameter = bent_beam(stand, factors);
   if (pass == 0)  // the later ones take the same frame
     stand.frame = tagged.frame = reduce::frame_on_modulus(tagged, in);
-  const auto chain     = reduce::lumped_stand(tagged, in, reduce::StatedErrors::none);
+  auto chain = reduce::lumped_stand(tagged, in, reduce::StatedErrors::none);
+  add_films(chain.model, tagged, {made("K_Zy").film_damper, made("K_Zy_lower").film_damper}, in);
   const auto inputs_of = [&](const char *name) { return made(name).parameter.inputs; };
   auto full            = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
                                              inputs_of("K_Zy_lower"), reduce::given_springs(stand), stand.housing.present(),

@@ -26,11 +26,12 @@ struct ClosedFormResult {
   KeyList closed;                 ///< those of the inputs that the closed form follows; the others only a run does
   std::vector<std::string> from;  ///< results it is made of
   KeyList own_keys;               ///< keys that enter in addition to those of its parts
-  double load = not_given;        ///< N, that a contact or a bearing is computed for
-  std::string relation;           ///< "springs in series": what joins inputs and result
-  std::string file;               ///< that computes it in a run, "reduce/chain/spring_chain"
-  std::string equation;           ///< of docs/theory.md, "(4.1b)"
-  std::string stands_for;         ///< what a run does instead of parameter.method; empty: the same
+  double load        = not_given;  ///< N, that a contact or a bearing is computed for
+  double film_damper = 0;          ///< N s/m, of K_Zy and K_Zy_lower: oil films of both bearings
+  std::string relation;            ///< "springs in series": what joins inputs and result
+  std::string file;                ///< that computes it in a run, "reduce/chain/spring_chain"
+  std::string equation;            ///< of docs/theory.md, "(4.1b)"
+  std::string stands_for;          ///< what a run does instead of parameter.method; empty: the same
 };
 
 /// K3 ("upper") or K5 ("lower"): Hertz line contact over the length on which the barrels face each other.  (3.5b)

@@ -82,7 +82,7 @@ std::vector<std::string> roll_names(const ClusterStand &stand)
   return names;
 }
 
-void check_known(const std::string &key, const std::string &name, const char *what,
+void check_known(const std::string &key, const std::string &name, const std::string &what,
                  const std::vector<std::string> &known, Reading &reading)
 {
   if (reading.usable({key}) && std::find(known.begin(), known.end(), name) == known.end())
@@ -102,7 +102,7 @@ void check_rolls(const ClusterStand &stand, Reading &reading)
   if (strip.size() > 2)
     contradict(reading, "stack.strip", "names more than two rolls; the strip lies below one, or between two", {});
   for (const std::string &name : strip)
-    check_known("stack.strip", name, "roll", names, reading);
+    check_known("stack.strip", name, strip.size() == 1 ? "roll" : "roll '" + name + "'", names, reading);
   if (is_given(reading, "stack.strip_stiffness") && strip.size() != 2)
     contradict(reading, "stack.strip_stiffness", "needs a roll on either side of the strip, strip = \"S-T\"",
                {"stack.strip"});
@@ -139,7 +139,7 @@ void check_contacts(const ClusterStand &stand, Reading &reading)
       continue;
     }
     for (const std::string &name : rolls)
-      check_known(pair, name, "roll", names, reading);
+      check_known(pair, name, "roll '" + name + "'", names, reading);
     if (!c.like.empty()) {
       check_like("contact", i, cluster_contact_rows(), {"pair", "like"}, c.like, originals, reading);
       continue;

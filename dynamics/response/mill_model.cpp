@@ -210,14 +210,6 @@ void take_films(LumpedModel &model, DynamicsSettings settings, const MassesOnBea
   model.moving_mass    = rolling.moving_mass;
 }
 
-MillModel without_spring_dampers(MillModel model)
-{
-  model.C -= spring_dampers(int(model.M.size()), model.springs);
-  for (Spring &spring : model.springs)
-    spring.damper = 0;
-  return model;
-}
-
 Eigen::VectorXd static_displacement(const MillModel &model)
 {
   const Eigen::LLT<Eigen::MatrixXd> factor(model.K);

@@ -63,9 +63,6 @@ using MassesOnBearings = std::function<std::array<double, 6>(double upper, doubl
 /// @param settings  their force_meaning is not used: K4 and C are between the work rolls
 void take_films(LumpedModel &model, DynamicsSettings settings, const MassesOnBearings &masses);
 
-/// The same chain without the dampers of its springs.
-MillModel without_spring_dampers(MillModel model);
-
 /// What the lumped record does not hold about the horizontal motion.
 struct ChockSeats {
   std::array<double, 2> stiffness  = {not_given,

@@ -1,5 +1,6 @@
 // The numbers that a mill is judged by, one card each.
 #include "report/front/cards.h"
+#include "core/base/short_number.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
 #include "report/front/stability.h"
@@ -75,11 +76,16 @@ std::string speed_card(const SpeedVerdict &v, const std::string &of_pass)
 {
   if (v.finding == SpeedFinding::not_searched)
     return "";
-  if (std::isnan(v.critical))
-    return std::isnan(v.growth)
-               ? ""
-               : tile("growth rate at " + fixed(v.speed, 1) + " m/s" + of_pass, significant(v.growth, 3), "1/s",
-                      "no critical speed in the range", "", speed_state(v));
+  if (std::isnan(v.critical)) {
+    if (!(v.range[1] > 0))  // of kind chatter: its table has the range
+      return std::isnan(v.growth)
+                 ? ""
+                 : tile("growth rate at " + fixed(v.speed, 1) + " m/s" + of_pass, significant(v.growth, 3), "1/s",
+                        "no critical speed in the range", "", speed_state(v));
+    return tile("critical speed" + of_pass, v.finding == SpeedFinding::unstable ? "unstable" : "none", "",
+                "from " + short_number(v.range[0], 3) + " to " + short_number(v.range[1], 3) + " m/s", "",
+                speed_state(v));
+  }
   std::string below          = interval_text(v);
   const std::string relation = v.speed > v.critical ? "margin \u2212" : "margin ";
   if (std::isfinite(v.speed))
@@ -93,16 +99,16 @@ std::string speed_cards(const Run &run)
   const auto verdicts = speed_verdicts(run);
   std::string all;
   for (std::size_t i = 0; i < std::min(most_speeds, verdicts.size()); ++i)
-    all += speed_card(verdicts[i], verdicts.size() == 1 ? "" : ", " + verdicts[i].pass);
+    all += speed_card(verdicts[i], verdicts.size() == 1 ? "" : ", " + title_of_pass(run, verdicts[i].pass));
   return all;
 }
 
 // Gap modes ----------------------------------------------------------------------------------------------------
 
-// "damping 2.0 % at 15.0 m/s": where the mode that chatter found in the gap is this one.
+// "damping 2.0 % at 15.0 m/s": where the mode that chatter found in the gap is this one, moved by the bite.
 std::string damping_of(const Run &run, const Result &frequency)
 {
-  constexpr double same_mode = 0.05;
+  constexpr double same_mode = 0.3;
   for (const SpeedVerdict &v : speed_verdicts(run)) {
     const Result *with_bite = run.find(result_name({family::chatter, v.pass, "gap_mode_frequency"}));
     if (has_value(with_bite) && std::isfinite(v.damping) &&
@@ -232,21 +238,21 @@ std::string contact_cards(const Run &run)
   return all;
 }
 
-// Critical speed and gap modes as of any stand, then force and limits of the first pass.
+// Critical speed and gap modes as of any stand, then force and limits of the first pass; its modes by their shape
+// where it has no gap modes.
 std::string cluster_cards(const Run &run)
 {
-  constexpr std::size_t most = 4;
-  std::string all =
-      speed_cards(run) + gap_mode_card(run, "gap_first_kind") + gap_mode_card(run, "gap_second_kind");
-  const auto groups = short_groups(run);
+  const std::string gap = gap_mode_card(run, "gap_first_kind") + gap_mode_card(run, "gap_second_kind");
+  std::string all       = speed_cards(run) + gap;
+  const auto groups     = short_groups(run);
   if (groups.empty())
     return all;
   std::size_t n = 0;
   for (const Result *result : groups.front().results) {
     const auto parts = parts_of(result->name);
-    if (parts[0] == family::chatter || n++ == most)
+    const bool mode  = parts.size() == 4;
+    if (parts[0] == family::chatter || (mode && (!gap.empty() || n++ >= most_modes)))
       continue;
-    const bool mode   = parts.size() == 4;
     std::string label = parts.back();
     std::replace(label.begin(), label.end(), mode ? '-' : '_', ' ');
     all += card(result, mode ? label : label + ", " + parts[1]);

@@ -10,7 +10,7 @@
 
 namespace mill::report {
 namespace {
-struct Column {
+struct ChainColumn {
   const char *title;
   std::vector<std::pair<std::string, const Result *>> rows;
 };
@@ -31,13 +31,17 @@ std::string row_of(const std::string &name, const Result &result)
   const std::string error = std::isfinite(result.error_estimate) && result.error_estimate > 0
                                 ? accuracy(result.error_estimate)
                                 : "\u2013";
-  return "<tr title=\"" + escaped(meaning_of(result.name) + "; " + result.source) + "\"><th scope=\"row\">" +
-         escaped(name) + "</th><td class=\"num\"><b>" + known_digits(value.value, result.error_estimate) +
-         "</b></td><td>" + escaped(value.unit) + "</td><td class=\"num\">" + error + "</td><td>" +
-         origin_of(result) + "</td></tr>\n";
+  std::string title       = meaning_of(result.name) + "; " + result.source;
+  if (!result.error_lacks.empty())
+    title +=
+        "; its error is not known of " + result.error_lacks.front() +
+        (result.error_lacks.size() > 1 ? " and " + std::to_string(result.error_lacks.size() - 1) + " more" : "");
+  return "<tr title=\"" + escaped(title) + "\"><th scope=\"row\">" + escaped(name) + "</th><td class=\"num\"><b>" +
+         known_digits(value.value, result.error_estimate) + "</b></td><td>" + escaped(value.unit) +
+         "</td><td class=\"num\">" + error + "</td><td>" + origin_of(result) + "</td></tr>\n";
 }
 
-std::string table_of(const Column &column)
+std::string table_of(const ChainColumn &column)
 {
   std::string rows;
   for (const auto &[name, result] : column.rows)
@@ -48,9 +52,9 @@ std::string table_of(const Column &column)
                    "</th><th>error</th><th>from</th></tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
 }
 
-Column column(const Run &run, const char *title, const char *family, const int n)
+ChainColumn column(const Run &run, const char *title, const char *family, const int n)
 {
-  Column all{title, {}};
+  ChainColumn all{title, {}};
   for (int i = 1; i <= n; ++i) {
     const std::string name = family + std::to_string(i);
     if (const Result *result = chain_value(run, name); result && std::isfinite(result->value))
@@ -62,9 +66,13 @@ Column column(const Run &run, const char *title, const char *family, const int n
 
 std::string chain_table(const Run &run)
 {
-  const std::string tables = table_of(column(run, "springs", "K", 7)) +
-                             table_of(column(run, "equivalent masses", "M", 6)) +
-                             table_of(column(run, "bearings, radial", "Kzc", 4));
-  return tables.empty() ? "" : "<div class=\"chain\">\n" + tables + "</div>\n";
+  std::string tables;
+  std::size_t count = 0;
+  for (const ChainColumn &one : {column(run, "springs", "K", 7), column(run, "equivalent masses", "M", 6),
+                            column(run, "bearings, radial", "Kzc", 4)}) {
+    tables += table_of(one);
+    count += one.rows.size();
+  }
+  return count < 2 ? "" : "<div class=\"chain\">\n" + tables + "</div>\n";  // one number has its card
 }
 }  // namespace mill::report

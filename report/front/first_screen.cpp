@@ -23,9 +23,11 @@ bool has_failed(const Run &run)
   return run.status != "ok" && run.status != "warnings";
 }
 
+// A sentence begins with a capital; a key of the case ("output_rate", "strip.width") stays as it is written.
 std::string upper_first(std::string text)
 {
-  if (!text.empty() && text[0] >= 'a' && text[0] <= 'z')
+  const std::string word = text.substr(0, text.find_first_of(" :,"));
+  if (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos)
     text[0] = char(text[0] - 'a' + 'A');
   return text;
 }
@@ -57,14 +59,14 @@ std::string count_of_warnings(const Run &run)
 }
 
 // The words of the worst verdict, with its pass where the passes differ; empty: nothing was asked.
-std::string stability_sentence(const std::vector<SpeedVerdict> &verdicts)
+std::string stability_sentence(const Run &run, const std::vector<SpeedVerdict> &verdicts)
 {
   if (verdicts.empty())
     return "";
   const std::string worst = sentence_of(verdicts.front());
   const bool differ       = std::any_of(verdicts.begin(), verdicts.end(),
                                         [&](const SpeedVerdict &v) { return sentence_of(v) != worst; });
-  return escaped(differ ? verdicts.front().pass + ": " + worst : worst);
+  return escaped(differ ? upper_first(title_of_pass(run, verdicts.front().pass)) + ": " + worst : worst);
 }
 
 // The words repeat what the colour shows, for readers who do not see colours.
@@ -77,7 +79,7 @@ std::string verdict(const Run &run)
   const bool poor             = !verdicts.empty() && verdicts.front().finding == SpeedFinding::unstable;
   const bool doubt            = run.status == "warnings" || !run.warnings.empty();
   const std::string finished  = doubt ? "Finished with " + count_of_warnings(run) + "." : "Finished.";
-  const std::string stability = stability_sentence(verdicts), outcome = sentence(run);
+  const std::string stability = stability_sentence(run, verdicts), outcome = sentence(run);
   const std::string words =
       stability.empty() ? "<b>" + finished + "</b>" + (outcome.empty() ? "" : " " + outcome + ".")
                         : "<b>" + stability + "</b> " +
@@ -105,7 +107,7 @@ std::string fact_item(const std::string &warning)
 {
   const std::size_t end = end_of_fact(warning);
   if (end + 2 >= warning.size())
-    return "<li>" + escaped(warning) + "</li>\n";
+    return "<li>" + escaped(upper_first(warning)) + "</li>\n";
   return "<li><details><summary>" + escaped(upper_first(warning.substr(0, end))) + "</summary>" +
          escaped(upper_first(warning.substr(end + 2))) + "</details></li>\n";
 }

@@ -85,7 +85,6 @@ const Words aspects[] = {
     {"spectrum_peak", "highest line of the spectrum"},
     {"bearing", "bearing"},
     {"film", "oil film"},
-    {"eccentricity", "eccentricity over the clearance"},
     {"attitude", "angle between load and narrowest gap"},
     {"minimum_film", "thinnest film"},
     {"power_loss", "power lost to friction"},
@@ -285,6 +284,8 @@ std::string meaning_of(const std::string &name)
     std::string words = words_of(parts[i]);
     if (i > 0 && parts[0] == "bearing" && parts[i] == "C")
       words = "basic dynamic rating";  // C alone is the damper of the chain
+    if (i > 0 && parts[0] == "bearing" && parts[i] == "eccentricity")
+      words = "eccentricity over the clearance";
     if (i == 1 && parts[0] == "bearing")
       words = parts[1];
     if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != "contact")

@@ -190,14 +190,14 @@ reduce::LoadDeflection over_the_force(const BearingStudy &study)
 }
 }  // namespace
 
-void add_films(LumpedModel &chain, const FourHigh &stand, const StandBearings &bearings,
+void add_films(LumpedModel &chain, const FourHigh &stand, const std::array<double, 2> &damper,
                const reduce::ChainInputs &inputs)
 {
   const auto given  = [&](const char *name) { return stand.given.count(name) > 0; };
-  const double K[2] = {bearings.K_Zy_upper.value, bearings.K_Zy_lower.value};
+  const double K[2] = {inputs.K_Zy_upper.value, inputs.K_Zy_lower.value};
   for (const std::size_t half : {0u, 1u})
     if (!given("K_Zy") && !given(half == 0 ? "K2" : "K6"))
-      chain.film[half] = {K[half], bearings.film_damper[half]};
+      chain.film[half] = {K[half], damper[half]};
   dynamics::take_films(chain, stand.dynamics, [&](const double upper, const double lower) {
     reduce::ChainInputs moving     = inputs;
     moving.K_Zy_upper.value        = upper > 0 ? upper : inputs.K_Zy_upper.value;

@@ -35,8 +35,9 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
 
 /// The oil films of the backup rolls into the chain that they are a part of, with the frequency at which it takes
 /// them; nothing where the bearing or the spring of the chain is given.
+/// @param damper  N s/m, films of both bearings of the upper, of the lower backup roll; 0: none
 /// @param inputs  of the chain
-void add_films(LumpedModel &chain, const FourHigh &stand, const StandBearings &bearings,
+void add_films(LumpedModel &chain, const FourHigh &stand, const std::array<double, 2> &damper,
                const reduce::ChainInputs &inputs);
 
 /// The same for kind = "bearing": Kzc.*, curves, and the motion of a mass on the bearing when one is given.

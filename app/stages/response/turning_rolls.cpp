@@ -8,7 +8,9 @@ namespace {
 // The bearing of a roll, when it has rollers.
 const RollerBearing *rollers_of(const FourHigh &stand, const Roll &roll)
 {
-  return oil_film_of(stand.oil_films, roll.bearing) ? nullptr : &bearing_of(stand.bearings, roll.bearing);
+  return roll.bearing.empty() || oil_film_of(stand.oil_films, roll.bearing)
+             ? nullptr  // its stiffness is given
+             : &bearing_of(stand.bearings, roll.bearing);
 }
 }  // namespace
 

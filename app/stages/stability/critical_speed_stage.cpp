@@ -88,6 +88,7 @@ void add_critical_speed(RunContext &run, const FourHigh &stand, const std::size_
   StabilityQuestion q;
   q.pass                  = pass.name;
   q.speed                 = pass.speed;
+  q.K4                    = knows_strip(chain.model) ? chain.model.K[3].value : not_given;
   q.model                 = title_of(solid.model.name);
   q.leading.bite          = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
   q.leading.modal_damping = damping;

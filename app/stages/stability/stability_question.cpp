@@ -25,7 +25,9 @@ struct Stability {
   std::optional<dynamics::WorkingPoint> working;          ///< at the speed of the pass
   std::string no_bite;                                    ///< why there is none
   double growth = not_given;                              ///< 1/s there
+  std::complex<double> root;                              ///< 1/s, which grows most there
   GapMode gap;
+  LeastDamped least;  ///< there
 };
 
 std::string reason_of(const std::exception_ptr &failure)
@@ -42,10 +44,11 @@ std::string reason_of(const std::exception_ptr &failure)
 void find_working_point(Stability &s, const StabilityQuestion &q)
 {
   try {
-    s.working        = dynamics::working_point(q.leading.bite, q.speed, q.leading.scheme);
-    const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(q.leading.stand, s.working->by));
-    s.growth         = roots[0].real();
-    s.gap            = gap_mode(q.leading.stand, s.working->by);
+    s.working = dynamics::working_point(q.leading.bite, q.speed, q.leading.scheme);
+    s.root    = dynamics::eigenvalues(dynamics::chatter_matrix(q.leading.stand, s.working->by))[0];
+    s.growth  = s.root.real();
+    s.gap     = gap_mode(q.leading.stand, s.working->by, q.K4);
+    s.least   = least_damped(q.leading.stand, s.working->by);
   } catch (const InputError &) {
     s.no_bite = reason_of(std::current_exception());
   } catch (const SolverError &) {
@@ -112,11 +115,13 @@ SpeedVerdict verdict_of(const StabilityQuestion &q, const Stability &s)
     v.low       = s.interval.low;
     v.high      = s.interval.high;
     v.frequency = s.critical.frequency;
-    v.mode      = text_of_root(q.leading.stand, s.critical.at->by, s.critical.frequency);
+    v.mode      = text_of_root(q.leading.stand, s.critical.at->by, {0, 2 * M_PI * s.critical.frequency});
+  } else if (s.growth > 0 || s.least.sentence.empty()) {
+    v.frequency = std::abs(s.root.imag()) / (2 * M_PI);
+    v.mode      = text_of_root(q.leading.stand, s.working->by, s.root);
   } else {
-    const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(q.leading.stand, s.working->by));
-    v.frequency      = std::abs(roots[0].imag()) / (2 * M_PI);
-    v.mode           = text_of_root(q.leading.stand, s.working->by, v.frequency);
+    v.frequency = s.least.root.imag() / (2 * M_PI);
+    v.mode      = s.least.sentence;
   }
   v.finding = s.growth > 0                                                            ? SpeedFinding::unstable
               : s.critical.verdict == Verdict::crossing && q.speed < s.critical.speed ? SpeedFinding::below

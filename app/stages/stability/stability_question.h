@@ -22,6 +22,7 @@ struct StabilityQuestion {
   double speed = 0;   ///< m/s
   std::string model;  ///< of leading.stand: "rolls as reduced finite elements"
   dynamics::SpeedQuestion leading;
+  double K4 = not_given;  ///< N/m, K4.combined of the pass, for its gap mode; NaN: slope of the linear bite
   /// Other models of the same stand by name; the spread of their critical speeds widens the interval.
   std::vector<std::pair<std::string, dynamics::ChatterStandModel>> others = {};
   std::vector<dynamics::UncertainNumber> uncertain                        = {};

@@ -121,5 +121,5 @@ TEST(ClusterCaseFile, RefusesVariantsWithUnknownOrMissingNumbers)
             "contact.PAIR.KEY, support.NAME.KEY, roll.NAME.KEY and stack.KEY do");
   EXPECT_EQ(refusal("contact.0.law=spring"),
             "contact.0.law = \"spring\" needs a stiffness, for example stiffness = \"1.5e10 N/m\"");
-  EXPECT_EQ(refusal("contact.0.pair=W-Q"), "contact.0.pair = \"W-Q\" names no roll; known: W, I, E, L, R");
+  EXPECT_EQ(refusal("contact.0.pair=W-Q"), "contact.0.pair = \"W-Q\" names no roll 'Q'; known: W, I, E, L, R");
 }

@@ -106,6 +106,9 @@ TEST(EstimatesOfDrawings, OneKeyLeftOutIsHeldByItsInterval)
     for (const Estimate &e : stand_of(left_out(text)).estimates)
       count(drawn, stand_of(left_out(text, e.key)), name, all);
   }
+  RecordProperty("intervals", all.intervals);
+  RecordProperty("held", all.held);
+  RecordProperty("missed", all.missed);
   EXPECT_GE(all.intervals, 80);
   EXPECT_GE(all.held, std::ceil(0.95 * all.intervals)) << all.missed;
 }
@@ -117,6 +120,9 @@ TEST(EstimatesOfDrawings, AllKeysLeftOutAreHeldByTheirIntervals)
     const std::string text = text_of(name);
     count(stand_of(text), stand_of(left_out(text)), name, all);
   }
+  RecordProperty("intervals", all.intervals);
+  RecordProperty("held", all.held);
+  RecordProperty("missed", all.missed);
   EXPECT_GE(all.intervals, 80);
   EXPECT_GE(all.held, std::ceil(0.95 * all.intervals)) << all.missed;
 }
@@ -148,6 +154,8 @@ TEST(EstimatesOfDrawings, HousingsThatAreNotDrawnAreHeldToo)
             all.missed += "\n" + drawn_stands[i] + ": " + key;
         }
   }
+  RecordProperty("held", all.held);
+  RecordProperty("missed", all.missed);
   EXPECT_EQ(all.intervals, 32);
   EXPECT_GE(all.held, std::ceil(0.95 * all.intervals)) << all.missed;
 }

@@ -11,6 +11,8 @@
 #include "tests/manual/stand/demo_drawing.h"
 #include "tests/support/near.h"
 #include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <fmt/format.h>
 
 using namespace mill;
 
@@ -44,10 +46,10 @@ DynamicsSettings undamped(const char *meaning)
 }
 
 // The same with a damper in each film, N s/m both of a roll.
-reduce::LumpedStand chain_with_films(const FourHigh &stand, const double damper)
+reduce::LumpedStand chain_with_films(const FourHigh &stand, const double damper, const double stiffness = film)
 {
-  reduce::LumpedStand chain = chain_on(stand, film);
-  chain.model.film          = {ChainFilm{film, damper}, ChainFilm{film, damper}};
+  reduce::LumpedStand chain = chain_on(stand, stiffness);
+  chain.model.film          = {ChainFilm{stiffness, damper}, ChainFilm{stiffness, damper}};
   dynamics::take_films(chain.model, undamped("disturbance"), [&](const double upper, double) {
     std::array<double, 6> masses{};
     for (std::size_t i = 0; i < masses.size(); ++i)
@@ -154,6 +156,68 @@ TEST(OilFilmInStand, AtItsFrequencyTheChainIsTheOneWithTheWholeFilm)
   reduced.imag()               = w * chain.C;
   const Eigen::VectorXcd equal = reduced.partialPivLu().solve(Eigen::VectorXcd(b.head(6)));
   EXPECT_LT((whole - equal).norm(), 1e-9 * whole.norm());
+}
+
+// A film turns at half the speed of its journal: k/b is a few rad/s, far below every mode, and the film of the gap
+// mode gives the frequencies of all of them; its damper is right there and grows with the square of the frequency
+// above.  Compared with the state matrix in which each film is a state of its own,
+// b y' = r (x_frame - y) - k (y - x_roll) + b x_roll'.
+TEST(OilFilmInStand, FilmsOfAMillAreLockedInEveryModeAndTheirDamperIsThatOfTheGapMode)
+{
+  constexpr double k = 2.06e11, b = 2.73e10;  // both bearings of 950 x 700 mm at 5 MN each and 66 rpm
+  const FourHigh stand = verify::demo_stand();
+  const auto films     = chain_with_films(stand, b, k);
+  const auto settings  = undamped("disturbance");
+  const auto chain     = dynamics::mill_model(films.model, settings);
+  LumpedModel bare     = films.model;
+  bare.film            = {};
+  const double rest[2] = {1 / (1 / bare.K[1].value - 1 / k), 1 / (1 / bare.K[5].value - 1 / k)};
+  bare.K[1].value = bare.K[5].value = 0;
+  const auto open                   = dynamics::mill_model(bare, settings);
+  const Eigen::VectorXd by_mass     = chain.M.cwiseInverse();
+  const auto first_order            = [&](const Eigen::MatrixXd &K, const Eigen::MatrixXd &C, const int own) {
+    Eigen::MatrixXd A   = Eigen::MatrixXd::Zero(12 + own, 12 + own);
+    A.block(0, 6, 6, 6) = Eigen::MatrixXd::Identity(6, 6);
+    A.block(6, 0, 6, 6) = by_mass.asDiagonal() * -K;
+    A.block(6, 6, 6, 6) = by_mass.asDiagonal() * -C;
+    return A;
+  };
+  Eigen::MatrixXd whole = first_order(open.K, Eigen::MatrixXd::Zero(6, 6), 2);
+  const int frame[2]    = {dynamics::upper_frame, dynamics::lower_frame},
+            roll[2]     = {dynamics::upper_backup_roll, dynamics::lower_backup_roll};
+  for (const int i : {0, 1}) {
+    const int y = 12 + i;
+    for (const auto &[end, sign] : {std::pair(frame[i], -1.), {roll[i], 1.}}) {  // the same force on both ends
+      whole(6 + end, frame[i]) += sign * by_mass[end] * rest[i];
+      whole(6 + end, y) -= sign * by_mass[end] * rest[i];
+    }
+    whole(y, frame[i])    = rest[i] / b;
+    whole(y, y)           = -(rest[i] + k) / b;
+    whole(y, roll[i])     = k / b;
+    whole(y, 6 + roll[i]) = 1;
+  }
+  const auto vibrations = [](const Eigen::MatrixXd &A) {
+    std::vector<std::complex<double>> roots;
+    const Eigen::VectorXcd all = Eigen::EigenSolver<Eigen::MatrixXd>(A, false).eigenvalues();
+    for (const std::complex<double> &root : all)
+      if (root.imag() > 0)
+        roots.push_back(root);
+    std::sort(roots.begin(), roots.end(), [](const auto a, const auto c) { return a.imag() < c.imag(); });
+    return roots;
+  };
+  const auto exact = vibrations(whole), equal = vibrations(first_order(chain.K, chain.C, 0));
+  ASSERT_EQ(exact.size(), 6u);
+  ASSERT_EQ(equal.size(), 6u);
+  const double at_film = 2 * M_PI * films.model.film_frequency;
+  for (std::size_t i = 0; i < 6; ++i) {
+    const double w = exact[i].imag(), damping = -exact[i].real() / w, stated = -equal[i].real() / w;
+    EXPECT_LT(std::max(rest[0], rest[1]) / (w * b), 0.02) << "r over |k + i w b|: locked";
+    EXPECT_TRUE(near(equal[i].imag(), w, within(1e-4, "second order in r/(w b) and in the damping")));
+    EXPECT_TRUE(near(stated / damping, std::pow(w / at_film, 2), within(0.03, "first order in k/(w b), (29.19)")));
+    RecordProperty("mode_" + std::to_string(i + 1),
+                   fmt::format("{:.1f} Hz, stated {:+.1e}; damping {:.2e}, stated {:.2e}", w / (2 * M_PI),
+                               equal[i].imag() / w - 1, damping, stated));
+  }
 }
 
 TEST(OilFilmInStand, DetailedStandsHaveItsDamperInResponseAndStructure)

@@ -101,6 +101,9 @@ TEST(CriticalSpeed, HasAnIntervalAVerdictAndTheDampingOfTheGapMode)
   EXPECT_EQ(sentence.rfind("At 8.00 m/s, ", 0), 0u) << sentence;
   EXPECT_NE(sentence.find(" % below the critical speed of "), std::string::npos) << sentence;
   EXPECT_NE(sentence.find("becomes unstable first."), std::string::npos) << sentence;
+  EXPECT_TRUE(near(value(cold_run(), "chatter.pass 1.gap_mode_frequency"),
+                   value(cold_run(), "mode.gap_first_kind.frequency"),
+                   within(0.3, "the same mode, which the tensions move as well")));
   EXPECT_GT(value(cold_run(), "chatter.pass 1.gap_mode_damping"), 0);
   EXPECT_LT(value(cold_run(), "chatter.pass 1.gap_mode_damping"), 1);
   EXPECT_LT(value(cold_run(), "chatter.pass 1.growth_rate"), 0) << "below the critical speed";
