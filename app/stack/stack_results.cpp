@@ -2,6 +2,7 @@
 #include "core/model/stack_statics.h"
 #include "core/records/stack_names.h"
 #include "reduce/stack/line_law.h"
+#include "reduce/stack/section_forces.h"
 #include "reduce/stack/stations.h"
 #include <algorithm>
 #include <cmath>
@@ -47,9 +48,6 @@ void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool 
     add("flatness.min", I.minCoeff(), "1", "I-units, no lateral flow (51.12)");
     add("flatness.max", I.maxCoeff(), "1", "I-units, no lateral flow (51.12)");
   }
-  for (Eigen::Index k = 0; k < solved.frequencies.size(); ++k)
-    add(fmt::format("f{}", k + 1).c_str(), solved.frequencies[k], "Hz",
-        "beams with their masses about the solved state, rolling force imposed");
 }
 
 void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t c,
@@ -77,6 +75,9 @@ void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
       {{"Hertz, uniform load", 2 * even / (M_PI * even_width), uneven}});
   add("touching", pair.touching, "1", by_newton, {});
   add("uniform_tangent", pair.uniform_tangent, "N/m", "integral of dq/dd along the contact (51.4)",
+      {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});
+  add("tangent", pair.loaded_tangent, "N/m",
+      "change of the force over that of the approach, which the line load weighs (51.21)",
       {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});
   const double weighted = (pair.weight.array() * pair.load.array() * pair.approach.array()).sum() / pair.force;
   add("secant", pair.force / weighted, "N/m", "force over the approach, which the line load weighs (51.3)",
@@ -109,8 +110,9 @@ std::array<double, 2> reactions_by_statics(const Stack &stack, const std::size_t
 void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t r,
                       const std::vector<StackResultant> &resultants, const char *by_newton)
 {
-  const StackRoll &roll          = solved.stack.rolls[r];
-  const reduce::RollState &state = solved.state.rolls[r];
+  const StackRoll &roll                    = solved.stack.rolls[r];
+  const reduce::StackState &state_of_stack = solved.state;
+  const reduce::RollState &state           = state_of_stack.rolls[r];
   const auto add = [&](const std::string &what, const double value, const char *unit, std::vector<Check> checks) {
     all.push_back({result_name({family::roll, roll.name, what}), value, unit, by_newton, std::move(checks)});
   };
@@ -137,6 +139,10 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
   };
   add("deflection",
       y_at(roll.shift) - (y_at(roll.shift - roll.length / 2) + y_at(roll.shift + roll.length / 2)) / 2, "m", {});
+  all.push_back({result_name({family::roll, roll.name, "bending_stress"}),
+                 reduce::section_forces(solved.stack, state_of_stack, r).stress.maxCoeff(), "Pa",
+                 "largest bending moment over the section modulus, plane sections (51.24)",
+                 {}});
 }
 }  // namespace
 

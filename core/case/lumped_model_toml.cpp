@@ -4,6 +4,7 @@
 #include "core/model/case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
+#include "core/model/stack_input.h"
 #include "core/records/detailed_model.h"
 #include <cmath>
 #include <filesystem>
@@ -34,12 +35,16 @@ PassInput input_of(const Pass &pass, const std::string &directory)
 
 const std::vector<Pass> &passes_of(const Case &c)
 {
+  if (const auto *stack = std::get_if<StackCase>(&c.spec))
+    return stack->input->passes;
   const auto *stand = std::get_if<FourHigh>(&c.spec);
   return stand ? stand->passes : std::get<Lumped>(c.spec).passes;
 }
 
 const DynamicsSettings &dynamics_of(const Case &c)
 {
+  if (const auto *stack = std::get_if<StackCase>(&c.spec))
+    return stack->input->dynamics;
   const auto *stand = std::get_if<FourHigh>(&c.spec);
   return stand ? stand->dynamics : std::get<Lumped>(c.spec).dynamics;
 }
@@ -79,7 +84,8 @@ std::string passes_and_dynamics(const Case &origin, const std::string &directory
   std::string text;
   for (const Pass &pass : passes_of(origin))
     text += pass_toml(pass, directory);
-  return text + "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin)) + turning_sections(origin);
+  text += "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin));
+  return std::holds_alternative<StackCase>(origin.spec) ? text : text + turning_sections(origin);
 }
 
 // Parameter by the name it has in [given].

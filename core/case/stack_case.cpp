@@ -246,6 +246,8 @@ void check_stack_rolls(const StackInput &input, Reading &reading)
     check_shaft(roll, r, reading);
     check_holding(roll, r, input.settings.lower == "listed", reading);
     check_saddles(roll, r, reading);
+    if (roll.on.size() == 2 && roll.on[0] == roll.on[1])
+      contradict(reading, roll_key(r, "on"), "names roll " + roll.on[0] + " twice; name it once", {});
     if (roll.on.size() > 2)
       contradict(reading, roll_key(r, "on"), "names more than two rolls; a roll leans on one or two", {});
     if (!roll.material.empty() && std::find(materials.begin(), materials.end(), roll.material) == materials.end())
@@ -359,6 +361,41 @@ void check_law_of_bite(const StackInput &input, Reading &reading)
                  "is given, and law = \"bite\" computes it; remove it, or give law = \"modulus\"", {"strip.law"});
 }
 
+// Pairs of ranges that make a map, and the rolls that they name.
+void check_window(const StackInput &input, Reading &reading)
+{
+  const StackWindow &window = input.window;
+  const auto given = [&](const char *k) { return is_in_case(reading, std::string("window.") + k); };
+  const auto ranges = {std::pair{"bending_force", &window.bending}, {"shift", &window.shift},
+                       {"force", &window.force}, {"width", &window.width}};
+  for (const auto &[key, range] : ranges)
+    if (given(key) && !((*range)[0] < (*range)[1]))
+      contradict(reading, std::string("window.") + key, "does not increase; write the smaller value first", {});
+  const auto needs = [&](const char *key, const char *other) {
+    if (given(key) && !given(other) && reading.usable({std::string("window.") + other}))
+      contradict(reading, std::string("window.") + key, fmt::format("needs {} as well, the other side of the map", other),
+                 {});
+  };
+  for (const auto &[one, other] :
+       {std::pair{"bending_force", "shift"}, {"bending_force", "bent"}, {"shift", "shifted"}, {"force", "width"}}) {
+    needs(one, other);
+    needs(other, one);
+  }
+  if (given("shift") && input.settings.bending_at == "window")
+    contradict(reading, "window.shift", "is not computed while bending forces stay in the window; remove it",
+               {"stack.bending_at"});
+  std::vector<std::string> names;
+  for (const StackRollInput &roll : input.rolls)
+    names.push_back(roll.name);
+  for (const auto &[key, name] : {std::pair{"bent", &window.bent}, {"shifted", &window.shifted}})
+    if (given(key) && std::find(names.begin(), names.end(), *name) == names.end())
+      contradict(reading, std::string("window.") + key, "names no roll" + suggestion(*name, names), {});
+    else if (given(key) && key == std::string("bent"))
+      for (std::size_t r = 0; r < names.size(); ++r)
+        if (names[r] == *name && std::isnan(input.rolls[r].bearing_span))
+          contradict(reading, "window.bent", "names a roll without bearing_span, which no chock bends", {});
+}
+
 // A pass without a force is rolled with that of the strip.
 void check_stack_passes(const StackInput &input, Reading &reading)
 {
@@ -383,6 +420,7 @@ StackCase read_stack(const Node &root, Reading &reading)
   input->rolls     = read_stack_rolls(root, reading);
   read_stack_strip(root, *input, reading);
   read_once("engine", stack_engine_rows(), input->engine);
+  read_once("window", stack_window_rows(), input->window);
   input->passes   = read_passes(root, pass_rows(), reading);
   input->dynamics = read_dynamics(root, stack_dynamics_rows(), reading);
   input->span     = read_stand_span(root, reading);
@@ -390,6 +428,7 @@ StackCase read_stack(const Node &root, Reading &reading)
   check_stack_rolls(*input, reading);
   check_stack_strip(input->strip, reading);
   check_law_of_bite(*input, reading);
+  check_window(*input, reading);
   check_stack_passes(*input, reading);
   auto stack = std::make_shared<Stack>();
   if (reading.problems.empty())

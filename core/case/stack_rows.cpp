@@ -285,6 +285,33 @@ const std::vector<Field<StackEngine>> &stack_engine_rows()
   return rows;
 }
 
+const std::vector<Field<StackWindow>> &stack_window_rows()
+{
+  using T = StackWindow;
+  static const std::vector<Field<T>> rows{
+      {"bent", &T::bent, "text", any, absent, "W", "roll whose bending forces vary over bending_force"},
+      {"bending_force",
+       &T::bending,
+       "kN",
+       {-20000, 20000},
+       absent,
+       R"(["-200 kN", "600 kN"])",
+       "smallest and largest bending force of each chock; together with shift it gives the crown over both"},
+      {"shifted", &T::shifted, "text", any, absent, "I", "roll whose shift varies over shift"},
+      {"shift", &T::shift, "mm", {-2000, 2000}, absent, R"(["0 mm", "150 mm"])", "smallest and largest shift"},
+      {"force",
+       &T::force,
+       "kN",
+       {1e-3, 1e6},
+       absent,
+       R"(["600 kN", "1400 kN"])",
+       "smallest and largest rolling force; together with width it gives the operating window"},
+      {"width", &T::width, "mm", {1, 6000}, absent, R"(["700 mm", "1300 mm"])", "smallest and largest width of the strip"},
+      {"points", &T::points, "count", {2, 60}, 9, "9", "settings along each of two ranges"},
+  };
+  return rows;
+}
+
 const std::vector<Field<StackMaterial>> &stack_material_rows()
 {
   static const std::vector<Field<StackMaterial>> rows = [] {

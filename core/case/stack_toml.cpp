@@ -46,6 +46,7 @@ std::string stack_toml(const std::string &title, const StackInput &input, const 
   text += section("[strip]", lines(stack_strip_rows(), input.strip));
   text += laws_of(input.bite);
   text += section("[engine]", lines(stack_engine_rows(), input.engine));
+  text += section("[window]", lines(stack_window_rows(), input.window));
   text += section("[dynamics]", lines(stack_dynamics_rows(), input.dynamics));
   text += section("[stand]", lines(stand_span_rows(), input.span));
   text += section("[analysis]", lines(chatter_analysis_rows(), input.analysis));

@@ -66,6 +66,16 @@ struct StackEngine {
   std::string flattening = "half-space";  ///< half-space | local
 };
 
+/// [window]: what is computed around the settings of the case; a range that is not given: no map of it.
+struct StackWindow {
+  std::string bent, shifted;                                ///< rolls whose bending and shift vary
+  std::array<double, 2> bending = {not_given, not_given};  ///< N, of each chock
+  std::array<double, 2> shift   = {not_given, not_given};  ///< m
+  std::array<double, 2> force   = {not_given, not_given};  ///< N
+  std::array<double, 2> width   = {not_given, not_given};  ///< m, of the strip
+  int points                    = 9;                       ///< along each of two settings
+};
+
 /// [material.NAME]
 struct StackMaterial : Material {
   std::string name;
@@ -78,6 +88,7 @@ struct StackInput {
   std::vector<StackRollInput> rolls;
   StackStripInput strip;
   StackEngine engine;
+  StackWindow window;
   Strip bite;                 ///< the strip with its laws; flow_stress.k NaN: not given, friction as in Strip
   std::vector<Pass> passes;   ///< what drives the solved stack; may be empty
   DynamicsSettings dynamics;  ///< frame, contact, mass_* and model unused

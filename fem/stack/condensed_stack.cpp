@@ -381,7 +381,7 @@ StackState CondensedStack::solve()
     }
     for (const std::size_t r : half.rolls()) {
       const auto d = half.deflection(r, my.state[i], my.force);
-      out.rolls[r] = {d.z, d.x, d.y, d.reactions};
+      out.rolls[r] = {d.z, d.x, d.y, d.reactions, d.across};
     }
     out.residual = std::max(out.residual, half.imbalance(my.state[i], my.force) / my.stack.strip.force);
   }

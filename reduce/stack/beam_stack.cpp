@@ -399,12 +399,13 @@ StackState BeamStack::solve()
   const GapShape gap = my.shape({&my.sides[0].group.u, &my.sides[1].group.u}, my.q, true);
   for (std::size_t r = 0; r < my.stack.rolls.size(); ++r) {
     const RollGroup &group = my.group_of(r);
-    RollState roll{group.places(r), group.deflection(r, 0), group.deflection(r, 1), {}};
+    RollState roll{group.places(r), group.deflection(r, 0), group.deflection(r, 1), {}, {}};
     for (const StackSupport &support : my.stack.rolls[r].supports) {
       Index i = 0;
       while (i + 1 < roll.z.size() && roll.z[i] < support.z + my.stack.rolls[r].shift - 1e-6)
         ++i;
       roll.reactions.push_back(support.stiffness[1] * (support.motion[1] - roll.y[i]));
+      roll.across.push_back(support.stiffness[0] * (support.motion[0] - roll.x[i]));
     }
     state.rolls.push_back(std::move(roll));
   }

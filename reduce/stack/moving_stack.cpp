@@ -255,37 +255,54 @@ private:
     }
   }
 
-  // Means over the rolls of a half that bearings or saddles hold: at these, and at mid-length.
-  std::array<VectorXd, 2> backing(const bool upper) const
+  // Mean over the bearings and saddles of a half.
+  VectorXd at_bearings(const bool upper) const
   {
-    std::array<VectorXd, 2> sum{VectorXd::Zero(size()), VectorXd::Zero(size())};
-    double held = 0, rolls = 0;
-    for (std::size_t r = 0; r < parts.stack.rolls.size(); ++r) {
-      const StackRoll &roll = parts.stack.rolls[r];
-      if (is_upper(roll) != upper || roll.supports.empty())
+    VectorXd sum = VectorXd::Zero(size());
+    double held  = 0;
+    for (std::size_t r = 0; r < parts.stack.rolls.size(); ++r)
+      for (const StackSupport &support : parts.stack.rolls[r].supports)
+        if (is_upper(parts.stack.rolls[r]) == upper) {
+          sum += deflection(r, support.z + parts.stack.rolls[r].shift, 1);
+          held += 1;
+        }
+    return sum / std::max(held, 1.);
+  }
+
+  VectorXd middle(const std::size_t roll, const std::size_t axis) const
+  {
+    return deflection(roll, parts.stack.rolls[roll].shift, axis);
+  }
+
+  // What carries a work roll: its neighbours, weighted by the vertical part of what their contacts carry.
+  VectorXd carrier(const std::size_t work_roll) const
+  {
+    VectorXd sum = VectorXd::Zero(size());
+    double whole = 0;
+    for (std::size_t c = 0; c < parts.stack.contacts.size(); ++c) {
+      const StackContact &contact = parts.stack.contacts[c];
+      if (contact.a != work_roll)
         continue;
-      for (const StackSupport &support : roll.supports)
-        sum[0] += deflection(r, support.z + roll.shift, 1);
-      held += double(roll.supports.size());
-      sum[1] += deflection(r, roll.shift, 1);
-      rolls += 1;
+      double force = 0;
+      for (const ContactElement &e : parts.sides[side_of(work_roll)].group.contacts)
+        if (e.contact == c)
+          force += (e.weight * e.load).sum();
+      force *= std::abs(direction_of(parts.stack, contact)[1]);
+      sum += force * middle(contact.b, 1);
+      whole += force;
     }
-    return {sum[0] / std::max(held, 1.), sum[1] / std::max(rolls, 1.)};
+    return whole > 0 ? (sum / whole).eval() : middle(work_roll, 1);
   }
 
   void add_places()
   {
     const Stack &stack = parts.stack;
-    const auto middle  = [&](const std::size_t r, const std::size_t axis) {
-      return deflection(r, stack.rolls[r].shift, axis);
-    };
-    const auto upper = backing(true), lower = backing(false);
-    out.model.points = {{"upper bearings", upper[0]},
-                        {"upper backing rolls", upper[1]},
-                        {"upper work roll", middle(stack.upper, 1)},
-                        {"lower work roll", middle(stack.lower, 1)},
-                        {"lower backing rolls", lower[1]},
-                        {"lower bearings", lower[0]}};
+    out.model.points   = {{"upper bearings", at_bearings(true)},
+                          {"upper backup roll", carrier(stack.upper)},
+                          {"upper work roll", middle(stack.upper, 1)},
+                          {"lower work roll", middle(stack.lower, 1)},
+                          {"lower backup roll", carrier(stack.lower)},
+                          {"lower bearings", at_bearings(false)}};
     for (std::size_t r = 0; r < stack.rolls.size(); ++r) {
       const RollGroup &group = parts.sides[side_of(r)].group;
       for (const std::size_t axis : group.planes())
@@ -396,6 +413,32 @@ MovingStack lumped_stack(const BeamStack &solved, const StackState &state)
     }
     m.connections.push_back(std::move(pair));
   }
+  const auto row_of = [&](const std::vector<std::size_t> &rolls) {
+    VectorXd row = VectorXd::Zero(n);
+    for (const std::size_t roll : rolls)
+      row[unknown(roll, 1)] = 1. / double(rolls.size());
+    return row;
+  };
+  const auto held_rolls = [&](const bool upper) {
+    std::vector<std::size_t> rolls;
+    for (std::size_t r = 0; r < stack.rolls.size(); ++r)
+      if (is_upper(stack.rolls[r]) == upper && !stack.rolls[r].supports.empty())
+        rolls.push_back(r);
+    return rolls;
+  };
+  const auto carriers = [&](const std::size_t work_roll) {
+    std::vector<std::size_t> rolls;
+    for (const StackContact &contact : stack.contacts)
+      if (contact.a == work_roll)
+        rolls.push_back(contact.b);
+    return rolls.empty() ? std::vector<std::size_t>{work_roll} : rolls;
+  };
+  m.points = {{"upper bearings", row_of(held_rolls(true))},
+              {"upper backup roll", row_of(carriers(stack.upper))},
+              {"upper work roll", row_of({stack.upper})},
+              {"lower work roll", row_of({stack.lower})},
+              {"lower backup roll", row_of(carriers(stack.lower))},
+              {"lower bearings", row_of(held_rolls(false))}};
   m.b[unknown(stack.upper, 1)] = 1;
   m.b[unknown(stack.lower, 1)] = -1;
   return lumped;

@@ -18,7 +18,9 @@ struct MovedRoll {
 
 /// The stack about its solved state, without the strip: M y'' + K y = b F.
 struct MovingStack {
-  StandModel model;               ///< points: MovingStack::six_points first, then every roll; lines: every roll
+  /// Points: mean of the bearings, what carries the work roll, the work roll; the same of the lower half from the
+  /// strip; then every other roll at mid-length.  Lines: axis of every roll, upwards.
+  StandModel model;
   Connection strip;               ///< between the work rolls; without springs where the strip has no slope
   std::vector<MovedRoll> moved;   ///< (n) of the unknowns
   double strip_stiffness = 0;     ///< N/m, of the strip for an even opening, both work rolls flattening; 0: none

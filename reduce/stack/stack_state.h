@@ -25,6 +25,7 @@ struct RollState {
   Eigen::VectorXd z;              ///< m, mill frame
   Eigen::VectorXd x, y;           ///< m, displacement of the axis
   std::vector<double> reactions;  ///< N, along y, of each support on the roll
+  std::vector<double> across;     ///< N, the same along x
 };
 
 /// The strip and the loaded gap.
