@@ -79,5 +79,6 @@ int subject_command(const CommandLine &command)
 }
 }  // namespace
 
-const LinkedSubjects linked_subjects{chatter_kind, cluster_kind, solve_stand_chatter, solve_stack_chatter, subject_command};
+const LinkedSubjects linked_subjects{chatter_kind, cluster_kind, solve_stand_chatter, solve_stack_chatter,
+                                     subject_command};
 }  // namespace mill

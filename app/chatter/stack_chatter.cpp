@@ -24,10 +24,10 @@ ChatterQuestion question_of(RunContext &run, const StackInput &input, const Movi
   for (const reduce::StandWithModes *stand : {&pass.open, &pass.lumped_open}) {
     const auto modal = dynamics::modal_model(stand->model, stand->modes.frequency, stand->modes.shape,
                                              input.dynamics.modal_damping, 2 * input.dynamics.frequency_limit);
-    q.structures.push_back({title_of(stand->model.name),
-                            {structure_of(input, *stand), inputs.entry_distance, inputs.exit_distance,
-                             q.bite.strip.youngs_modulus},
-                            dynamics::modal_numbers(modal)});
+    q.structures.push_back(
+        {title_of(stand->model.name),
+         {structure_of(input, *stand), inputs.entry_distance, inputs.exit_distance, q.bite.strip.youngs_modulus},
+         dynamics::modal_numbers(modal)});
   }
   q.stand     = q.structures.front().stand;
   q.numbers   = q.structures.front().numbers;
@@ -60,7 +60,8 @@ void solve_stack_chatter(RunContext &run, const StackInput &input, const std::ve
       write_chatter(run, study);
       run.summary += verdict_sentence(study) + "\n";
       if (run.asked)
-        run.asked->add({q.condition.name, q.condition.speed, {study.question.stand, 0, q.bite, q.scheme, chatter_range(q)}});
+        run.asked->add(
+            {q.condition.name, q.condition.speed, {study.question.stand, 0, q.bite, q.scheme, chatter_range(q)}});
       answered = true;
     } catch (const InputError &e) {
       if (!failure)

@@ -350,7 +350,10 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   app.require_subcommand(1);
 
   auto *fresh = app.add_subcommand("new", "write a commented case file that runs as it is");
-  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter, cluster, stack, stack-2, stack-4, stack-6, stack-20 or "
+  fresh
+      ->add_option("KIND", c.target,
+                   "four-high, two-cylinders, bearing, bite, chatter, cluster, stack, stack-2, stack-4, stack-6, "
+                   "stack-20 or "
                    "lumped")
       ->required();
   add_output(fresh, c, "file (default: standard output)");
@@ -387,7 +390,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   unit->add_option("FORMAT", c.format, "fmu, modelica, matlab or statespace")
       ->required()
       ->check(CLI::IsMember(export_formats()));
-  unit->add_option("CASE", c.target, "case file of kind four-high, cluster, stack or lumped; chatter for fmu")->required();
+  unit->add_option("CASE", c.target, "case file of kind four-high, cluster, stack or lumped; chatter for fmu")
+      ->required();
   unit->add_option("--fmi", c.fmi, "fmu: version of the FMI standard, 2 or 3")
       ->check(CLI::IsMember({2, 3}))
       ->capture_default_str();

@@ -61,12 +61,12 @@ Stack with_slopes_of_bite(const StackInput &input, const Stack &stack)
   const auto state = bite::solve_slab(rolled.bite, {bite::Theory::bland_ford, bite::Arc::hitchcock, 0});
   const auto by    = bite::linear_coefficients(rolled.bite, state, bite::Linearisation::implicit);
   enum { exit_thickness, gap_rate, entry_tension, exit_tension, entry_thickness };
-  Stack sloped                 = stack;
-  StackStrip &strip            = sloped.strip;
-  strip.modulus                = -by.force[exit_thickness] / strip.width;
-  strip.entry_modulus          = by.force[entry_thickness] / strip.width;
-  strip.tension_modulus        = std::abs(by.force[exit_tension]) / strip.width * input.bite.youngs_modulus /
-                          strip.exit_thickness;
+  Stack sloped        = stack;
+  StackStrip &strip   = sloped.strip;
+  strip.modulus       = -by.force[exit_thickness] / strip.width;
+  strip.entry_modulus = by.force[entry_thickness] / strip.width;
+  strip.tension_modulus =
+      std::abs(by.force[exit_tension]) / strip.width * input.bite.youngs_modulus / strip.exit_thickness;
   if (std::isnan(input.strip.arc))
     strip.arc = state.arc_length;
   return sloped;

@@ -62,7 +62,6 @@ void write_lines(const RunContext &run, const SolvedStack &solved)
   }
 }
 
-
 // Angle of a contact against the vertical, as a drawing has it.
 double inclination(const Stack &stack, const StackContact &contact)
 {
@@ -83,9 +82,8 @@ void write_section(const RunContext &run, const SolvedStack &solved)
   const bool inclined = reduce::has_inclined_contact(stack);
   for (std::size_t c = 0; c < stack.contacts.size(); ++c) {
     const StackContact &contact = stack.contacts[c];
-    const std::string angle = inclined ? fmt::format(", {:.1f}\u00b0", inclination(stack, contact)) : "";
-    record.contacts.push_back(
-        {pair_name(stack, contact) + angle, int(contact.a), int(contact.b), "johnson"});
+    const std::string angle     = inclined ? fmt::format(", {:.1f}\u00b0", inclination(stack, contact)) : "";
+    record.contacts.push_back({pair_name(stack, contact) + angle, int(contact.a), int(contact.b), "johnson"});
     ClusterLoadRecord load;
     load.name  = pair_name(stack, contact);
     load.force = solved.state.pairs[c].force;
@@ -115,8 +113,8 @@ void write_influences(const RunContext &run, const StackInput &input, const Solv
         continue;
       const double up = roll.axis[1] > 0 ? 1 : -1;
       if (roll.loads.size() == 2)
-        bends += about_middle(solved.engine->influence_of_loads(
-            r, {{roll.loads[0].z, {0, up}}, {roll.loads[1].z, {0, up}}}));
+        bends += about_middle(
+            solved.engine->influence_of_loads(r, {{roll.loads[0].z, {0, up}}, {roll.loads[1].z, {0, up}}}));
       for (std::size_t s = 0; s < roll.supports.size() && written.saddles.given && roll.name == written.name; ++s)
         table.add(fmt::format("{}.eccentric{}", written.name, s + 1), "",
                   about_middle(solved.engine->influence_of_loads(
@@ -195,12 +193,13 @@ void write_modulus(RunContext &run, const StackInput &input, const Stack &stack)
   share_tasks(forces_of_curve, run.threads, [&](const long i) {
     Stack other       = stack;
     other.strip.force = force[i] = stack.strip.force * 0.25 * std::pow(8., double(i) / (forces_of_curve - 1));
-    states[std::size_t(i)] = state_of(input, other);
+    states[std::size_t(i)]       = state_of(input, other);
   });
   const auto column = [&](const std::function<double(const reduce::StackState &)> &of) {
-    return Eigen::VectorXd::NullaryExpr(forces_of_curve, [&](const Eigen::Index i) {
-             return states[std::size_t(i)] ? of(*states[std::size_t(i)]) : not_given;
-           })
+    return Eigen::VectorXd::NullaryExpr(forces_of_curve,
+                                        [&](const Eigen::Index i) {
+                                          return states[std::size_t(i)] ? of(*states[std::size_t(i)]) : not_given;
+                                        })
         .eval();
   };
   Table table;
@@ -214,11 +213,11 @@ void write_modulus(RunContext &run, const StackInput &input, const Stack &stack)
 
 void write_settings(RunContext &run, const StackInput &input, const Stack &stack)
 {
-  const StackWindow &window    = input.window;
+  const StackWindow &window   = input.window;
   const StackActuator shifted = stack_actuator(input, stack, window.shifted + ".shift"),
                       bent    = stack_actuator(input, stack, window.bent + ".bending_force");
-  const Settings all = settings_of(run, input, window.points, window.shift, window.bending,
-                                   [&](const double shift, const double bending) {
+  const Settings all          = settings_of(run, input, window.points, window.shift, window.bending,
+                                            [&](const double shift, const double bending) {
                                      const Stack moved = with_actuator(input, stack, shifted, shift);
                                      return with_actuator(input, moved, bent, bending);
                                    });

@@ -17,8 +17,7 @@ std::vector<ClosedFormResult> traced(const Case &the_case)
   const auto &spec   = std::get<StackCase>(the_case.spec);
   const KeyList keys = keys_of_stack(the_case);
   std::vector<ClosedFormResult> all;
-  for (const StackNumber &number :
-       traced_stack(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack))) {
+  for (const StackNumber &number : traced_stack(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack))) {
     ClosedFormResult result;
     result.name             = number.name;
     result.parameter.value  = number.value;

@@ -13,9 +13,8 @@
 
 namespace mill {
 namespace {
-constexpr int elements_in_motion  = 60;   // over the width
-constexpr int frequencies_listed  = 8;    // stack.f1..
-constexpr int shapes_drawn        = 8;    // modes
+constexpr int elements_in_motion   = 60;   // over the width
+constexpr int shapes_drawn         = 8;    // modes
 constexpr Eigen::Index small_model = 100;  // unknowns whose matrices are written unasked
 
 reduce::StandWithModes named_stand(const MovingPass &pass, const reduce::MovingStack &moving, StandModel model,
@@ -42,8 +41,7 @@ Eigen::MatrixXd likeness(const MovingPass &pass)
 {
   const auto &full = pass.moving.moved, &lumped = pass.lumped.moved;
   const Eigen::VectorXd mass = pass.lumped.model.M.diagonal();
-  Eigen::MatrixXd expanded =
-      Eigen::MatrixXd::Zero(Eigen::Index(full.size()), pass.lumped_open.modes.shape.cols());
+  Eigen::MatrixXd expanded = Eigen::MatrixXd::Zero(Eigen::Index(full.size()), pass.lumped_open.modes.shape.cols());
   for (std::size_t i = 0; i < full.size(); ++i)
     for (std::size_t k = 0; k < lumped.size(); ++k)
       if (full[i].motion == reduce::MovedRoll::Motion::translation && full[i].roll == lumped[k].roll &&
@@ -77,10 +75,10 @@ Parameter frequency_parameter(const RunContext &run, const double force, const d
 // stack.f1.. of the beams themselves, each with the mode of the lumped stack that it is.
 void add_frequencies(RunContext &run, const MovingPass &fine, const MovingPass &coarse)
 {
-  const Eigen::VectorXd f = fine.engine->frequencies(frequencies_listed),
+  const Eigen::VectorXd f         = fine.engine->frequencies(frequencies_listed),
                         on_coarse = coarse.engine->frequencies(frequencies_listed);
-  const auto pairs = reduce::pair_modes(likeness(fine), fine.open.modes.frequency,
-                                        fine.lumped_open.modes.frequency, 0.4, 3);
+  const auto pairs =
+      reduce::pair_modes(likeness(fine), fine.open.modes.frequency, fine.lumped_open.modes.frequency, 0.4, 3);
   for (Eigen::Index k = 0; k < f.size(); ++k) {
     Parameter p = frequency_parameter(run, fine.force, f[k], on_coarse[k]);
     p.method    = "beams with their masses about the solved state, rolling force imposed";
@@ -103,10 +101,10 @@ void add_named(RunContext &run, const MovingPass &pass, const reduce::StandWithM
     if (name.key.empty() || !name.listed || stand.modes.frequency[mode] > limit)
       continue;
     const double on_coarse = mode < coarse.modes.frequency.size() ? coarse.modes.frequency[mode] : not_given;
-    Parameter f = frequency_parameter(run, pass.force, stand.modes.frequency[mode], on_coarse);
-    f.method    = fmt::format(
-        "{}: {}; rolls as beams about the solved state, {} (51.22)", name.name, name.decided,
-        state == GapState::rolling ? "strip as springs between the work rolls" : "without the strip");
+    Parameter f            = frequency_parameter(run, pass.force, stand.modes.frequency[mode], on_coarse);
+    f.method =
+        fmt::format("{}: {}; rolls as beams about the solved state, {} (51.22)", name.name, name.decided,
+                    state == GapState::rolling ? "strip as springs between the work rolls" : "without the strip");
     Parameter share      = f;
     share.value          = name.gap_share;
     share.unit           = "1";
@@ -201,16 +199,18 @@ void add_stack_modes(RunContext &run, const StackInput &input, const MovingPass 
   const double limit = input.dynamics.frequency_limit;
   add_frequencies(run, fine, coarse);
   if (fine.rolling) {
-    Parameter K4 = frequency_parameter(run, fine.force, fine.moving.strip_stiffness, coarse.moving.strip_stiffness);
-    K4.unit      = "N/m";
-    K4.method    = "slope of the strip in series with the flattening of both work rolls, even opening (51.22)";
+    Parameter K4 =
+        frequency_parameter(run, fine.force, fine.moving.strip_stiffness, coarse.moving.strip_stiffness);
+    K4.unit   = "N/m";
+    K4.method = "slope of the strip in series with the flattening of both work rolls, even opening (51.22)";
     run.results.add(result_name({family::stack, "strip_stiffness"}), K4);
     add_named(run, fine, *fine.rolling, *coarse.rolling, GapState::rolling, limit);
     write_mode_table(run, *fine.rolling);
     write_shapes(run, *fine.rolling);
   } else
-    run.assume("the line load of the strip does not follow the gap (strip.law = \"uniform\" or modulus = 0): modes "
-               "of the rolling state (mode.*) are not computed, those without the strip are open.mode.*");
+    run.assume(
+        "the line load of the strip does not follow the gap (strip.law = \"uniform\" or modulus = 0): modes "
+        "of the rolling state (mode.*) are not computed, those without the strip are open.mode.*");
   add_named(run, fine, fine.open, coarse.open, GapState::open, limit);
   write_mode_table(run, fine.open, GapState::open);
   if (!fine.rolling)

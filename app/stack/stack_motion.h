@@ -35,6 +35,8 @@ struct MovingPass {
   }
 };
 
+inline constexpr int frequencies_listed = 8;  ///< stack.f1..
+
 /// Passes of the case; without one a pass without name under the force of [strip].
 /// @param wanted  name of the only one that is asked for; empty: all
 /// @throws InputError  no such pass; SolverError  no equilibrium

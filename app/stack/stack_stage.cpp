@@ -92,8 +92,7 @@ void add_results(RunContext &run, const StackNumberSets &sets, const double forc
     for (Check &check : p.checks)
       check.value = without_rounding(check.value);
     p.source = number.source;
-    if (const auto check = checks.find(number.name);
-        check != checks.end() && number.source != Source::given)
+    if (const auto check = checks.find(number.name); check != checks.end() && number.source != Source::given)
       p.checks.push_back({other_method, without_rounding(check->second),
                           "shoulders, the surface of the rolls around their contacts and the flattening at the "
                           "edges of the strip are in the condensed rolls only"});
@@ -195,7 +194,13 @@ Eigen::VectorXd flatness(const SolvedStack &solved)
 
 StackNumbers traced_stack(const StackInput &input, const Stack &stack)
 {
-  return stack_numbers(input, solve_stack(input, stack, beams_of(input, elements_over_width / 2)), by_beams);
+  const SolvedStack solved = solve_stack(input, stack, beams_of(input, elements_over_width / 2));
+  StackNumbers all         = stack_numbers(input, solved, by_beams);
+  const Eigen::VectorXd f =
+      dynamic_cast<const reduce::BeamStack &>(*solved.engine).frequencies(frequencies_listed);
+  for (Eigen::Index k = 0; k < f.size(); ++k)
+    all.push_back({result_name({family::stack, fmt::format("f{}", k + 1)}), f[k], "Hz", by_beams, {}});
+  return all;
 }
 
 std::vector<std::string> keys_of_stack(const Case &the_case)
@@ -249,9 +254,9 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, d
     return condensed ? condensed_of(kernels, stations_over_width / coarser)
                               : beams_of(input, elements_over_width / coarser);
   };
-  SolvedStack fine        = solve_stack(input, stack, engine(is_condensed, 1)),
-              coarse      = solve_stack(input, stack, engine(is_condensed, 2));
-  const SolvedStack other = solve_stack(input, stack, engine(!is_condensed, 1));
+  SolvedStack fine         = solve_stack(input, stack, engine(is_condensed, 1)),
+              coarse       = solve_stack(input, stack, engine(is_condensed, 2));
+  const SolvedStack other  = solve_stack(input, stack, engine(!is_condensed, 1));
   const double force       = fine.stack.strip.force;
   force_found              = force;
   const char *method       = is_condensed ? by_condensed : by_beams,

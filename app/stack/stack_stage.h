@@ -58,7 +58,7 @@ StackNumbers traced_stack(const StackInput &input, const Stack &stack);
 /// Keys of the case behind every result: all of them.
 std::vector<std::string> keys_of_stack(const Case &the_case);
 
-/// All of a run: the state with Goal::simulate, modes and critical speeds; with Goal::modes or Goal::chatter no more
-/// than the modes, or the chatter, of beams.
+/// All of a run: the state with Goal::simulate, modes and critical speeds; with Goal::modes or Goal::chatter no
+/// more than the modes, or the chatter, of beams.
 void run_stack(RunContext &run, const StackInput &input, const Stack &drawn, Goal goal);
 }  // namespace mill

@@ -101,8 +101,7 @@ int stack_command(const CommandLine &command, const Case &the_case)
   StackOptimum optimum;
   run_in_scratch(command, the_case, {{"stack", 1}}, [&](RunContext &run) {
     const Stack stack = with_slopes_of_bite(*spec->input, *spec->stack);
-    optimum = optimise_stack(*spec->input, stack, leading_engine(run, *spec->input, stack),
-                             actuators, targets);
+    optimum = optimise_stack(*spec->input, stack, leading_engine(run, *spec->input, stack), actuators, targets);
   });
   console::print(text_of(optimum));
   return 0;

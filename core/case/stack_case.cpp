@@ -357,27 +357,31 @@ void check_law_of_bite(const StackInput &input, Reading &reading)
       contradict(reading, "strip.law", fmt::format("needs {} of the strip", key), {});
   for (const char *key : {"modulus", "entry_modulus", "tension_modulus"})
     if (given(key))
-      contradict(reading, std::string("strip.") + key,
-                 "is given, and law = \"bite\" computes it; remove it, or give law = \"modulus\"", {"strip.law"});
+      doubt(reading, std::string("strip.") + key, "is not used: with law = \"bite\" it follows from the bite",
+            {"strip.law"});
 }
 
 // Pairs of ranges that make a map, and the rolls that they name.
 void check_window(const StackInput &input, Reading &reading)
 {
   const StackWindow &window = input.window;
-  const auto given = [&](const char *k) { return is_in_case(reading, std::string("window.") + k); };
-  const auto ranges = {std::pair{"bending_force", &window.bending}, {"shift", &window.shift},
-                       {"force", &window.force}, {"width", &window.width}};
+  const auto given          = [&](const char *k) { return is_in_case(reading, std::string("window.") + k); };
+  const auto ranges         = {std::pair{"bending_force", &window.bending},
+                               {"shift", &window.shift},
+                               {"force", &window.force},
+                               {"width", &window.width}};
   for (const auto &[key, range] : ranges)
     if (given(key) && !((*range)[0] < (*range)[1]))
       contradict(reading, std::string("window.") + key, "does not increase; write the smaller value first", {});
   const auto needs = [&](const char *key, const char *other) {
     if (given(key) && !given(other) && reading.usable({std::string("window.") + other}))
-      contradict(reading, std::string("window.") + key, fmt::format("needs {} as well, the other side of the map", other),
-                 {});
+      contradict(reading, std::string("window.") + key,
+                 fmt::format("needs {} as well, the other side of the map", other), {});
   };
-  for (const auto &[one, other] :
-       {std::pair{"bending_force", "shift"}, {"bending_force", "bent"}, {"shift", "shifted"}, {"force", "width"}}) {
+  for (const auto &[one, other] : {std::pair{"bending_force", "shift"},
+                                   {"bending_force", "bent"},
+                                   {"shift", "shifted"},
+                                   {"force", "width"}}) {
     needs(one, other);
     needs(other, one);
   }

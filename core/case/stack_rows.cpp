@@ -103,7 +103,12 @@ const std::vector<Field<StackRollInput>> &stack_roll_rows()
          R"(["2070 kN/mm", "3030 kN/mm"])",
          "of bearing, chock and housing of one side, from the axis to the ground; two: of the roll and of the "
          "roll that is made of it; absent: rigid"},
-        {"chock_mass", &T::chock_mass, "kg", {0, 5e5}, absent, "970 kg",
+        {"chock_mass",
+         &T::chock_mass,
+         "kg",
+         {0, 5e5},
+         absent,
+         "970 kg",
          "of each chock, for the vibration; two: of the roll and of the roll that is made of it; absent: none"},
         {"material", &T::material, "text", any, absent, "carbide", "name of a [material.NAME]; absent: [steel]"},
     };
@@ -261,9 +266,10 @@ const std::vector<Field<DynamicsSettings>> &stack_dynamics_rows()
           some.push_back(row);
     for (Field<DynamicsSettings> &row : some)
       if (std::string(row.key) == "force_meaning") {
-        row.form    = "measured | disturbance";
-        row.meaning = "measured: total bite force, the stack without its strip; disturbance: the strip between the "
-                      "work rolls as a spring";
+        row.form = "measured | disturbance";
+        row.meaning =
+            "measured: total bite force, the stack without its strip; disturbance: the strip between the "
+            "work rolls as a spring";
       }
     return some;
   }();
@@ -306,7 +312,13 @@ const std::vector<Field<StackWindow>> &stack_window_rows()
        absent,
        R"(["600 kN", "1400 kN"])",
        "smallest and largest rolling force; together with width it gives the operating window"},
-      {"width", &T::width, "mm", {1, 6000}, absent, R"(["700 mm", "1300 mm"])", "smallest and largest width of the strip"},
+      {"width",
+       &T::width,
+       "mm",
+       {1, 6000},
+       absent,
+       R"(["700 mm", "1300 mm"])",
+       "smallest and largest width of the strip"},
       {"points", &T::points, "count", {2, 60}, 9, "9", "settings along each of two ranges"},
   };
   return rows;

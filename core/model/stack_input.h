@@ -68,7 +68,7 @@ struct StackEngine {
 
 /// [window]: what is computed around the settings of the case; a range that is not given: no map of it.
 struct StackWindow {
-  std::string bent, shifted;                                ///< rolls whose bending and shift vary
+  std::string bent, shifted;                               ///< rolls whose bending and shift vary
   std::array<double, 2> bending = {not_given, not_given};  ///< N, of each chock
   std::array<double, 2> shift   = {not_given, not_given};  ///< m
   std::array<double, 2> force   = {not_given, not_given};  ///< N

@@ -13,13 +13,8 @@ constexpr const char *stack_file = "curves/stack.json";
 
 namespace curve {
 /// Change of the gap with one unit of each input: columns "W.bending_force", "force".
-inline constexpr CurveKind stack_influence{"influence",
-                                           false,
-                                           "",
-                                           "change of the loaded gap with each input",
-                                           Figure::section,
-                                           {{{"z", "m"}}},
-                                           true};
+inline constexpr CurveKind stack_influence{
+    "influence", false, "", "change of the loaded gap with each input", Figure::section, {{{"z", "m"}}}, true};
 inline constexpr CurveKind stack_modulus{
     "modulus",
     false,
@@ -61,21 +56,20 @@ inline constexpr CurveKind stack_pair{
     Figure::section,
     {{{"z", "m"}, {"line_load", "N/m"}, {"half_width", "m"}, {"peak_pressure", "Pa"}, {"tangent", "N/m2"}}}};
 /// Of a mode by its number: rolls one below the other, by their places in the case.
-inline constexpr CurveKind stack_mode{"mode",
+inline constexpr CurveKind stack_mode{
+    "mode", true, "", "axes of the rolls in a mode", Figure::section, {{{"roll", ""}, {"z", "m"}, {"y", ""}}}};
+inline constexpr CurveKind stack_roll{"roll",
                                       true,
                                       "",
-                                      "axes of the rolls in a mode",
+                                      "deflection of a roll, moments and shear forces of its sections",
                                       Figure::section,
-                                      {{{"roll", ""}, {"z", "m"}, {"y", ""}}}};
-inline constexpr CurveKind stack_roll{
-    "roll", true, "", "deflection of a roll, moments and shear forces of its sections", Figure::section,
-    {{{"z", "m"},
-      {"x", "m"},
-      {"y", "m"},
-      {"moment_x", "N m"},
-      {"moment_y", "N m"},
-      {"shear_x", "N"},
-      {"shear_y", "N"},
-      {"bending_stress", "Pa"}}}};
+                                      {{{"z", "m"},
+                                        {"x", "m"},
+                                        {"y", "m"},
+                                        {"moment_x", "N m"},
+                                        {"moment_y", "N m"},
+                                        {"shear_x", "N"},
+                                        {"shear_y", "N"},
+                                        {"bending_stress", "Pa"}}}};
 }  // namespace curve
 }  // namespace mill

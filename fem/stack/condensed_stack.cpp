@@ -372,12 +372,12 @@ StackState CondensedStack::solve()
     const HalfStack &half = my.halves[i];
     const auto open       = half.openings(my.state[i], my.force, my.right[i]);
     for (std::size_t c = 0; c < half.contacts.size(); ++c) {
-      PairState &pair     = out.pairs[half.contacts[c].contact];
-      pair                = pair_state(half.contacts[c], my.state[i].contact[c], open[c]);
-      pair.loaded_tangent = reduce::loaded_tangent(
-          pair, (pair.tangent.array() > 0)
-                    .select(by_force.half[i].contact[c].array() / pair.weight.array(), 0.)
-                    .matrix());
+      PairState &pair = out.pairs[half.contacts[c].contact];
+      pair            = pair_state(half.contacts[c], my.state[i].contact[c], open[c]);
+      pair.loaded_tangent =
+          reduce::loaded_tangent(pair, (pair.tangent.array() > 0)
+                                           .select(by_force.half[i].contact[c].array() / pair.weight.array(), 0.)
+                                           .matrix());
     }
     for (const std::size_t r : half.rolls()) {
       const auto d = half.deflection(r, my.state[i], my.force);

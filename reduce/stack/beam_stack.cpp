@@ -383,8 +383,8 @@ StackState BeamStack::solve()
 {
   Implementation &my = *self;
   StackState state;
-  state.newton_steps                   = my.solve();
-  state.residual                       = my.imbalance(my.out_of_balance());
+  state.newton_steps                    = my.solve();
+  state.residual                        = my.imbalance(my.out_of_balance());
   const Implementation::Change by_force = my.change(my.no_forces(), VectorXd::Zero(my.q.size()), 1);
   for (std::size_t c = 0; c < my.stack.contacts.size(); ++c) {
     const StackContact &contact = my.stack.contacts[c];
@@ -392,7 +392,7 @@ StackState BeamStack::solve()
     state.pairs.push_back(
         pair_state(my.group_of(contact.a), c,
                    line_law(a.diameter / 2, a.material, b.diameter / 2, b.material, contact.ring_stiffness)));
-    const std::size_t side           = &my.group_of(contact.a) == &my.sides[0].group ? 0 : 1;
+    const std::size_t side = &my.group_of(contact.a) == &my.sides[0].group ? 0 : 1;
     state.pairs.back().loaded_tangent =
         loaded_tangent(state.pairs.back(), change_of_load(my.group_of(contact.a), c, by_force.u[side]));
   }

@@ -18,14 +18,15 @@ MatrixXd polynomials(const VectorXd &z, const Index n)
     const double t = (z[i] - middle) / half;
     double before = 0, value = 1, slope_before = 0, slope = 0;
     for (Index k = 0; k < n; ++k) {
-      X(2 * i, k)     = value;
-      X(2 * i + 1, k) = slope / half;
-      const double next       = ((2 * double(k) + 1) * t * value - double(k) * before) / double(k + 1);
-      const double next_slope = ((2 * double(k) + 1) * (value + t * slope) - double(k) * slope_before) / double(k + 1);
-      before                  = value;
-      slope_before            = slope;
-      value                   = next;
-      slope                   = next_slope;
+      X(2 * i, k)       = value;
+      X(2 * i + 1, k)   = slope / half;
+      const double next = ((2 * double(k) + 1) * t * value - double(k) * before) / double(k + 1);
+      const double next_slope =
+          ((2 * double(k) + 1) * (value + t * slope) - double(k) * slope_before) / double(k + 1);
+      before       = value;
+      slope_before = slope;
+      value        = next;
+      slope        = next_slope;
     }
   }
   return X;
@@ -69,7 +70,7 @@ MatrixXd free_shapes(const RollGroup::FreeBeam &beam, const VectorXd &z, const i
   MatrixXd rigid   = X.leftCols(2);
   // A shift as large as the first bending keeps the matrix definite.
   const VectorXd parabola = X.col(2);
-  const double shift = parabola.dot(beam.stiffness * parabola) / parabola.dot(beam.mass * parabola);
+  const double shift      = parabola.dot(beam.stiffness * parabola) / parabola.dot(beam.mass * parabola);
   const Eigen::LLT<MatrixXd> shifted(beam.stiffness + shift * beam.mass);
   for (int round = 0; round < 6; ++round) {
     const MatrixXd Y = shifted.solve(beam.mass * X);

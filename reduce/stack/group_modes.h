@@ -11,8 +11,8 @@ struct GroupModes {
 /// By subspace iteration with the factorised stiffness.
 GroupModes lowest_modes(const RollGroup &group, int wanted);
 
-/// (2 stations, 2 + k) shapes of a free roll in one plane, mass-normalised: translation, tilting about its centre of
-/// mass, then bending, softest first.  They are a basis: the last bending shapes are approximate.
+/// (2 stations, 2 + k) shapes of a free roll in one plane, mass-normalised: translation, tilting about its centre
+/// of mass, then bending, softest first.  They are a basis: the last bending shapes are approximate.
 /// @param z  (stations) m
 Eigen::MatrixXd free_shapes(const RollGroup::FreeBeam &beam, const Eigen::VectorXd &z, int bending);
 }  // namespace mill::reduce

@@ -14,8 +14,8 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-constexpr double no_more      = 1e-3;  // of its size: a shape that the others hold already
-constexpr int modes_of_half   = 8;     // lowest ones whose shapes the rolls on bearings have
+constexpr double no_more    = 1e-3;  // of its size: a shape that the others hold already
+constexpr int modes_of_half = 8;     // lowest ones whose shapes the rolls on bearings have
 
 bool is_upper(const StackRoll &roll)
 {
@@ -126,9 +126,8 @@ private:
       for (const std::size_t axis : group.planes()) {
         Block block{s, group.unknowns(r, axis), {}, beam.mass, beam.stiffness, Index(out.moved.size())};
         const auto part_of_group = [&](const auto &motion) {
-          return VectorXd::NullaryExpr(Index(block.unknown.size()), [&](const Index i) {
-                   return motion[block.unknown[std::size_t(i)]];
-                 })
+          return VectorXd::NullaryExpr(Index(block.unknown.size()),
+                                       [&](const Index i) { return motion[block.unknown[std::size_t(i)]]; })
               .eval();
         };
         block.shapes = with_shape(shapes.of(beam, z), beam.mass, part_of_group(deflects), 1e-8);
@@ -139,11 +138,14 @@ private:
                 with_shape(block.shapes, beam.mass, part_of_group(VectorXd(lowest.shape.col(k))), no_more);
         for (Index k = 0; k < block.shapes.cols(); ++k) {
           using Motion = MovedRoll::Motion;
-          out.moved.push_back({r, axis, k == 0 ? Motion::translation : k == 1 ? Motion::tilting : Motion::bending});
+          out.moved.push_back({r, axis,
+                               k == 0   ? Motion::translation
+                               : k == 1 ? Motion::tilting
+                                        : Motion::bending});
           out.model.part_of.push_back(int(part));
           const char *what = k == 0 ? "translation" : k == 1 ? "tilting" : "bending";
-          out.model.unknowns.push_back(
-              {std::string(what) + (axis == 1 ? " y" : " x"), std::numeric_limits<double>::quiet_NaN(), "kg^0.5 m"});
+          out.model.unknowns.push_back({std::string(what) + (axis == 1 ? " y" : " x"),
+                                        std::numeric_limits<double>::quiet_NaN(), "kg^0.5 m"});
         }
         blocks.push_back(std::move(block));
       }
@@ -161,9 +163,9 @@ private:
     m.name        = "stack";
     m.M = m.K_parts = MatrixXd::Zero(size(), size());
     for (const Block &b : blocks) {
-      const Index n                         = b.shapes.cols();
-      m.M.block(b.first, b.first, n, n)     = symmetric_part(b.shapes.transpose() * b.mass * b.shapes);
-      MatrixXd bends                        = symmetric_part(b.shapes.transpose() * b.stiffness * b.shapes);
+      const Index n                     = b.shapes.cols();
+      m.M.block(b.first, b.first, n, n) = symmetric_part(b.shapes.transpose() * b.mass * b.shapes);
+      MatrixXd bends                    = symmetric_part(b.shapes.transpose() * b.stiffness * b.shapes);
       bends.topRows(2).setZero();  // rigid motions
       bends.leftCols(2).setZero();
       m.K_parts.block(b.first, b.first, n, n) = bends;
@@ -297,12 +299,9 @@ private:
   void add_places()
   {
     const Stack &stack = parts.stack;
-    out.model.points   = {{"upper bearings", at_bearings(true)},
-                          {"upper backup roll", carrier(stack.upper)},
-                          {"upper work roll", middle(stack.upper, 1)},
-                          {"lower work roll", middle(stack.lower, 1)},
-                          {"lower backup roll", carrier(stack.lower)},
-                          {"lower bearings", at_bearings(false)}};
+    out.model.points   = {{"upper bearings", at_bearings(true)},       {"upper backup roll", carrier(stack.upper)},
+                          {"upper work roll", middle(stack.upper, 1)}, {"lower work roll", middle(stack.lower, 1)},
+                          {"lower backup roll", carrier(stack.lower)}, {"lower bearings", at_bearings(false)}};
     for (std::size_t r = 0; r < stack.rolls.size(); ++r) {
       const RollGroup &group = parts.sides[side_of(r)].group;
       for (const std::size_t axis : group.planes())
@@ -370,15 +369,15 @@ MovingStack moving_stack(const BeamStack &solved, const int bending_modes)
 
 MovingStack lumped_stack(const BeamStack &solved, const StackState &state)
 {
-  const Stack &stack                      = solved.parts().stack;
-  const std::vector<std::size_t> &planes  = solved.parts().groups.front().planes();
-  const std::size_t per_roll              = planes.size();
-  const Index n                           = Index(per_roll * stack.rolls.size());
+  const Stack &stack                     = solved.parts().stack;
+  const std::vector<std::size_t> &planes = solved.parts().groups.front().planes();
+  const std::size_t per_roll             = planes.size();
+  const Index n                          = Index(per_roll * stack.rolls.size());
   MovingStack lumped;
   StandModel &m = lumped.model;
   m.name        = "stack-lumped";
   m.M = m.K_parts = MatrixXd::Zero(n, n);
-  m.b = m.load_cell = VectorXd::Zero(n);
+  m.b = m.load_cell  = VectorXd::Zero(n);
   const auto unknown = [&](const std::size_t roll, const std::size_t axis) {
     return Index(per_roll * roll + std::size_t(std::find(planes.begin(), planes.end(), axis) - planes.begin()));
   };
@@ -433,12 +432,10 @@ MovingStack lumped_stack(const BeamStack &solved, const StackState &state)
         rolls.push_back(contact.b);
     return rolls.empty() ? std::vector<std::size_t>{work_roll} : rolls;
   };
-  m.points = {{"upper bearings", row_of(held_rolls(true))},
-              {"upper backup roll", row_of(carriers(stack.upper))},
-              {"upper work roll", row_of({stack.upper})},
-              {"lower work roll", row_of({stack.lower})},
-              {"lower backup roll", row_of(carriers(stack.lower))},
-              {"lower bearings", row_of(held_rolls(false))}};
+  m.points = {
+      {"upper bearings", row_of(held_rolls(true))},         {"upper backup roll", row_of(carriers(stack.upper))},
+      {"upper work roll", row_of({stack.upper})},           {"lower work roll", row_of({stack.lower})},
+      {"lower backup roll", row_of(carriers(stack.lower))}, {"lower bearings", row_of(held_rolls(false))}};
   m.b[unknown(stack.upper, 1)] = 1;
   m.b[unknown(stack.lower, 1)] = -1;
   return lumped;

@@ -11,8 +11,8 @@ struct StackState;
 
 /// What one unknown moves.
 struct MovedRoll {
-  std::size_t roll = 0;                                        ///< place in Stack::rolls
-  std::size_t axis = 1;                                        ///< 0: x, 1: y
+  std::size_t roll                                           = 0;  ///< place in Stack::rolls
+  std::size_t axis                                           = 1;  ///< 0: x, 1: y
   enum class Motion { translation, tilting, bending } motion = Motion::translation;
 };
 
@@ -21,9 +21,9 @@ struct MovingStack {
   /// Points: mean of the bearings, what carries the work roll, the work roll; the same of the lower half from the
   /// strip; then every other roll at mid-length.  Lines: axis of every roll, upwards.
   StandModel model;
-  Connection strip;               ///< between the work rolls; without springs where the strip has no slope
-  std::vector<MovedRoll> moved;   ///< (n) of the unknowns
-  double strip_stiffness = 0;     ///< N/m, of the strip for an even opening, both work rolls flattening; 0: none
+  Connection strip;              ///< between the work rolls; without springs where the strip has no slope
+  std::vector<MovedRoll> moved;  ///< (n) of the unknowns
+  double strip_stiffness = 0;    ///< N/m, of the strip for an even opening, both work rolls flattening; 0: none
 };
 
 /// Every roll in the modes of the free beam, with its chocks: both motions of a rigid roll, `bending_modes` shapes

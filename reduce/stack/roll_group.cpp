@@ -328,7 +328,7 @@ UnknownRow RollGroup::deflection_at(const std::size_t roll, const double z, cons
   int s            = beam.first;
   while (s + 1 < beam.last && stations.z[std::size_t(s) + 1] < z)
     ++s;
-  const double t = (z - stations.z[std::size_t(s)]) / stations.length(s);
+  const double t              = (z - stations.z[std::size_t(s)]) / stations.length(s);
   const Eigen::Vector4d shape = beam.elements[std::size_t(s - beam.first)].shape(std::clamp(t, 0., 1.));
   for (int i = 0; i < 4; ++i)
     row.add(unknown_of(beam, s + i / 2, axis) + i % 2, shape[i]);

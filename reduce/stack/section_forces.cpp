@@ -37,7 +37,8 @@ std::vector<SpreadForce> forces_on(const Stack &stack, const StackState &state, 
   }
   for (const auto &[work_roll, sign] : {std::pair(stack.upper, 1.), std::pair(stack.lower, -1.)})
     for (Eigen::Index i = 0; work_roll == r && i < state.strip.load.size(); ++i) {
-      const double from = state.strip.edges[i] + stack.strip.offset, to = state.strip.edges[i + 1] + stack.strip.offset;
+      const double from = state.strip.edges[i] + stack.strip.offset,
+                   to   = state.strip.edges[i + 1] + stack.strip.offset;
       all.push_back({from, to, {0, sign * state.strip.load[i] * (to - from)}});
     }
   for (std::size_t s = 0; s < roll.supports.size(); ++s) {

@@ -25,8 +25,8 @@ KineticShare share_of(const Stack &stack, const MovedRoll &moved, const double k
   const std::string across = moved.axis == 1 ? "" : ", horizontal", key = moved.axis == 1 ? "_y" : "_x";
   switch (moved.motion) {
   case MovedRoll::Motion::translation:
-    return {"roll " + roll, "roll " + roll + (moved.axis == 1 ? ", vertical" : ", horizontal"), "roll_" + roll + key,
-            kinetic};
+    return {"roll " + roll, "roll " + roll + (moved.axis == 1 ? ", vertical" : ", horizontal"),
+            "roll_" + roll + key, kinetic};
   case MovedRoll::Motion::tilting:
     return {"tilting of roll " + roll, "tilting of roll " + roll + across, "tilting_" + roll + key, kinetic};
   default:

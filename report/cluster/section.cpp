@@ -177,9 +177,8 @@ ClusterData read_cluster_record(const std::string &run_directory, const std::str
   }
   if (!data.record || data.record->passes.empty()) {
     data.record.reset();
-    data.problem = file +
-                   " is not what this program writes, so the stack is not shown; run the "
-                   "case again";
+    data.problem = file + " is not what this program writes, so the stack is not shown; run the "
+                          "case again";
   }
   return data;
 }

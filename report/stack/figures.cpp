@@ -13,8 +13,8 @@ namespace {
 using Eigen::Index;
 using Eigen::VectorXd;
 
-constexpr Pen stack_pens[] = {Pen::dark, Pen::warm, Pen::dashed, Pen::dotted, Pen::chained, Pen::pale};
-constexpr Pen growing[]    = {Pen::shade1, Pen::shade2, Pen::shade3, Pen::shade4, Pen::shade5};
+constexpr Pen stack_pens[]   = {Pen::dark, Pen::warm, Pen::dashed, Pen::dotted, Pen::chained, Pen::pale};
+constexpr Pen growing[]      = {Pen::shade1, Pen::shade2, Pen::shade3, Pen::shade4, Pen::shade5};
 constexpr double small_width = 330, small_height = 210;  // px, of one of many
 
 Plot over_width(const std::string &title, const char *quantity, const std::string &unit)
@@ -275,12 +275,13 @@ std::vector<std::string> mode_drawings(const Run &run)
       frequencies = stored_curve(run, curve::modes_of_model, "stack-open");
     const VectorXd hertz = frequencies ? values_of(*frequencies, {"frequency", "Hz"}) : VectorXd();
     const Index number   = std::atoi(mode.c_str());
-    Plot plot = over_width(number >= 1 && number <= hertz.size() ? fixed(hertz[number - 1], 1) + " Hz" : "mode " + mode,
-                           "axis over the largest", "-");
-    plot.width  = small_width;
-    plot.height = small_height;
-    plot.y.low  = -1.05;
-    plot.y.high = 1.05;
+    Plot plot =
+        over_width(number >= 1 && number <= hertz.size() ? fixed(hertz[number - 1], 1) + " Hz" : "mode " + mode,
+                   "axis over the largest", "-");
+    plot.width          = small_width;
+    plot.height         = small_height;
+    plot.y.low          = -1.05;
+    plot.y.high         = 1.05;
     const VectorXd roll = values_of(*table, {"roll", "-"}), z = values_of(*table, {"z", "mm"}),
                    y = values_of(*table, {"y", "-"});
     if (roll.size() == 0 || z.size() != roll.size() || y.size() != roll.size())

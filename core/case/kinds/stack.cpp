@@ -55,8 +55,8 @@ const CaseKind &case_kind(const StackCase *)
       }
     k.sections.push_back(
         {"engine", Repeat::once, false, "how the stack is computed", rows_of(stack_engine_rows())});
-    k.sections.push_back({"window", Repeat::once, false, "maps around the settings of the case",
-                          rows_of(stack_window_rows())});
+    k.sections.push_back(
+        {"window", Repeat::once, false, "maps around the settings of the case", rows_of(stack_window_rows())});
     k.sections.push_back(pass_section(false));
     k.sections.push_back(dynamics_section(stack_dynamics_rows()));
     k.sections.push_back({"stand", Repeat::once, false, "the strip around the stand, for millstand chatter",

@@ -116,8 +116,8 @@ TEST(StackMotion, TangentOfAPairIsTheChangeBetweenTwoForces)
     Stack other = stack;
     other.strip.force += (side ? 1 : -1) * step;
     BeamStack engine(other, {30});
-    const StackState state  = engine.solve();
-    const PairState &pair   = state.pairs[0];
+    const StackState state      = engine.solve();
+    const PairState &pair       = state.pairs[0];
     force[std::size_t(side)]    = pair.force;
     approach[std::size_t(side)] = pair.weight.dot(pair.load.cwiseProduct(pair.approach)) / pair.force;
   }
