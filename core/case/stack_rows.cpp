@@ -108,7 +108,7 @@ const std::vector<Field<StackRollInput>> &stack_roll_rows()
          "kg",
          {0, 5e5},
          absent,
-         "970 kg",
+         R"(["970 kg"])",
          "of each chock, for the vibration; two: of the roll and of the roll that is made of it; absent: none"},
         {"material", &T::material, "text", any, absent, "carbide", "name of a [material.NAME]; absent: [steel]"},
     };

@@ -228,6 +228,12 @@ struct BeamStack::Implementation {
     return std::max(most, of_law) / stack.strip.force;
   }
 
+  // What the beams themselves leave, over the rolling force: places of a drawing may lie micrometres apart.
+  double rounding_of_beams() const
+  {
+    return std::max(sides[0].group.rounding(), sides[1].group.rounding()) / stack.strip.force;
+  }
+
   int solve()
   {
     const double line = stack.strip.force / stack.strip.width;
@@ -246,7 +252,7 @@ struct BeamStack::Implementation {
       update();
       const auto residual = out_of_balance();
       const double before = std::exchange(out, imbalance(residual));
-      if (out < balanced || (out < rounding && out > before / 2)) {
+      if (out < balanced || (out < std::max(rounding, rounding_of_beams()) && out > before / 2)) {
         factorise(least, 0);  // for the derivatives
         update();
         solved = true;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace mill::reduce {
@@ -293,6 +294,14 @@ double RollGroup::largest_force(const VectorXd &residual) const
   for (Index i = 0; i < residual.size(); i += 2)
     most = std::max(most, std::abs(residual[i]));
   return most;
+}
+
+double RollGroup::rounding() const
+{
+  double most = 0;
+  for (Index i = 0; i < u.size(); i += 2)
+    most = std::max(most, beams_alone.coeff(i, i) * std::abs(u[i]));
+  return 8 * std::numeric_limits<double>::epsilon() * most;
 }
 
 Eigen::SparseMatrix<double> RollGroup::mass_matrix() const

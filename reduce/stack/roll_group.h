@@ -54,6 +54,9 @@ public:
   bool factorise(double least_tangent);       ///< at the last update(); false where a roll is not held
   bool factorise_touching(double line_load);  ///< all contacts closed, tangents at this line load
   double largest_force(const Eigen::VectorXd &residual) const;  ///< moments left out
+  /// N, to which out_of_balance() is known: a short element is so stiff that the last digit of a deflection is
+  /// felt.
+  double rounding() const;
   Eigen::SparseMatrix<double> mass_matrix() const;
 
   /// Planes in which the rolls move: 1 for y, 0 for x.
