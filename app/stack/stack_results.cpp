@@ -1,3 +1,4 @@
+#include "app/stack/stack_optimise.h"
 #include "app/stack/stack_stage.h"
 #include "core/model/stack_statics.h"
 #include "core/records/stack_names.h"
@@ -5,8 +6,10 @@
 #include "reduce/stack/section_forces.h"
 #include "reduce/stack/stations.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace mill {
 namespace {
@@ -159,7 +162,34 @@ StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, c
   return all;
 }
 
-StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved)
+namespace {
+constexpr double shift_step     = 1e-3;  // m
+const char *const by_difference = "central difference over 2 mm: a shift moves the places of contact";
+
+// Of a roll that is shifted, or that a map shifts.
+void add_influence_of_shift(StackNumbers &all, const StackInput &input, const SolvedStack &solved,
+                            const MakeStackEngine &make, const StackRollInput &written)
+{
+  const bool stays = input.settings.bending_at == "window";  // bending forces move along the shifted roll
+  if (stays || (written.axial_shift == 0 && input.window.shifted != written.name))
+    return;
+  const StackActuator shift = stack_actuator(input, solved.stack, written.name + ".shift");
+  std::array<reduce::StripState, 2> strip;
+  for (const std::size_t side : {0, 1})
+    strip[side] = make(with_actuator(input, solved.stack, shift, shift.present + (side ? 1 : -1) * shift_step))
+                      ->solve()
+                      .strip;
+  for (const auto &[what, low, high] : {std::tuple{"crown", strip[0].crown, strip[1].crown},
+                                        {"edge_drop", strip[0].edge_drop, strip[1].edge_drop}})
+    all.push_back({result_name({family::influence, what, written.name + ".shift"}),
+                   (high - low) / (2 * shift_step),
+                   "1",
+                   by_difference,
+                   {}});
+}
+}  // namespace
+
+StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved, const MakeStackEngine &make)
 {
   StackNumbers all;
   const auto add = [&](const std::string &what, const double crown, const double edge_drop, const char *unit) {
@@ -200,6 +230,7 @@ StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved
     add(written.name + ".crown", crown, drop, "1");
     if (bend_crown != 0)
       add(written.name + ".bending_force", bend_crown, bend_drop, "m/N");
+    add_influence_of_shift(all, input, solved, make, written);
   }
   return all;
 }

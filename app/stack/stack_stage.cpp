@@ -14,6 +14,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace mill {
@@ -263,10 +264,11 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, d
              *other_method = is_condensed ? by_beams : by_condensed;
   StackNumberSets sets{stack_numbers(input, fine, method), stack_numbers(input, coarse, method),
                        stack_numbers(input, other, other_method), other_method};
-  for (const auto &[numbers, solved] : {std::pair<StackNumbers *, const SolvedStack *>(&sets.fine, &fine),
-                                        {&sets.coarse, &coarse},
-                                        {&sets.other, &other}}) {
-    const StackNumbers influences = stack_influences(input, *solved);
+  for (const auto &[numbers, solved, condensed, coarser] :
+       {std::tuple<StackNumbers *, const SolvedStack *, bool, int>(&sets.fine, &fine, is_condensed, 1),
+        {&sets.coarse, &coarse, is_condensed, 2},
+        {&sets.other, &other, !is_condensed, 1}}) {
+    const StackNumbers influences = stack_influences(input, *solved, engine(condensed, coarser));
     numbers->insert(numbers->end(), influences.begin(), influences.end());
   }
   add_results(run, sets, force);

@@ -49,8 +49,9 @@ Eigen::VectorXd flatness(const SolvedStack &solved);
 /// @param method  how they were computed
 StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, const char *method);
 
-/// Derivatives of the gap by force, bending, crowns and eccentrics.
-StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved);
+/// Derivatives of the gap by force, bending, crowns, eccentrics and shifts.
+/// @param make  engine of the state, for the differences over a shift
+StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved, const MakeStackEngine &make);
 
 /// What a trace follows: the beams on their coarser mesh, which takes some 10 ms.
 StackNumbers traced_stack(const StackInput &input, const Stack &stack);

@@ -46,6 +46,8 @@ std::string influence_meaning(const std::vector<std::string> &parts)
   const std::string &input = parts[3];
   if (input == "crown")
     return parts[2] + ", " + moved + "its own crown on the diameter, both halves";
+  if (input == "shift")
+    return parts[2] + ", " + moved + "its shift to the drive side; a turned lower roll moves the other way";
   if (input == "bending_force")
     return parts[2] + ", " + moved + "the bending force of each chock, both halves";
   return parts[2] + ", " + moved + "the eccentric of saddle " + input.substr(std::string("eccentric").size());
