@@ -33,7 +33,7 @@ ChatterQuestion question_of(RunContext &run, const StackInput &input, const Movi
   q.numbers   = q.structures.front().numbers;
   q.structure = fmt::format("roll stack under {:.5g} kN, modal damping {:g} %", 1e-3 * pass.force,
                             100 * input.dynamics.modal_damping);
-  q.inputs    = keys_of_stack(run.the_case);
+  q.inputs    = all_keys_of_stack(run.the_case);
   return q;
 }
 }  // namespace

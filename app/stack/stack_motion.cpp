@@ -51,23 +51,13 @@ Eigen::MatrixXd likeness(const MovingPass &pass)
   return (pass.open.modes.shape.transpose() * pass.open.model.M * expanded).cwiseAbs2();
 }
 
-KeyList keys_of_motion(const Case &the_case)
-{
-  KeyList keys;
-  for (const std::string &key : keys_of_stack(the_case))
-    if (key.rfind("pass.", 0) != 0 && key.rfind("dynamics.", 0) != 0 && key.rfind("stand.", 0) != 0 &&
-        key.rfind("analysis.", 0) != 0)
-      keys.push_back(key);
-  return keys;
-}
-
 Parameter frequency_parameter(const RunContext &run, const double force, const double value, const double coarse)
 {
   Parameter f;
   f.value          = value;
   f.unit           = "Hz";
   f.at             = {"{}", {{force, "kN", ".5g"}}};
-  f.inputs         = keys_of_motion(run.the_case);
+  f.inputs         = keys_of_stack(run.the_case);
   f.error_estimate = mesh_pair_error(value, coarse, 4);
   return f;
 }

@@ -25,13 +25,12 @@ LumpedModel no_chain()
 
 KeyList keys_of_response(const Case &the_case)
 {
-  KeyList keys;
-  for (const std::string &key : keys_of_stack(the_case))
-    if (key.rfind("stand.", 0) != 0 && key.rfind("analysis.", 0) != 0)
+  KeyList keys = keys_of_stack(the_case);
+  for (const std::string &key : all_keys_of_stack(the_case))
+    if (key.rfind("pass.", 0) == 0 || key.rfind("dynamics.", 0) == 0)
       keys.push_back(key);
   return keys;
 }
-
 }  // namespace
 
 std::vector<std::string> missing_for_speed(const Case &the_case, const StackInput &input, const std::size_t p)
@@ -95,7 +94,7 @@ StabilityQuestion stability_of(RunContext &run, const StackInput &input, const M
   add_pass_numbers(uncertain, fitted_errors(run), inputs.bite, input.span, not_given);
   q.uncertain = std::move(uncertain.numbers);
   q.assumed   = std::move(uncertain.assumed);
-  q.inputs    = keys_of_stack(run.the_case);
+  q.inputs    = all_keys_of_stack(run.the_case);
   return q;
 }
 }  // namespace

@@ -204,12 +204,28 @@ StackNumbers traced_stack(const StackInput &input, const Stack &stack)
   return all;
 }
 
-std::vector<std::string> keys_of_stack(const Case &the_case)
+std::vector<std::string> all_keys_of_stack(const Case &the_case)
 {
   std::vector<std::string> keys;
   for (const auto &place : the_case.places)
     if (place.first.find('.') != std::string::npos)  // not the title
       keys.push_back(place.first);
+  return keys;
+}
+
+std::vector<std::string> keys_of_stack(const Case &the_case)
+{
+  const bool of_bite = std::get<StackCase>(the_case.spec).input->strip.law == "bite";
+  std::vector<std::string> keys;
+  for (const std::string &key : all_keys_of_stack(the_case)) {
+    const auto in    = [&](const char *start) { return key.rfind(start, 0) == 0; };
+    const bool moves = in("pass.") || in("dynamics.") || in("stand.") || in("analysis.") || in("window.");
+    const bool bites = in("strip.friction") || in("strip.flow_stress") || in("strip.entry_tension") ||
+                       in("strip.exit_tension") || in("strip.initial_thickness") || in("strip.youngs_modulus") ||
+                       in("strip.poisson_ratio");
+    if (!moves && (of_bite || !bites))
+      keys.push_back(key);
+  }
   return keys;
 }
 

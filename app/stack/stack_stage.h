@@ -56,8 +56,10 @@ StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved
 /// What a trace follows: the beams on their coarser mesh, which takes some 10 ms.
 StackNumbers traced_stack(const StackInput &input, const Stack &stack);
 
-/// Keys of the case behind every result: all of them.
+/// Keys of the case behind every result of the state and of its modes.
 std::vector<std::string> keys_of_stack(const Case &the_case);
+/// All of them: behind responses and critical speeds.
+std::vector<std::string> all_keys_of_stack(const Case &the_case);
 
 /// All of a run: the state with Goal::simulate, modes and critical speeds; with Goal::modes or Goal::chatter no
 /// more than the modes, or the chatter, of beams.

@@ -6,6 +6,7 @@
 #include "report/plot/svg_plot.h"
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
 #include <set>
 
 namespace mill::report {
@@ -268,7 +269,11 @@ std::vector<std::string> window_drawings(const Run &run)
 std::vector<std::string> mode_drawings(const Run &run)
 {
   std::vector<std::string> drawings;
-  for (const std::string &mode : items_of(run, curve::stack_mode)) {
+  std::vector<std::string> modes = items_of(run, curve::stack_mode);
+  std::sort(modes.begin(), modes.end(), [](const std::string &a, const std::string &b) {
+    return std::atoi(a.c_str()) < std::atoi(b.c_str());
+  });
+  for (const std::string &mode : modes) {
     const Table *table       = stored_curve(run, curve::stack_mode, mode);
     const Table *frequencies = stored_curve(run, curve::modes_of_model, "stack");
     if (!frequencies)
