@@ -1,4 +1,5 @@
 #include "app/chatter/chatter_stage.h"
+#include "app/chatter/stack_chatter.h"
 #include "app/command/linked_subjects.h"
 #include "app/export/export_command.h"
 #include "app/export/stream_command.h"
@@ -78,5 +79,6 @@ int subject_command(const CommandLine &command)
 }
 }  // namespace
 
-const LinkedSubjects linked_subjects{chatter_kind, cluster_kind, solve_stand_chatter, subject_command};
+const LinkedSubjects linked_subjects{chatter_kind, cluster_kind, solve_stand_chatter, solve_stack_chatter,
+                                     subject_command};
 }  // namespace mill

@@ -44,6 +44,11 @@ void add_common(CLI::App *verb, CommandLine &c)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 }
 
+void add_kind(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--as", c.as_kind, "stack: take a case of kind four-high as a stack of rolls that bend");
+}
+
 // For a program that holds the case and starts this one (studio); without a word in the help.
 void add_held_case(CLI::App *verb, CommandLine &c)
 {
@@ -345,7 +350,11 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   app.require_subcommand(1);
 
   auto *fresh = app.add_subcommand("new", "write a commented case file that runs as it is");
-  fresh->add_option("KIND", c.target, "four-high, two-cylinders, bearing, bite, chatter, cluster or lumped")
+  fresh
+      ->add_option("KIND", c.target,
+                   "four-high, two-cylinders, bearing, bite, chatter, cluster, stack, stack-2, stack-4, stack-6, "
+                   "stack-20 or "
+                   "lumped")
       ->required();
   add_output(fresh, c, "file (default: standard output)");
   fresh->add_flag("--force-overwrite", c.force_overwrite, "replace an existing file");
@@ -353,6 +362,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
 
   auto *check = app.add_subcommand("check", "list every input error of a case, compute nothing");
   check->add_option("CASE", c.target, "case file")->required();
+  add_kind(check, c);
   check->add_option("--set", c.sets, "override section.key=value, repeatable")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -368,6 +378,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
     auto *command = app.add_subcommand(verb, what);
     command->add_option("CASE", c.target, "case file")->required();
     add_common(command, c);
+    add_kind(command, c);
     add_held_case(command, c);
     if (std::string(verb) == "simulate")
       add_simulate(command, c);
@@ -379,7 +390,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   unit->add_option("FORMAT", c.format, "fmu, modelica, matlab or statespace")
       ->required()
       ->check(CLI::IsMember(export_formats()));
-  unit->add_option("CASE", c.target, "case file of kind four-high or lumped; chatter for fmu")->required();
+  unit->add_option("CASE", c.target, "case file of kind four-high, cluster, stack or lumped; chatter for fmu")
+      ->required();
   unit->add_option("--fmi", c.fmi, "fmu: version of the FMI standard, 2 or 3")
       ->check(CLI::IsMember({2, 3}))
       ->capture_default_str();
@@ -389,6 +401,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
   unit->add_option("--pass", c.pass,
                    "pass whose load and force are used, or condition of a chatter case (default: the first)");
   add_common(unit, c);
+  add_kind(unit, c);
   add_held_case(unit, c);
   unit->get_option("--output")
       ->description("file to write, a folder for statespace (default out/<case name>.fmu, .mo, .m, -statespace)");

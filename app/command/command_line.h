@@ -19,6 +19,7 @@ struct CommandLine {
   std::string target;              ///< case file, kind (new) or folder (report)
   std::string output;              ///< -o; empty: default
   std::string force;               ///< simulate --force
+  std::string as_kind;             ///< --as: kind that a case of another kind is taken as; empty: its own
   std::string text;                ///< run, export --text: content of the case in place of that of its file
   int progress_step = 10;          ///< --progress-step: per cent between two lines of progress
   StudioOptions studio;            ///< studio

@@ -3,6 +3,7 @@
 #include "core/model/pass.h"
 #include "reduce/stand/lumped_stand.h"
 #include <string>
+#include <vector>
 
 // What a program carries out in addition to runs of one stand and of its parts.  millstand is linked without these
 // subjects, since who runs a stand does not need them and waits for less to be compiled; millstand-all, with all
@@ -10,8 +11,10 @@
 namespace mill {
 struct Case;
 struct FourHigh;
+struct MovingPass;
 struct RunContext;
 struct RunKind;
+struct StackInput;
 struct StandModels;
 
 /// Each is nullptr where it is not linked.
@@ -21,6 +24,8 @@ struct LinkedSubjects {
   /// The verb chatter of a four-high stand: app/chatter/chatter_stage.
   void (*stand_chatter)(RunContext &run, const FourHigh &stand, const Pass &pass, const reduce::LumpedStand &chain,
                         const StandModels &models) = nullptr;
+  /// The verb chatter of a roll stack: app/chatter/stack_chatter.
+  void (*stack_chatter)(RunContext &run, const StackInput &input, const std::vector<MovingPass> &passes) = nullptr;
   /// What is_of_subjects() names.  Returns the exit code.
   int (*command)(const CommandLine &command) = nullptr;
 };

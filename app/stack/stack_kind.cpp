@@ -1,7 +1,10 @@
 #include "app/run/run_kind.h"
+#include "app/stack/stack_bite.h"
+#include "app/stack/stack_motion.h"
 #include "app/stack/stack_stage.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
+#include "dynamics/marks/marks.h"
 #include <nlohmann/json.hpp>
 #include <utility>
 #include <vector>
@@ -14,7 +17,7 @@ std::vector<ClosedFormResult> traced(const Case &the_case)
   const auto &spec   = std::get<StackCase>(the_case.spec);
   const KeyList keys = keys_of_stack(the_case);
   std::vector<ClosedFormResult> all;
-  for (const StackNumber &number : traced_stack(*spec.input, *spec.stack)) {
+  for (const StackNumber &number : traced_stack(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack))) {
     ClosedFormResult result;
     result.name             = number.name;
     result.parameter.value  = number.value;
@@ -36,11 +39,34 @@ const RunKind &run_kind(const StackCase &)
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs  = {"run"};
-    k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> { return {{"stack", 1}}; };
-    k.run    = [](RunContext &run, Goal, const std::string &) {
+    k.verbs   = {"run", "modes", "chatter", "simulate"};
+    k.refusal = [](const Case &the_case, const std::string &verb) {
+      return "millstand " + verb + " computes parts of a four-high stand; for kind = \"stack\" (" + the_case.path +
+             ") use run, modes, simulate or chatter";
+    };
+    k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
+      return {{"stack", 1}, {"modes", 1}};
+    };
+    k.run = [](RunContext &run, const Goal goal, const std::string &force_file) {
+      const auto &spec  = std::get<StackCase>(run.the_case.spec);
+      StackInput driven = *spec.input;
+      for (Pass &pass : driven.passes)
+        if (!force_file.empty())
+          pass.force_file = force_file;
+      run_stack(run, driven, *spec.stack, goal);
+    };
+    k.driven = [](RunContext &run, const std::string &pass) {
       const auto &spec = std::get<StackCase>(run.the_case.spec);
-      run_stack(run, *spec.input, *spec.stack);
+      return driven_stack(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack), pass);
+    };
+    k.mark_sources = [](const Case &the_case) {
+      dynamics::MarkSources sources;
+      const StackInput &input = *std::get<StackCase>(the_case.spec).input;
+      for (std::size_t i = 0; i < input.rolls.size(); ++i)
+        sources.rolls.push_back({"roll " + input.rolls[i].name, input.rolls[i].barrel_diameter,
+                                 "roll." + std::to_string(i) + ".barrel_diameter"});
+      sources.damping = input.dynamics.modal_damping;
+      return sources;
     };
     k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       manifest["geometry"] = nlohmann::ordered_json::object();

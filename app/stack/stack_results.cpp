@@ -1,11 +1,15 @@
+#include "app/stack/stack_optimise.h"
 #include "app/stack/stack_stage.h"
 #include "core/model/stack_statics.h"
 #include "core/records/stack_names.h"
 #include "reduce/stack/line_law.h"
+#include "reduce/stack/section_forces.h"
 #include "reduce/stack/stations.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace mill {
 namespace {
@@ -47,9 +51,6 @@ void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool 
     add("flatness.min", I.minCoeff(), "1", "I-units, no lateral flow (51.12)");
     add("flatness.max", I.maxCoeff(), "1", "I-units, no lateral flow (51.12)");
   }
-  for (Eigen::Index k = 0; k < solved.frequencies.size(); ++k)
-    add(fmt::format("f{}", k + 1).c_str(), solved.frequencies[k], "Hz",
-        "beams with their masses about the solved state, rolling force imposed");
 }
 
 void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t c,
@@ -77,6 +78,9 @@ void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
       {{"Hertz, uniform load", 2 * even / (M_PI * even_width), uneven}});
   add("touching", pair.touching, "1", by_newton, {});
   add("uniform_tangent", pair.uniform_tangent, "N/m", "integral of dq/dd along the contact (51.4)",
+      {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});
+  add("tangent", pair.loaded_tangent, "N/m",
+      "change of the force over that of the approach, which the line load weighs (51.21)",
       {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});
   const double weighted = (pair.weight.array() * pair.load.array() * pair.approach.array()).sum() / pair.force;
   add("secant", pair.force / weighted, "N/m", "force over the approach, which the line load weighs (51.3)",
@@ -109,8 +113,9 @@ std::array<double, 2> reactions_by_statics(const Stack &stack, const std::size_t
 void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t r,
                       const std::vector<StackResultant> &resultants, const char *by_newton)
 {
-  const StackRoll &roll          = solved.stack.rolls[r];
-  const reduce::RollState &state = solved.state.rolls[r];
+  const StackRoll &roll                    = solved.stack.rolls[r];
+  const reduce::StackState &state_of_stack = solved.state;
+  const reduce::RollState &state           = state_of_stack.rolls[r];
   const auto add = [&](const std::string &what, const double value, const char *unit, std::vector<Check> checks) {
     all.push_back({result_name({family::roll, roll.name, what}), value, unit, by_newton, std::move(checks)});
   };
@@ -137,6 +142,11 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
   };
   add("deflection",
       y_at(roll.shift) - (y_at(roll.shift - roll.length / 2) + y_at(roll.shift + roll.length / 2)) / 2, "m", {});
+  all.push_back({result_name({family::roll, roll.name, "bending_stress"}),
+                 reduce::section_forces(solved.stack, state_of_stack, r).stress.maxCoeff(),
+                 "Pa",
+                 "largest bending moment over the section modulus, plane sections (51.24)",
+                 {}});
 }
 }  // namespace
 
@@ -152,7 +162,34 @@ StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, c
   return all;
 }
 
-StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved)
+namespace {
+constexpr double shift_step     = 1e-3;  // m
+const char *const by_difference = "central difference over 2 mm: a shift moves the places of contact";
+
+// Of a roll that is shifted, or that a map shifts.
+void add_influence_of_shift(StackNumbers &all, const StackInput &input, const SolvedStack &solved,
+                            const MakeStackEngine &make, const StackRollInput &written)
+{
+  const bool stays = input.settings.bending_at == "window";  // bending forces move along the shifted roll
+  if (stays || (written.axial_shift == 0 && input.window.shifted != written.name))
+    return;
+  const StackActuator shift = stack_actuator(input, solved.stack, written.name + ".shift");
+  std::array<reduce::StripState, 2> strip;
+  for (const std::size_t side : {0, 1})
+    strip[side] = make(with_actuator(input, solved.stack, shift, shift.present + (side ? 1 : -1) * shift_step))
+                      ->solve()
+                      .strip;
+  for (const auto &[what, low, high] : {std::tuple{"crown", strip[0].crown, strip[1].crown},
+                                        {"edge_drop", strip[0].edge_drop, strip[1].edge_drop}})
+    all.push_back({result_name({family::influence, what, written.name + ".shift"}),
+                   (high - low) / (2 * shift_step),
+                   "1",
+                   by_difference,
+                   {}});
+}
+}  // namespace
+
+StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved, const MakeStackEngine &make)
 {
   StackNumbers all;
   const auto add = [&](const std::string &what, const double crown, const double edge_drop, const char *unit) {
@@ -193,6 +230,7 @@ StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved
     add(written.name + ".crown", crown, drop, "1");
     if (bend_crown != 0)
       add(written.name + ".bending_force", bend_crown, bend_drop, "m/N");
+    add_influence_of_shift(all, input, solved, make, written);
   }
   return all;
 }

@@ -1,14 +1,20 @@
 #include "app/stack/stack_stage.h"
+#include "app/command/linked_subjects.h"
 #include "app/run/curve_files.h"
+#include "app/stack/stack_bite.h"
+#include "app/stack/stack_curves.h"
+#include "app/stack/stack_motion.h"
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/stack_names.h"
 #include "fem/stack/condensed_stack.h"
 #include "reduce/stack/beam_stack.h"
 #include "reduce/stack/line_law.h"
+#include "reduce/stack/section_forces.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace mill {
@@ -16,7 +22,6 @@ namespace {
 // Errors of the reference cases: docs/theory/51, "Measured".
 constexpr int elements_over_width = 60;
 constexpr int stations_over_width = 40;  // the meshes of the condensed rolls resolve no more
-constexpr int frequencies_shown   = 6;
 const char *const by_beams        = "Timoshenko beams and line contacts, equilibrium by Newton's method (51.9)";
 const char *const by_condensed = "condensed rolls whose contacts feel each other, equilibrium by Newton's method "
                                  "(51.16)";
@@ -48,7 +53,7 @@ SolvedStack solve_for_gap(const StackInput &input, Stack stack, const MakeStackE
     reduce::StackState state = engine->solve();
     const double missing     = wanted - mean_opening(state.strip);
     if (std::abs(missing) < 1e-9 * wanted)
-      return {stack, std::move(engine), std::move(state), {}};
+      return {stack, std::move(engine), std::move(state)};
     // Contacts are softer under less load: no step goes below a tenth of the force.
     stack.strip.force = std::max(0.1 * stack.strip.force, stack.strip.force + state.modulus.mean * missing);
   }
@@ -88,19 +93,13 @@ void add_results(RunContext &run, const StackNumberSets &sets, const double forc
     for (Check &check : p.checks)
       check.value = without_rounding(check.value);
     p.source = number.source;
-    if (const auto check = checks.find(number.name);
-        check != checks.end() && number.source != Source::given && number.unit != "Hz")
+    if (const auto check = checks.find(number.name); check != checks.end() && number.source != Source::given)
       p.checks.push_back({other_method, without_rounding(check->second),
                           "shoulders, the surface of the rolls around their contacts and the flattening at the "
                           "edges of the strip are in the condensed rolls only"});
     p.error_estimate = p.value == 0 || p.value == coarse[i].value ? 0 : mesh_pair_error(p.value, coarse[i].value);
     run.results.add(number.name, p);
   }
-}
-
-std::string pair_name(const Stack &stack, const StackContact &contact)
-{
-  return stack.rolls[contact.a].name + "-" + stack.rolls[contact.b].name;
 }
 
 void warn_of_state(RunContext &run, const SolvedStack &solved)
@@ -171,8 +170,6 @@ SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeS
     solved.engine = make(stack);
     solved.state  = solved.engine->solve();
   }
-  if (const auto *beams = dynamic_cast<const reduce::BeamStack *>(solved.engine.get()))
-    solved.frequencies = beams->frequencies(frequencies_shown);
   return solved;
 }
 
@@ -196,51 +193,18 @@ Eigen::VectorXd flatness(const SolvedStack &solved)
   return (1e5 * (stretch.array() - stretch.dot(length) / length.sum())).matrix();
 }
 
-void write_stack_curves(const RunContext &run, const SolvedStack &solved)
-{
-  const reduce::StripState &strip = solved.state.strip;
-  const Eigen::Index n            = strip.opening.size();
-  Table profile;
-  profile.add("z", "m", (strip.edges.head(n) + strip.edges.tail(n)) / 2)
-      .add("opening", "m", strip.opening)
-      .add("profile", "m", (strip.opening.array() - strip.middle).matrix())
-      .add("line_load", "N/m", strip.load);
-  if (const Eigen::VectorXd I = flatness(solved); I.size() > 0)
-    profile.add("flatness_I", "", I);
-  write_curve(run, curve::stack_strip, "", profile);
-  for (std::size_t c = 0; c < solved.stack.contacts.size(); ++c) {
-    const StackContact &contact = solved.stack.contacts[c];
-    const StackRoll &a = solved.stack.rolls[contact.a], &b = solved.stack.rolls[contact.b];
-    const auto &pair = solved.state.pairs[c];
-    const auto law =
-        reduce::line_law(a.diameter / 2, a.material, b.diameter / 2, b.material, contact.ring_stiffness);
-    Eigen::VectorXd width(pair.load.size()), pressure(pair.load.size());
-    for (Eigen::Index i = 0; i < width.size(); ++i) {
-      width[i]    = pair.load[i] > 0 ? reduce::half_width_of(law, pair.load[i]) : 0;
-      pressure[i] = width[i] > 0 ? 2 * pair.load[i] / (M_PI * width[i]) : 0;
-    }
-    Table table;
-    table.add("z", "m", pair.z)
-        .add("line_load", "N/m", pair.load)
-        .add("half_width", "m", width)
-        .add("peak_pressure", "Pa", pressure)
-        .add("tangent", "N/m2", pair.tangent);
-    write_curve(run, curve::stack_pair, pair_name(solved.stack, contact), table);
-  }
-  for (std::size_t r = 0; r < solved.stack.rolls.size(); ++r) {
-    const auto &roll = solved.state.rolls[r];
-    Table table;
-    table.add("z", "m", roll.z).add("x", "m", roll.x).add("y", "m", roll.y);
-    write_curve(run, curve::stack_roll, solved.stack.rolls[r].name, table);
-  }
-}
-
 StackNumbers traced_stack(const StackInput &input, const Stack &stack)
 {
-  return stack_numbers(input, solve_stack(input, stack, beams_of(input, elements_over_width / 2)), by_beams);
+  const SolvedStack solved = solve_stack(input, stack, beams_of(input, elements_over_width / 2));
+  StackNumbers all         = stack_numbers(input, solved, by_beams);
+  const Eigen::VectorXd f =
+      dynamic_cast<const reduce::BeamStack &>(*solved.engine).frequencies(frequencies_listed);
+  for (Eigen::Index k = 0; k < f.size(); ++k)
+    all.push_back({result_name({family::stack, fmt::format("f{}", k + 1)}), f[k], "Hz", by_beams, {}});
+  return all;
 }
 
-std::vector<std::string> keys_of_stack(const Case &the_case)
+std::vector<std::string> all_keys_of_stack(const Case &the_case)
 {
   std::vector<std::string> keys;
   for (const auto &place : the_case.places)
@@ -249,7 +213,56 @@ std::vector<std::string> keys_of_stack(const Case &the_case)
   return keys;
 }
 
-void run_stack(RunContext &run, const StackInput &input, const Stack &stack)
+std::vector<std::string> keys_of_stack(const Case &the_case)
+{
+  const bool of_bite = std::get<StackCase>(the_case.spec).input->strip.law == "bite";
+  std::vector<std::string> keys;
+  for (const std::string &key : all_keys_of_stack(the_case)) {
+    const auto in    = [&](const char *start) { return key.rfind(start, 0) == 0; };
+    const bool moves = in("pass.") || in("dynamics.") || in("stand.") || in("analysis.") || in("window.");
+    const bool bites = in("strip.friction") || in("strip.flow_stress") || in("strip.entry_tension") ||
+                       in("strip.exit_tension") || in("strip.initial_thickness") || in("strip.youngs_modulus") ||
+                       in("strip.poisson_ratio");
+    if (!moves && (of_bite || !bites))
+      keys.push_back(key);
+  }
+  return keys;
+}
+
+namespace {
+// Small motion about the solved states of all passes; of the first one the modes.
+void move_stack(RunContext &run, const StackInput &input, const Stack &stack, const Goal goal)
+{
+  StageTimer timer(run, "modes");
+  const std::vector<MovingPass> passes = moving_passes(input, stack);
+  const MovingPass &first              = passes.front();
+  if (goal == Goal::chatter) {
+    linked_subjects.stack_chatter(run, input, passes);
+    return;
+  }
+  add_stack_modes(run, input, first, moving_pass(input, stack, first.pass, elements_over_width / 2));
+  run.assume(fmt::format("modal damping of {:g} % in every mode", 100 * input.dynamics.modal_damping));
+  if (goal < Goal::simulate)
+    return;
+  simulate_stack(run, input, passes);
+  add_stack_speeds(run, input, passes);
+}
+
+void solve_state(RunContext &run, const StackInput &input, const Stack &stack, double &force);
+}  // namespace
+
+void run_stack(RunContext &run, const StackInput &input, const Stack &drawn, const Goal goal)
+{
+  Stack stack = with_slopes_of_bite(input, drawn);
+  if (goal >= Goal::simulate && goal != Goal::chatter)
+    solve_state(run, input, stack, stack.strip.force);
+  else if (!std::isnan(input.strip.gap))
+    stack.strip.force = solve_stack(input, stack, beams_of(input, elements_over_width)).stack.strip.force;
+  move_stack(run, input, stack, goal);
+}
+
+namespace {
+void solve_state(RunContext &run, const StackInput &input, const Stack &stack, double &force_found)
 {
   StageTimer timer(run, "stack");
   const StackKernels kernels = stack_kernels(run, stack);
@@ -258,27 +271,27 @@ void run_stack(RunContext &run, const StackInput &input, const Stack &stack)
     return condensed ? condensed_of(kernels, stations_over_width / coarser)
                               : beams_of(input, elements_over_width / coarser);
   };
-  SolvedStack fine        = solve_stack(input, stack, engine(is_condensed, 1)),
-              coarse      = solve_stack(input, stack, engine(is_condensed, 2));
-  const SolvedStack other = solve_stack(input, stack, engine(!is_condensed, 1));
-  if (is_condensed) {  // condensed rolls have no masses
-    fine.frequencies   = other.frequencies;
-    coarse.frequencies = solve_stack(input, stack, engine(false, 2)).frequencies;
-  }
+  SolvedStack fine         = solve_stack(input, stack, engine(is_condensed, 1)),
+              coarse       = solve_stack(input, stack, engine(is_condensed, 2));
+  const SolvedStack other  = solve_stack(input, stack, engine(!is_condensed, 1));
   const double force       = fine.stack.strip.force;
+  force_found              = force;
   const char *method       = is_condensed ? by_condensed : by_beams,
              *other_method = is_condensed ? by_beams : by_condensed;
   StackNumberSets sets{stack_numbers(input, fine, method), stack_numbers(input, coarse, method),
                        stack_numbers(input, other, other_method), other_method};
-  for (const auto &[numbers, solved] : {std::pair<StackNumbers *, const SolvedStack *>(&sets.fine, &fine),
-                                        {&sets.coarse, &coarse},
-                                        {&sets.other, &other}}) {
-    const StackNumbers influences = stack_influences(input, *solved);
+  for (const auto &[numbers, solved, condensed, coarser] :
+       {std::tuple<StackNumbers *, const SolvedStack *, bool, int>(&sets.fine, &fine, is_condensed, 1),
+        {&sets.coarse, &coarse, is_condensed, 2},
+        {&sets.other, &other, !is_condensed, 1}}) {
+    const StackNumbers influences = stack_influences(input, *solved, engine(condensed, coarser));
     numbers->insert(numbers->end(), influences.begin(), influences.end());
   }
   add_results(run, sets, force);
-  write_stack_curves(run, fine);
+  write_stack_curves(run, input, fine);
+  write_stack_maps(run, input, stack);
   warn_of_state(run, fine);
   say_what_is_assumed_of(run, input);
 }
+}  // namespace
 }  // namespace mill

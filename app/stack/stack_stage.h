@@ -1,4 +1,5 @@
 #pragma once
+#include "app/run/driven_stand.h"
 #include "app/run/run_context.h"
 #include "app/stack/stack_kernels.h"
 #include "core/model/stack_input.h"
@@ -27,7 +28,6 @@ struct SolvedStack {
   Stack stack;  ///< with the rolling force, where the gap was given
   std::unique_ptr<reduce::StackEngine> engine;
   reduce::StackState state;
-  Eigen::VectorXd frequencies;  ///< Hz, of beams; empty for condensed rolls
 };
 using MakeStackEngine = std::function<std::unique_ptr<reduce::StackEngine>(const Stack &)>;
 MakeStackEngine beams_of(const StackInput &input, int elements_per_width);
@@ -49,17 +49,19 @@ Eigen::VectorXd flatness(const SolvedStack &solved);
 /// @param method  how they were computed
 StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, const char *method);
 
-/// Derivatives of the gap by force, bending, crowns and eccentrics.
-StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved);
-
-void write_stack_curves(const RunContext &run, const SolvedStack &solved);
+/// Derivatives of the gap by force, bending, crowns, eccentrics and shifts.
+/// @param make  engine of the state, for the differences over a shift
+StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved, const MakeStackEngine &make);
 
 /// What a trace follows: the beams on their coarser mesh, which takes some 10 ms.
 StackNumbers traced_stack(const StackInput &input, const Stack &stack);
 
-/// Keys of the case behind every result: all of them.
+/// Keys of the case behind every result of the state and of its modes.
 std::vector<std::string> keys_of_stack(const Case &the_case);
+/// All of them: behind responses and critical speeds.
+std::vector<std::string> all_keys_of_stack(const Case &the_case);
 
-/// All of a run.
-void run_stack(RunContext &run, const StackInput &input, const Stack &stack);
+/// All of a run: the state with Goal::simulate, modes and critical speeds; with Goal::modes or Goal::chatter no
+/// more than the modes, or the chatter, of beams.
+void run_stack(RunContext &run, const StackInput &input, const Stack &drawn, Goal goal);
 }  // namespace mill

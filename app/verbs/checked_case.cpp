@@ -3,6 +3,7 @@
 #include "app/command/linked_subjects.h"
 #include "app/process/fast_blas.h"
 #include "app/run/run_kind.h"
+#include "app/stack/four_high_stack.h"
 #include "app/stages/bearing/bearing_model.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
@@ -20,6 +21,14 @@ void add_pass_of_record(Case &the_case, const std::string &force_file)
   pass.place      = {the_case.path, 0, 0};
   pass.force_file = force_file;
   lumped->passes.push_back(pass);
+}
+
+// --as stack: the same case in the place of its file.
+Case case_as(const Case &written, const std::string &kind)
+{
+  if (kind != "stack")
+    throw InputError("--as " + kind + ": a case of kind four-high can be taken as a stack, --as stack");
+  return read_case_of(written.path, four_high_as_stack(written));
 }
 
 CaseReview reviewed(const Case &the_case, const std::string &force)
@@ -40,6 +49,8 @@ CheckedCase checked_case(const CommandLine &command)
   CheckedCase checked{command.text.empty() ? read_case(command.target, command.sets)
                                            : read_case_of(command.target, read_text(command.text), command.sets),
                       {}};
+  if (!command.as_kind.empty())
+    checked.the_case = case_as(checked.the_case, command.as_kind);
   add_pass_of_record(checked.the_case, command.force);
   const Case &the_case = checked.the_case;
   require_linked(the_case, command);

@@ -1,8 +1,10 @@
 #include "core/case/lumped_model_toml.h"
 #include "core/case/given.h"
+#include "core/case/row_lines.h"
 #include "core/model/case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
+#include "core/model/stack_input.h"
 #include "core/records/detailed_model.h"
 #include <cmath>
 #include <filesystem>
@@ -31,29 +33,18 @@ PassInput input_of(const Pass &pass, const std::string &directory)
   return input;
 }
 
-// "key = value" of every row; a path is written as it stands and not made absolute.
-template <class T> std::string lines(const std::vector<Field<T>> &fields, const T &in)
-{
-  std::string text;
-  for (const Field<T> &field : fields) {
-    const Row row     = row_of(field);
-    const Value value = member_value(field, in);
-    if (row.kind == Kind::path && !std::get<std::string>(value).empty())
-      text += row.key + " = " + quoted(std::get<std::string>(value)) + "\n";
-    else if (const std::string toml = toml_of(row, value); !toml.empty())
-      text += row.key + " = " + toml + "\n";
-  }
-  return text;
-}
-
 const std::vector<Pass> &passes_of(const Case &c)
 {
+  if (const auto *stack = std::get_if<StackCase>(&c.spec))
+    return stack->input->passes;
   const auto *stand = std::get_if<FourHigh>(&c.spec);
   return stand ? stand->passes : std::get<Lumped>(c.spec).passes;
 }
 
 const DynamicsSettings &dynamics_of(const Case &c)
 {
+  if (const auto *stack = std::get_if<StackCase>(&c.spec))
+    return stack->input->dynamics;
   const auto *stand = std::get_if<FourHigh>(&c.spec);
   return stand ? stand->dynamics : std::get<Lumped>(c.spec).dynamics;
 }
@@ -92,8 +83,9 @@ std::string passes_and_dynamics(const Case &origin, const std::string &directory
 {
   std::string text;
   for (const Pass &pass : passes_of(origin))
-    text += "\n[[pass]]\n" + lines(pass_rows(), input_of(pass, directory));
-  return text + "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin)) + turning_sections(origin);
+    text += pass_toml(pass, directory);
+  text += "\n[dynamics]\n" + lines(chain_dynamics_rows(), dynamics_of(origin));
+  return std::holds_alternative<StackCase>(origin.spec) ? text : text + turning_sections(origin);
 }
 
 // Parameter by the name it has in [given].
@@ -132,6 +124,11 @@ LumpedModel lumped_model_of(const Case &lumped_case)
   model.C.method = "no damper given";
   take("C", model.C);
   return model;
+}
+
+std::string pass_toml(const Pass &pass, const std::string &directory)
+{
+  return "\n[[pass]]\n" + lines(pass_rows(), input_of(pass, directory));
 }
 
 std::string lumped_model_toml(const LumpedModel &model, const Case &origin, const std::string &directory)

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/model/lumped_model.h"
+#include "core/model/pass.h"
 #include <string>
 
 namespace mill {
@@ -11,4 +12,8 @@ LumpedModel lumped_model_of(const Case &lumped_case);
 /// passes, dynamics and Campbell diagram of the case it came from.  Returns the text; passes' paths are made
 /// relative to `directory`.
 std::string lumped_model_toml(const LumpedModel &model, const Case &origin, const std::string &directory);
+
+/// "[[pass]]" and its lines.
+/// @param directory  that its paths are made relative to
+std::string pass_toml(const Pass &pass, const std::string &directory);
 }  // namespace mill

@@ -180,6 +180,11 @@ void check_holding(const StackRollInput &roll, const std::size_t r, const bool l
                listed ? "has more than one value; with lower = \"listed\" each roll has its own"
                       : "has more than two values; give one, or that of the upper and of the lower roll",
                {});
+  if (roll.chock_mass.size() > (listed ? 1 : 2))
+    contradict(reading, key("chock_mass"),
+               listed ? "has more than one value; with lower = \"listed\" each roll has its own"
+                      : "has more than two values; give one, or that of the upper and of the lower roll",
+               {});
 }
 
 void check_saddles(const StackRollInput &roll, const std::size_t r, Reading &reading)
@@ -241,6 +246,8 @@ void check_stack_rolls(const StackInput &input, Reading &reading)
     check_shaft(roll, r, reading);
     check_holding(roll, r, input.settings.lower == "listed", reading);
     check_saddles(roll, r, reading);
+    if (roll.on.size() == 2 && roll.on[0] == roll.on[1])
+      contradict(reading, roll_key(r, "on"), "names roll " + roll.on[0] + " twice; name it once", {});
     if (roll.on.size() > 2)
       contradict(reading, roll_key(r, "on"), "names more than two rolls; a roll leans on one or two", {});
     if (!roll.material.empty() && std::find(materials.begin(), materials.end(), roll.material) == materials.end())
@@ -268,12 +275,6 @@ void check_stack_strip(const StackStripInput &strip, Reading &reading)
       if (lacks(key))
         contradict(reading, "strip.gap", fmt::format("needs {}: the force is that at which the strip has it", key),
                    {});
-  if (strip.law == "bite")
-    contradict(
-        reading, "strip.law",
-        "is not solved in this version; give law = \"modulus\" with modulus, the slope of the force per width "
-        "over the exit thickness, and entry_modulus",
-        {});
   if (strip.law == "modulus" && lacks("modulus"))
     reading.add(reading.place("strip.law"),
                 "[strip] has law = \"modulus\" and no 'modulus'; add for example modulus = \"300 MPa\", or law = "
@@ -302,6 +303,114 @@ void check_stack_strip(const StackStripInput &strip, Reading &reading)
 }
 }  // namespace
 
+namespace {
+// [strip], and what of it is a bite.
+void read_stack_strip(const Node &root, StackInput &input, Reading &reading)
+{
+  StackStripInput &strip   = input.strip;
+  const Section section    = section_at(root, "strip", reading);
+  const Node::Entry *entry = section.node ? section.node->find("friction") : nullptr;
+  const bool has_law       = entry && entry->value.kind == Node::Kind::table;
+  auto rows                = stack_strip_rows();
+  if (has_law)
+    rows.pop_back();
+  read_and_echo(section, section.header(), rows, strip, reading,
+                has_law ? std::vector<std::string>{"flow_stress", "friction"}
+                        : std::vector<std::string>{"flow_stress"});
+  Strip &bite               = input.bite;
+  bite.width                = strip.width;
+  bite.entry_thickness      = strip.entry_thickness;
+  bite.exit_thickness       = strip.exit_thickness;
+  bite.entry_tension        = strip.entry_tension;
+  bite.exit_tension         = strip.exit_tension;
+  bite.initial_thickness    = strip.initial_thickness;
+  bite.youngs_modulus       = strip.youngs_modulus;
+  bite.poisson_ratio        = strip.poisson_ratio;
+  bite.friction.coefficient = std::isnan(strip.coulomb) ? 0 : strip.coulomb;
+  bite.flow_stress.k        = not_given;
+  if (section.node && section.node->find("flow_stress")) {
+    bite.flow_stress = read_flow_stress(root, reading);
+    check_flow_and_friction(bite, reading);
+  }
+  if (has_law)
+    bite.friction = read_friction_law({&entry->value, "strip.friction"}, reading);
+}
+
+// law = "bite" takes its slopes from a bite.
+void check_law_of_bite(const StackInput &input, Reading &reading)
+{
+  if (input.strip.law != "bite" || !reading.usable({"strip.law"}))
+    return;
+  const auto given   = [&](const char *k) { return is_in_case(reading, std::string("strip.") + k); };
+  const Strip &strip = input.bite;
+  const bool rubs    = strip.friction.law != FrictionLaw::coulomb || strip.friction.coefficient > 0;
+  if (std::isnan(strip.flow_stress.k) && reading.usable({"strip.flow_stress.law"}))
+    contradict(reading, "strip.law",
+               "needs the flow stress of the strip; add for example [strip.flow_stress] with law = \"constant\" "
+               "and k = \"300 MPa\"",
+               {});
+  if (!rubs && reading.usable({"strip.friction"}))
+    contradict(reading, "strip.law", "needs the friction in the bite; add for example friction = 0.05 to [strip]",
+               {});
+  for (const char *key : {"entry_thickness", "exit_thickness"})
+    if (!given(key) && reading.usable({std::string("strip.") + key}))
+      contradict(reading, "strip.law", fmt::format("needs {} of the strip", key), {});
+  for (const char *key : {"modulus", "entry_modulus", "tension_modulus"})
+    if (given(key))
+      doubt(reading, std::string("strip.") + key, "is not used: with law = \"bite\" it follows from the bite",
+            {"strip.law"});
+}
+
+// Pairs of ranges that make a map, and the rolls that they name.
+void check_window(const StackInput &input, Reading &reading)
+{
+  const StackWindow &window = input.window;
+  const auto given          = [&](const char *k) { return is_in_case(reading, std::string("window.") + k); };
+  const auto ranges         = {std::pair{"bending_force", &window.bending},
+                               {"shift", &window.shift},
+                               {"force", &window.force},
+                               {"width", &window.width}};
+  for (const auto &[key, range] : ranges)
+    if (given(key) && !((*range)[0] < (*range)[1]))
+      contradict(reading, std::string("window.") + key, "does not increase; write the smaller value first", {});
+  const auto needs = [&](const char *key, const char *other) {
+    if (given(key) && !given(other) && reading.usable({std::string("window.") + other}))
+      contradict(reading, std::string("window.") + key,
+                 fmt::format("needs {} as well, the other side of the map", other), {});
+  };
+  for (const auto &[one, other] : {std::pair{"bending_force", "shift"},
+                                   {"bending_force", "bent"},
+                                   {"shift", "shifted"},
+                                   {"force", "width"}}) {
+    needs(one, other);
+    needs(other, one);
+  }
+  if (given("shift") && input.settings.bending_at == "window")
+    contradict(reading, "window.shift", "is not computed while bending forces stay in the window; remove it",
+               {"stack.bending_at"});
+  std::vector<std::string> names;
+  for (const StackRollInput &roll : input.rolls)
+    names.push_back(roll.name);
+  for (const auto &[key, name] : {std::pair{"bent", &window.bent}, {"shifted", &window.shifted}})
+    if (given(key) && std::find(names.begin(), names.end(), *name) == names.end())
+      contradict(reading, std::string("window.") + key, "names no roll" + suggestion(*name, names), {});
+    else if (given(key) && key == std::string("bent"))
+      for (std::size_t r = 0; r < names.size(); ++r)
+        if (names[r] == *name && std::isnan(input.rolls[r].bearing_span))
+          contradict(reading, "window.bent", "names a roll without bearing_span, which no chock bends", {});
+}
+
+// A pass without a force is rolled with that of the strip.
+void check_stack_passes(const StackInput &input, Reading &reading)
+{
+  std::vector<Pass> passes = input.passes;
+  for (Pass &pass : passes)
+    if (pass.force_file.empty() && std::isnan(pass.load))
+      pass.load = 1;
+  check_passes(passes, reading);
+}
+}  // namespace
+
 StackCase read_stack(const Node &root, Reading &reading)
 {
   auto input           = std::make_shared<StackInput>();
@@ -313,10 +422,18 @@ StackCase read_stack(const Node &root, Reading &reading)
   read_once("stack", stack_settings_rows(), input->settings);
   input->materials = read_materials(root, reading);
   input->rolls     = read_stack_rolls(root, reading);
-  read_once("strip", stack_strip_rows(), input->strip);
+  read_stack_strip(root, *input, reading);
   read_once("engine", stack_engine_rows(), input->engine);
+  read_once("window", stack_window_rows(), input->window);
+  input->passes   = read_passes(root, pass_rows(), reading);
+  input->dynamics = read_dynamics(root, stack_dynamics_rows(), reading);
+  input->span     = read_stand_span(root, reading);
+  input->analysis = read_chatter_analysis(root, reading);
   check_stack_rolls(*input, reading);
   check_stack_strip(input->strip, reading);
+  check_law_of_bite(*input, reading);
+  check_window(*input, reading);
+  check_stack_passes(*input, reading);
   auto stack = std::make_shared<Stack>();
   if (reading.problems.empty())
     *stack = resolved_stack(*input, reading);

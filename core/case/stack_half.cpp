@@ -204,10 +204,13 @@ std::vector<StackHalf> placed_halves(const StackInput &input, Reading &reading)
   const bool listed        = input.settings.lower == "listed";
   const std::size_t wanted = listed ? 2 : 1;
   if (at_strip.size() != wanted) {
+    const char *or_listed =
+        at_strip.size() == 2 ? ", or give lower = \"listed\" where both halves are listed" : "";
     reading.add(input.rolls[at_strip[std::min(wanted, at_strip.size() - 1)]].place,
                 fmt::format("{} rolls carry no other roll and lie at the strip ({}); {} is needed with lower = "
-                            "\"{}\": name the others in 'on' of the roll that leans on them",
-                            at_strip.size(), names, listed ? "one of each half" : "one", input.settings.lower));
+                            "\"{}\": name the others in 'on' of the roll that leans on them{}",
+                            at_strip.size(), names, listed ? "one of each half" : "one", input.settings.lower,
+                            or_listed));
     return {};
   }
   std::vector<StackHalf> halves;

@@ -103,9 +103,9 @@ StackRoll resolved_roll(const StackInput &input, const Origin &origin, const std
   result.shift    = turned ? -roll.axial_shift : roll.axial_shift;
   result.sections = shaft_of(roll);
   result.supports = supports_of(roll, origin, inclined);
-  if (roll.chock_mass > 0)
+  if (const auto &mass = roll.chock_mass; !mass.empty())
     for (const double side : {-0.5, 0.5})
-      result.lumps.push_back({side * roll.bearing_span, roll.chock_mass});
+      result.lumps.push_back({side * roll.bearing_span, mass[origin.made && mass.size() > 1 ? 1 : 0]});
   result.profile  = roll;
   result.material = material_of(input, roll);
   if (turned)

@@ -103,7 +103,13 @@ const std::vector<Field<StackRollInput>> &stack_roll_rows()
          R"(["2070 kN/mm", "3030 kN/mm"])",
          "of bearing, chock and housing of one side, from the axis to the ground; two: of the roll and of the "
          "roll that is made of it; absent: rigid"},
-        {"chock_mass", &T::chock_mass, "kg", {0, 5e5}, 0, "970 kg", "of each chock; for the frequencies"},
+        {"chock_mass",
+         &T::chock_mass,
+         "kg",
+         {0, 5e5},
+         absent,
+         R"(["970 kg"])",
+         "of each chock, for the vibration; two: of the roll and of the roll that is made of it; absent: none"},
         {"material", &T::material, "text", any, absent, "carbide", "name of a [material.NAME]; absent: [steel]"},
     };
     add_stack_profile_rows(all);
@@ -173,8 +179,8 @@ const std::vector<Field<StackStripInput>> &stack_strip_rows()
        "4.5 mm",
        "gap between the unloaded work rolls; the force then follows from exit_thickness"},
       {"law", &T::law, "uniform | modulus | bite", any, "modulus", "modulus",
-       "line load of the strip: uniform across the width, or with the slopes modulus and entry_modulus; bite is "
-       "not available yet"},
+       "line load of the strip: uniform across the width; with the slopes modulus and entry_modulus; or with the "
+       "slopes of its bite, which then replace modulus, entry_modulus and tension_modulus"},
       {"modulus",
        &T::modulus,
        "MPa",
@@ -227,7 +233,46 @@ const std::vector<Field<StackStripInput>> &stack_strip_rows()
        absent,
        R"(["100 mm", "25 mm"])",
        "distances from the edge between which the edge drop is read; 100 mm and 25 mm when absent"},
+      {"entry_tension", &T::entry_tension, "MPa", {0, 2000}, 0, "100 MPa", "back tension of the bite"},
+      {"exit_tension", &T::exit_tension, "MPa", {0, 2000}, 0, "120 MPa", "front tension of the bite"},
+      {"initial_thickness",
+       &T::initial_thickness,
+       "mm",
+       {0.01, 1000},
+       absent,
+       "8 mm",
+       "thickness of zero strain of the bite; the entry thickness when absent"},
+      {"youngs_modulus", &T::youngs_modulus, "GPa", {1, 1000}, 210, "210 GPa", "of the strip"},
+      {"poisson_ratio", &T::poisson_ratio, "1", {0, 0.49}, 0.3, "0.3", "of the strip"},
+      {"friction",
+       &T::coulomb,
+       "1",
+       {0, 1},
+       absent,
+       "0.05",
+       "Coulomb friction in the bite, or a section [strip.friction]; needed for law = \"bite\" and for chatter"},
   };
+  return rows;
+}
+
+// What belongs to a chain of a four-high stand is left out.
+const std::vector<Field<DynamicsSettings>> &stack_dynamics_rows()
+{
+  static const std::vector<Field<DynamicsSettings>> rows = [] {
+    std::vector<Field<DynamicsSettings>> some;
+    for (const Field<DynamicsSettings> &row : dynamics_rows())
+      for (const char *key : {"modal_damping", "force_meaning", "output_rate", "frequency_limit", "model_files"})
+        if (std::string(row.key) == key)
+          some.push_back(row);
+    for (Field<DynamicsSettings> &row : some)
+      if (std::string(row.key) == "force_meaning") {
+        row.form = "measured | disturbance";
+        row.meaning =
+            "measured: total bite force, the stack without its strip; disturbance: the strip between the "
+            "work rolls as a spring";
+      }
+    return some;
+  }();
   return rows;
 }
 
@@ -242,6 +287,39 @@ const std::vector<Field<StackEngine>> &stack_engine_rows()
       {"flattening", &T::flattening, "half-space | local", any, "half-space", "half-space",
        "of the beams at the strip: half-space: each place feels the load "
        "on its neighbours; local: only its own, which loses a quarter of the edge drop"},
+  };
+  return rows;
+}
+
+const std::vector<Field<StackWindow>> &stack_window_rows()
+{
+  using T = StackWindow;
+  static const std::vector<Field<T>> rows{
+      {"bent", &T::bent, "text", any, absent, "W", "roll whose bending forces vary over bending_force"},
+      {"bending_force",
+       &T::bending,
+       "kN",
+       {-20000, 20000},
+       absent,
+       R"(["-200 kN", "600 kN"])",
+       "smallest and largest bending force of each chock; together with shift it gives the crown over both"},
+      {"shifted", &T::shifted, "text", any, absent, "I", "roll whose shift varies over shift"},
+      {"shift", &T::shift, "mm", {-2000, 2000}, absent, R"(["0 mm", "150 mm"])", "smallest and largest shift"},
+      {"force",
+       &T::force,
+       "kN",
+       {1e-3, 1e6},
+       absent,
+       R"(["600 kN", "1400 kN"])",
+       "smallest and largest rolling force; together with width it gives the operating window"},
+      {"width",
+       &T::width,
+       "mm",
+       {1, 6000},
+       absent,
+       R"(["700 mm", "1300 mm"])",
+       "smallest and largest width of the strip"},
+      {"points", &T::points, "count", {2, 60}, 9, "9", "settings along each of two ranges"},
   };
   return rows;
 }

@@ -1,6 +1,11 @@
 #pragma once
 #include "core/base/errors.h"
+#include "core/model/bite_setup.h"
+#include "core/model/chatter.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/pass.h"
 #include "core/model/stack.h"
+#include "core/model/strip.h"
 
 // kind = "stack" as it is written; core/case/stack_resolution.cpp makes a Stack of it.
 namespace mill {
@@ -29,7 +34,7 @@ struct StackRollInput : Roll {
   std::vector<std::string> on;                              ///< rolls that it leans on, away from the strip
   std::array<double, 2> position = {not_given, not_given};  ///< m, x and y of the axis
   std::vector<double> bearing_stiffness;                    ///< N/m, a side; two: upper, lower
-  double chock_mass = 0;                                    ///< kg, a side
+  std::vector<double> chock_mass;                           ///< kg, a side; two: upper, lower; empty: none
   std::string material;                                     ///< of a [material.NAME]; empty: [steel]
   StackSaddles saddles;
   Place place;  ///< of the [[roll]] header
@@ -44,6 +49,13 @@ struct StackStripInput : StackStrip {
   double given_force = not_given;  ///< N
   double gap         = not_given;  ///< m, S; replaces the force
   std::string law    = "modulus";  ///< uniform | modulus | bite
+  // Of its bite, for law = "bite" and for chatter.
+  double entry_tension     = 0;          ///< Pa, back tension
+  double exit_tension      = 0;          ///< Pa, front tension
+  double initial_thickness = not_given;  ///< m, of zero strain; absent: entry thickness
+  double youngs_modulus    = 210e9;      ///< Pa, of the strip
+  double poisson_ratio     = 0.3;        ///< -, of the strip
+  double coulomb           = not_given;  ///< -, friction; absent: a section of its own, or none
   StackStripInput()
   {
     modulus = entry_modulus = arc = entry_thickness = exit_thickness = not_given;
@@ -52,6 +64,16 @@ struct StackStripInput : StackStrip {
 struct StackEngine {
   std::string model      = "condensed";   ///< condensed | beams
   std::string flattening = "half-space";  ///< half-space | local
+};
+
+/// [window]: what is computed around the settings of the case; a range that is not given: no map of it.
+struct StackWindow {
+  std::string bent, shifted;                               ///< rolls whose bending and shift vary
+  std::array<double, 2> bending = {not_given, not_given};  ///< N, of each chock
+  std::array<double, 2> shift   = {not_given, not_given};  ///< m
+  std::array<double, 2> force   = {not_given, not_given};  ///< N
+  std::array<double, 2> width   = {not_given, not_given};  ///< m, of the strip
+  int points                    = 9;                       ///< along each of two settings
 };
 
 /// [material.NAME]
@@ -66,5 +88,11 @@ struct StackInput {
   std::vector<StackRollInput> rolls;
   StackStripInput strip;
   StackEngine engine;
+  StackWindow window;
+  Strip bite;                 ///< the strip with its laws; flow_stress.k NaN: not given, friction as in Strip
+  std::vector<Pass> passes;   ///< what drives the solved stack; may be empty
+  DynamicsSettings dynamics;  ///< frame, contact, mass_* and model unused
+  StandSpan span;             ///< strip before and behind the stand, for chatter
+  ChatterAnalysis analysis;   ///< of chatter
 };
 }  // namespace mill

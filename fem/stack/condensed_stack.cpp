@@ -364,17 +364,24 @@ StackState CondensedStack::solve()
 {
   Implementation &my = *self;
   StackState out;
-  out.newton_steps = my.solve();
+  out.newton_steps    = my.solve();
+  const auto by_force = my.linear(my.nothing(), VectorXd::Zero(my.length.size()), 1);
   out.pairs.resize(my.stack.contacts.size());
   out.rolls.resize(my.stack.rolls.size());
   for (std::size_t i = 0; i < 2; ++i) {
     const HalfStack &half = my.halves[i];
     const auto open       = half.openings(my.state[i], my.force, my.right[i]);
-    for (std::size_t c = 0; c < half.contacts.size(); ++c)
-      out.pairs[half.contacts[c].contact] = pair_state(half.contacts[c], my.state[i].contact[c], open[c]);
+    for (std::size_t c = 0; c < half.contacts.size(); ++c) {
+      PairState &pair = out.pairs[half.contacts[c].contact];
+      pair            = pair_state(half.contacts[c], my.state[i].contact[c], open[c]);
+      pair.loaded_tangent =
+          reduce::loaded_tangent(pair, (pair.tangent.array() > 0)
+                                           .select(by_force.half[i].contact[c].array() / pair.weight.array(), 0.)
+                                           .matrix());
+    }
     for (const std::size_t r : half.rolls()) {
       const auto d = half.deflection(r, my.state[i], my.force);
-      out.rolls[r] = {d.z, d.x, d.y, d.reactions};
+      out.rolls[r] = {d.z, d.x, d.y, d.reactions, d.across};
     }
     out.residual = std::max(out.residual, half.imbalance(my.state[i], my.force) / my.stack.strip.force);
   }

@@ -171,6 +171,7 @@ StackedRoll::Deflection StackedRoll::deflection(const std::vector<VectorXd> &for
   out.z = B.col(1).head(M);
   out.x = out.y = VectorXd::Zero(M);
   out.reactions.assign(roll.supports.size(), 0);
+  out.across.assign(roll.supports.size(), 0);
   for (int p = 0; p < planes; ++p) {
     const Plane &plane = in_plane[std::size_t(p)];
     VectorXd all       = VectorXd::Zero(kernel->bending.rows());
@@ -186,8 +187,7 @@ StackedRoll::Deflection StackedRoll::deflection(const std::vector<VectorXd> &for
       for (Index i = 0; i < n; ++i) {
         const std::size_t s = plane.support[std::size_t(i)];
         all[M + kernel->place_of(roll.supports[s].z)] += added[i];
-        if (axis_of(p) == 1)
-          out.reactions[s] = added[i];
+        (axis_of(p) == 1 ? out.reactions : out.across)[s] = added[i];
       }
       rigid = kernel->bending.diagonal().mean() * added.tail<2>();
     } else

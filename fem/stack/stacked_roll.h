@@ -62,6 +62,7 @@ public:
     Eigen::VectorXd z;              ///< (M) m, mill frame
     Eigen::VectorXd x, y;           ///< (M) m, of the axis
     std::vector<double> reactions;  ///< N, along y, of the supports
+    std::vector<double> across;     ///< N, along x
   };
   /// @param force   N, on the stations of each line
   /// @param motion  (motions)

@@ -1,6 +1,7 @@
 #include "reduce/stack/beam_stack.h"
 #include "core/base/errors.h"
 #include "core/process/parallel.h"
+#include "reduce/stack/group_modes.h"
 #include "reduce/stack/strip_side.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -43,30 +44,6 @@ double mean_of(const std::function<double(double)> &f, const double z1, const do
   for (int g = 0; g < UnitGauss::n; ++g)
     mean += UnitGauss::weight[g] * f(z1 + (z2 - z1) * UnitGauss::place[g]);
   return mean;
-}
-
-// Lowest squared circular frequencies of a group by subspace iteration with its factorised stiffness.
-VectorXd lowest_squares(const RollGroup &group, const int wanted)
-{
-  const Eigen::SparseMatrix<double> M = group.mass_matrix();
-  const Index n                       = std::min<Index>(group.size(), wanted + 8);
-  MatrixXd X                          = MatrixXd::NullaryExpr(
-                               group.size(), n, [](const Index i, const Index j) { return std::cos(double(1 + i * (j + 1) % 9973)); });
-  VectorXd squares = VectorXd::Zero(n);
-  for (int round = 0; round < 100; ++round) {
-    MatrixXd Y            = M * X;
-    const MatrixXd forced = Y;
-    group.stiffness.forward(Y);
-    group.stiffness.backward(Y);
-    const Eigen::GeneralizedSelfAdjointEigenSolver<MatrixXd> small(Y.transpose() * forced,
-                                                                   Y.transpose() * (M * Y));
-    const VectorXd before = squares;
-    squares               = small.eigenvalues();
-    X                     = Y * small.eigenvectors();
-    if ((squares - before).head(wanted).cwiseAbs().maxCoeff() < 1e-10 * squares[wanted - 1])
-      break;
-  }
-  return squares.head(wanted);
 }
 
 PairState pair_state(const RollGroup &group, const std::size_t contact, const LineLaw &law)
@@ -251,6 +228,12 @@ struct BeamStack::Implementation {
     return std::max(most, of_law) / stack.strip.force;
   }
 
+  // What the beams themselves leave, over the rolling force: places of a drawing may lie micrometres apart.
+  double rounding_of_beams() const
+  {
+    return std::max(sides[0].group.rounding(), sides[1].group.rounding()) / stack.strip.force;
+  }
+
   int solve()
   {
     const double line = stack.strip.force / stack.strip.width;
@@ -269,7 +252,7 @@ struct BeamStack::Implementation {
       update();
       const auto residual = out_of_balance();
       const double before = std::exchange(out, imbalance(residual));
-      if (out < balanced || (out < rounding && out > before / 2)) {
+      if (out < balanced || (out < std::max(rounding, rounding_of_beams()) && out > before / 2)) {
         factorise(least, 0);  // for the derivatives
         update();
         solved = true;
@@ -376,6 +359,25 @@ struct BeamStack::Implementation {
   }
 };
 
+namespace {
+// Change of the line load at every place of a contact with deflections, as pair_state() orders them.
+VectorXd change_of_load(const RollGroup &group, const std::size_t contact, const VectorXd &u)
+{
+  std::vector<double> change;
+  for (const ContactElement &e : group.contacts) {
+    if (e.contact != contact)
+      continue;
+    VectorXd of_element(Index(e.unknown.size()));
+    for (std::size_t i = 0; i < e.unknown.size(); ++i)
+      of_element[Index(i)] = u[e.unknown[i]];
+    const VectorXd closer = e.row.transpose() * of_element;
+    for (int g = 0; g < UnitGauss::n; ++g)
+      change.push_back(e.load[g] > 0 ? e.tangent[g] * closer[g] : 0);
+  }
+  return Eigen::Map<const VectorXd>(change.data(), Index(change.size()));
+}
+}  // namespace
+
 BeamStack::BeamStack(Stack stack, const BeamStackSettings &settings)
     : self(std::make_unique<Implementation>(std::move(stack), settings))
 {
@@ -387,24 +389,29 @@ StackState BeamStack::solve()
 {
   Implementation &my = *self;
   StackState state;
-  state.newton_steps = my.solve();
-  state.residual     = my.imbalance(my.out_of_balance());
+  state.newton_steps                    = my.solve();
+  state.residual                        = my.imbalance(my.out_of_balance());
+  const Implementation::Change by_force = my.change(my.no_forces(), VectorXd::Zero(my.q.size()), 1);
   for (std::size_t c = 0; c < my.stack.contacts.size(); ++c) {
     const StackContact &contact = my.stack.contacts[c];
     const StackRoll &a = my.stack.rolls[contact.a], &b = my.stack.rolls[contact.b];
     state.pairs.push_back(
         pair_state(my.group_of(contact.a), c,
                    line_law(a.diameter / 2, a.material, b.diameter / 2, b.material, contact.ring_stiffness)));
+    const std::size_t side = &my.group_of(contact.a) == &my.sides[0].group ? 0 : 1;
+    state.pairs.back().loaded_tangent =
+        loaded_tangent(state.pairs.back(), change_of_load(my.group_of(contact.a), c, by_force.u[side]));
   }
   const GapShape gap = my.shape({&my.sides[0].group.u, &my.sides[1].group.u}, my.q, true);
   for (std::size_t r = 0; r < my.stack.rolls.size(); ++r) {
     const RollGroup &group = my.group_of(r);
-    RollState roll{group.places(r), group.deflection(r, 0), group.deflection(r, 1), {}};
+    RollState roll{group.places(r), group.deflection(r, 0), group.deflection(r, 1), {}, {}};
     for (const StackSupport &support : my.stack.rolls[r].supports) {
       Index i = 0;
       while (i + 1 < roll.z.size() && roll.z[i] < support.z + my.stack.rolls[r].shift - 1e-6)
         ++i;
       roll.reactions.push_back(support.stiffness[1] * (support.motion[1] - roll.y[i]));
+      roll.across.push_back(support.stiffness[0] * (support.motion[0] - roll.x[i]));
     }
     state.rolls.push_back(std::move(roll));
   }
@@ -442,11 +449,16 @@ GapShape BeamStack::influence_of_radius(const std::size_t roll,
   return self->influence_of_radius(roll, departure);
 }
 
+BeamStackParts BeamStack::parts() const
+{
+  return {self->stack, self->stations, self->groups, self->sides, self->length, self->q, self->flattening};
+}
+
 Eigen::VectorXd BeamStack::frequencies(const int n) const
 {
   std::vector<double> all;
   for (const RollGroup &group : self->groups)
-    for (const double square : lowest_squares(group, n))
+    for (const double square : lowest_modes(group, n).square)
       all.push_back(std::sqrt(std::max(0., square)) / (2 * M_PI));
   std::sort(all.begin(), all.end());
   return Eigen::Map<Eigen::VectorXd>(all.data(), n);

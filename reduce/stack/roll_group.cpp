@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace mill::reduce {
@@ -295,6 +296,14 @@ double RollGroup::largest_force(const VectorXd &residual) const
   return most;
 }
 
+double RollGroup::rounding() const
+{
+  double most = 0;
+  for (Index i = 0; i < u.size(); i += 2)
+    most = std::max(most, beams_alone.coeff(i, i) * std::abs(u[i]));
+  return 8 * std::numeric_limits<double>::epsilon() * most;
+}
+
 Eigen::SparseMatrix<double> RollGroup::mass_matrix() const
 {
   std::vector<Eigen::Triplet<double>> entries;
@@ -317,5 +326,47 @@ Eigen::SparseMatrix<double> RollGroup::mass_matrix() const
   Eigen::SparseMatrix<double> M(size(), size());
   M.setFromTriplets(entries.begin(), entries.end());
   return M;
+}
+
+UnknownRow RollGroup::deflection_at(const std::size_t roll, const double z, const std::size_t axis) const
+{
+  UnknownRow row;
+  if (std::find(axes.begin(), axes.end(), axis) == axes.end())
+    return row;
+  const Beam &beam = beams[local(roll)];
+  int s            = beam.first;
+  while (s + 1 < beam.last && stations.z[std::size_t(s) + 1] < z)
+    ++s;
+  const double t              = (z - stations.z[std::size_t(s)]) / stations.length(s);
+  const Eigen::Vector4d shape = beam.elements[std::size_t(s - beam.first)].shape(std::clamp(t, 0., 1.));
+  for (int i = 0; i < 4; ++i)
+    row.add(unknown_of(beam, s + i / 2, axis) + i % 2, shape[i]);
+  return row;
+}
+
+RollGroup::FreeBeam RollGroup::free_beam(const std::size_t roll) const
+{
+  const Beam &beam = beams[local(roll)];
+  const Index n    = 2 * Index(beam.unknown.size());
+  FreeBeam free{Eigen::MatrixXd::Zero(n, n), Eigen::MatrixXd::Zero(n, n)};
+  for (std::size_t e = 0; e < beam.elements.size(); ++e) {
+    free.stiffness.block<4, 4>(2 * Index(e), 2 * Index(e)) += beam.elements[e].stiffness();
+    free.mass.block<4, 4>(2 * Index(e), 2 * Index(e)) += beam.elements[e].mass_matrix();
+  }
+  for (const StackLump &lump : stack.rolls[roll].lumps) {
+    const Index i = 2 * (stations.place(lump.z + stack.rolls[roll].shift) - beam.first);
+    free.mass(i, i) += lump.mass;
+  }
+  return free;
+}
+
+std::vector<Index> RollGroup::unknowns(const std::size_t roll, const std::size_t axis) const
+{
+  const Beam &beam = beams[local(roll)];
+  std::vector<Index> all;
+  for (int s = beam.first; s <= beam.last; ++s)
+    for (int i = 0; i < 2; ++i)
+      all.push_back(unknown_of(beam, s, axis) + i);
+  return all;
 }
 }  // namespace mill::reduce

@@ -40,6 +40,8 @@ public:
   Eigen::VectorXd deflection(std::size_t roll, std::size_t axis) const;
   /// Integral of `factor` times the deflection along y from z1 to z2 (m, mill frame).
   UnknownRow integral(std::size_t roll, double z1, double z2, double factor) const;
+  /// Deflection at z (m, mill frame) along an axis; empty where the roll does not move along it.
+  UnknownRow deflection_at(std::size_t roll, double z, std::size_t axis) const;
   /// Unit force at a place of a roll's own frame.
   Eigen::VectorXd force_at(const StackLoad &load, std::size_t roll) const;
   /// Forces per unit of a radius departure of a roll, at the last update().
@@ -52,7 +54,24 @@ public:
   bool factorise(double least_tangent);       ///< at the last update(); false where a roll is not held
   bool factorise_touching(double line_load);  ///< all contacts closed, tangents at this line load
   double largest_force(const Eigen::VectorXd &residual) const;  ///< moments left out
+  /// N, to which out_of_balance() is known: a short element is so stiff that the last digit of a deflection is
+  /// felt.
+  double rounding() const;
   Eigen::SparseMatrix<double> mass_matrix() const;
+
+  /// Planes in which the rolls move: 1 for y, 0 for x.
+  const std::vector<std::size_t> &planes() const
+  {
+    return axes;
+  }
+  /// A roll in one plane by itself: deflection and rotation station by station, chocks with their mass, without
+  /// what holds it.
+  struct FreeBeam {
+    Eigen::MatrixXd stiffness, mass;
+  };
+  FreeBeam free_beam(std::size_t roll) const;
+  /// Place of each unknown of free_beam() among those of the group.
+  std::vector<Eigen::Index> unknowns(std::size_t roll, std::size_t axis) const;
 
   Eigen::VectorXd u;                     ///< unknowns, m and rad
   std::vector<ContactElement> contacts;  ///< all elements that may touch

@@ -17,6 +17,7 @@ struct PairState {
   double peak_pressure   = 0;  ///< Pa
   double touching        = 0;  ///< share of the length that may touch
   double uniform_tangent = 0;  ///< N/m, integral of the tangent
+  double loaded_tangent  = 0;  ///< N/m, d(force)/d(approach that the load weighs), with the rolling force
 };
 
 /// Deflection of one roll.
@@ -24,6 +25,7 @@ struct RollState {
   Eigen::VectorXd z;              ///< m, mill frame
   Eigen::VectorXd x, y;           ///< m, displacement of the axis
   std::vector<double> reactions;  ///< N, along y, of each support on the roll
+  std::vector<double> across;     ///< N, the same along x
 };
 
 /// The strip and the loaded gap.
@@ -51,4 +53,8 @@ struct StackState {
   int newton_steps = 0;
   double residual  = 0;  ///< largest force out of balance over the rolling force
 };
+
+/// d(force) over d(approach that the line load weighs) of a contact.  theory.md (51.21)
+/// @param change  (places of the pair) N/m per N, of its line load with the rolling force
+double loaded_tangent(const PairState &pair, const Eigen::VectorXd &change);
 }  // namespace mill::reduce

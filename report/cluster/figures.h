@@ -1,4 +1,5 @@
 #pragma once
+#include "core/records/cluster_names.h"
 #include "core/records/cluster_record.h"
 #include "report/page/run.h"
 #include <optional>
@@ -10,8 +11,8 @@ struct ClusterData {
   std::optional<ClusterRecord> record;
   std::string problem;  ///< why it cannot be shown; empty: nothing is wrong, or nothing is stored
 };
-/// Reads curves/cluster.json of a run directory.  Never throws.
-ClusterData read_cluster_record(const std::string &run_directory);
+/// Reads curves/cluster.json of a run directory, or another file with the same record.  Never throws.
+ClusterData read_cluster_record(const std::string &run_directory, const std::string &file = cluster_file);
 
 /// All rolls to scale with the force in every contact and support under one pass.
 std::string stack_drawing(const ClusterRecord &record, const ClusterPassRecord &pass);

@@ -164,10 +164,10 @@ void vibration_part(Page &page, const Run &run, const ClusterRecord &record)
 }
 }  // namespace
 
-ClusterData read_cluster_record(const std::string &run_directory)
+ClusterData read_cluster_record(const std::string &run_directory, const std::string &file)
 {
   ClusterData data;
-  const std::filesystem::path path = std::filesystem::path(run_directory) / cluster_file;
+  const std::filesystem::path path = std::filesystem::path(run_directory) / file;
   std::error_code error;
   if (!std::filesystem::exists(path, error))
     return data;
@@ -177,16 +177,15 @@ ClusterData read_cluster_record(const std::string &run_directory)
   }
   if (!data.record || data.record->passes.empty()) {
     data.record.reset();
-    data.problem = std::string(cluster_file) +
-                   " is not what this program writes, so the stack is not shown; run the "
-                   "case again";
+    data.problem = file + " is not what this program writes, so the stack is not shown; run the "
+                          "case again";
   }
   return data;
 }
 
 void cluster_section(Page &page, const Run &run)
 {
-  const ClusterData data = read_cluster_record(run.directory);
+  const ClusterData data = read_cluster_record(run.directory, cluster_file);
   if (!data.record) {
     if (!data.problem.empty()) {
       page.section("stack", "Stack of rolls");

@@ -36,6 +36,7 @@ const KnownUnit known_units[] = {
     {"kN/mm per m", "bedding", 1e6},
     {"m/N", "flexibility", 1},
     {"\u00b5m/MN", "flexibility", 1e-12},
+    {"\u00b5m/kN", "flexibility", 1e-9},
     {"rad", "angle", 1},
     {"mrad", "angle", 1e-3},
     {"\u00b0", "angle", EIGEN_PI / 180},

@@ -15,6 +15,7 @@ const std::map<std::string, std::string> stack_words{
     {"stack.gap", "gap between the unloaded work rolls"},
     {"stack.modulus.mid", "modulus of the stack, force per thickness in the middle"},
     {"stack.modulus.mean", "modulus of the stack, force per thickness that the line load weighs"},
+    {"stack.strip_stiffness", "strip between the work rolls as a spring, with their flattening"},
     {"stack.flatness.min", "flatness in I-units, shortest fibre"},
     {"stack.flatness.max", "flatness in I-units, longest fibre"},
     {"pair.force", "force of the contact"},
@@ -22,10 +23,12 @@ const std::map<std::string, std::string> stack_words{
     {"pair.q_max", "largest line load"},
     {"pair.peak_pressure", "peak pressure of the contact"},
     {"pair.touching", "share of the length that touches"},
+    {"pair.tangent", "change of the force over that of the approach that the line load weighs"},
     {"pair.uniform_tangent", "tangent of the contact for an even approach"},
     {"pair.secant", "force over the approach that the line load weighs"},
     {"roll.reaction_drive", "force of the bearing on the drive side, upwards on the roll"},
     {"roll.reaction_operator", "force of the bearing on the operator side, upwards on the roll"},
+    {"roll.bending_stress", "largest bending stress"},
     {"roll.deflection", "deflection upwards of the middle against the ends of the barrel"}};
 
 std::string stack_word(const std::string &key)
@@ -43,6 +46,8 @@ std::string influence_meaning(const std::vector<std::string> &parts)
   const std::string &input = parts[3];
   if (input == "crown")
     return parts[2] + ", " + moved + "its own crown on the diameter, both halves";
+  if (input == "shift")
+    return parts[2] + ", " + moved + "its shift to the drive side; a turned lower roll moves the other way";
   if (input == "bending_force")
     return parts[2] + ", " + moved + "the bending force of each chock, both halves";
   return parts[2] + ", " + moved + "the eccentric of saddle " + input.substr(std::string("eccentric").size());

@@ -1,85 +1,48 @@
 #include "report/stack/section.h"
 #include "core/records/stack_names.h"
+#include "report/cluster/figures.h"
 #include "report/page/curves.h"
 #include "report/page/page.h"
-#include "report/plot/svg_plot.h"
-#include <set>
+#include "report/stack/figures.h"
 
 namespace mill::report {
-namespace {
-constexpr Pen stack_pens[] = {Pen::dark, Pen::warm, Pen::dashed, Pen::dotted, Pen::chained, Pen::pale};
-
-Plot over_width(const char *title, const char *quantity, const char *unit)
-{
-  Plot plot;
-  plot.title = title;
-  plot.x     = {"z, drive side positive", "mm"};
-  plot.y     = {quantity, unit};
-  return plot;
-}
-
-std::string strip_drawing(const Table &table, const Column &column, const char *title)
-{
-  Plot plot = over_width(title, column.name == "flatness_I" ? "flatness" : "strip", column.unit.c_str());
-  if (!add_line(plot, table, {"z", "mm"}, column, "", Pen::dark))
-    return "";
-  return svg_plot(plot);
-}
-
-// Names of the results "FAMILY.NAME.*" in their order.
-std::vector<std::string> names_of(const Run &run, const std::string &family)
-{
-  std::vector<std::string> names;
-  std::set<std::string> seen;
-  for (const Result &result : run.results)
-    if (const auto parts = parts_of(result.name); parts[0] == family && seen.insert(parts[1]).second)
-      names.push_back(parts[1]);
-  return names;
-}
-
-// The upper half; made rolls have the same curves, turned or mirrored.
-bool is_made(const std::string &name)
-{
-  return name.rfind("lower_", 0) == 0;
-}
-
-// Lines of the curves of all contacts or rolls of the upper half, a few in each drawing.
-std::vector<std::string> drawings_of(const Run &run, const CurveKind &kind, const std::string &family,
-                                     const Column &column, const char *title, const char *quantity)
-{
-  constexpr std::size_t most = std::size(stack_pens);
-  std::vector<std::string> drawings;
-  Plot plot = over_width(title, quantity, column.unit.c_str());
-  for (const std::string &name : names_of(run, family)) {
-    const Table *table = is_made(name) ? nullptr : stored_curve(run, kind, name);
-    if (!table)
-      continue;
-    add_line(plot, *table, {"z", "mm"}, column, name, stack_pens[plot.lines.size() % most]);
-    if (plot.lines.size() == most) {
-      drawings.push_back(svg_plot(plot));
-      plot.lines.clear();
-    }
-  }
-  if (!plot.lines.empty())
-    drawings.push_back(svg_plot(plot));
-  return drawings;
-}
-}  // namespace
-
 void stack_section(Page &page, const Run &run)
 {
-  const Table *strip = stored_curve(run, curve::stack_strip);
-  if (run.manifest.kind != "stack" || !strip)
+  if (run.manifest.kind != "stack")
     return;
-  page.section("stack", "Strip and rolls", Depth::manager);
-  page.figure({strip_drawing(*strip, {"profile", "\u00b5m"}, "Thickness against the middle of the strip"),
-               strip_drawing(*strip, {"line_load", "N/mm"}, "Line load of the strip")},
-              "Profile and line load of the strip. A crowned strip is thinner at its edges.");
-  page.figure({strip_drawing(*strip, {"flatness_I", "-"}, "Flatness, I-units")},
-              "Flatness over the width, without flow across it: positive where fibres are longer.");
-  page.figure(drawings_of(run, curve::stack_pair, family::pair, {"line_load", "N/mm"}, "Line loads", "line load"),
-              "Line load of the contacts of the upper half.");
-  page.figure(drawings_of(run, curve::stack_roll, family::roll, {"y", "mm"}, "Deflection upwards", "displacement"),
-              "Axes of the rolls of the upper half, from the unloaded stack.");
+  if (stored_curve(run, curve::stack_strip)) {
+    page.section("stack", "Strip and rolls", Depth::manager);
+    page.figure(
+        {stack_section_drawing(run)},
+        "The stack to scale with the resultant of every contact. The size of a dot follows its force; angles "
+        "are those of the line of centres against the vertical.");
+    page.figure(
+        strip_drawings(run),
+        "Profile, line load and flatness of the strip. A crowned strip is thinner at its edges. Flatness is "
+        "without flow across the width, positive where fibres are longer.");
+    page.figure(line_load_drawings(run), "Line load of the contacts of the upper half, on one scale.");
+    page.figure(
+        deflection_drawings(run),
+        "Axes of the rolls of the upper half, from the unloaded stack, and the bending stress at their surface.");
+    page.figure(
+        influence_drawings(run),
+        "Change of the thickness against the middle of the strip with one unit of each input, exact at the "
+        "solved state. Rolls that are made of an upper one change with it.");
+    page.figure(modulus_drawings(run), "Modulus and crown over the rolling force, by beams.");
+    page.figure(
+        {settings_drawing(run)},
+        "Crown over bending force and shift. Without a dot all contacts are closed over their whole length.");
+    page.figure(window_drawings(run),
+                "Operating window over rolling force and width of the strip. A line ends where the stack has no "
+                "equilibrium or the strip is wider than a barrel.");
+  }
+  const std::vector<std::string> modes = mode_drawings(run);
+  const std::string named              = gap_table(run);
+  if (modes.empty() && named.empty())
+    return;
+  page.section("stack-modes", "Modes of the stack");
+  page.table(named, "Modes by what they do to the gap, with the strip between the work rolls and without.");
+  page.figure(modes, "Axes of the rolls in the modes that open the gap most, upper half dark and lower half pale. "
+                     "Each is scaled to its largest displacement.");
 }
 }  // namespace mill::report

@@ -39,6 +39,10 @@ const char *title_of(const std::string &model)
 {
   if (model == "six-mass")
     return "six masses";
+  if (model == "stack")
+    return "rolls as beams about the solved state";
+  if (model == "stack-lumped")
+    return "one mass for each roll";
   return model == "beam" ? "rolls as beams" : "rolls as reduced finite elements";
 }
 

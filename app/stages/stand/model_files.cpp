@@ -266,11 +266,9 @@ ModelFiles model_case_files(const reduce::StandWithModes &s, const double freque
   return files;
 }
 
-void write_model_files(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s,
-                       const LumpedModel &chain)
+void write_model_matrices(RunContext &run, const DynamicsSettings &dynamics, const reduce::StandWithModes &s,
+                          const double gap_damper)
 {
-  const DynamicsSettings &dynamics = stand.dynamics;
-  const double gap_damper = dynamics.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
   const ModelFiles files  = model_case_files(s, dynamics.frequency_limit, gap_damper);
   const std::string &name = s.model.name;
   for (const auto &[path, text] : texts_of(s.model, files))
@@ -288,10 +286,17 @@ void write_model_files(RunContext &run, const FourHigh &stand, const reduce::Sta
     run.out.write("models/" + name + ".mat",
                   mat_of(s, symmetric_part(s.model.M), symmetric_part(stiffness_of(s.model)), C));
   }
-  if (!s.model.lines.empty())
-    write_shapes_of(run, stand, s);
   if (name != "six-mass")
     run.out.write("lumped_model-" + name + ".toml", detailed_model_toml(files, run.the_case, run.out.path()));
+}
+
+void write_model_files(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s,
+                       const LumpedModel &chain)
+{
+  const bool none = stand.dynamics.force_meaning == "measured" || std::isnan(chain.C.value);
+  write_model_matrices(run, stand.dynamics, s, none ? 0 : chain.C.value);
+  if (!s.model.lines.empty())
+    write_shapes_of(run, stand, s);
 }
 
 void write_roll_shapes(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s,

@@ -14,6 +14,11 @@ struct FourHigh;
 void write_model_files(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &model,
                        const LumpedModel &chain);
 
+/// The same without fields/, of any kind of case with passes and dynamics.
+/// @param gap_damper  N s/m
+void write_model_matrices(RunContext &run, const DynamicsSettings &dynamics, const reduce::StandWithModes &model,
+                          double gap_damper);
+
 /// What names the files of a model in models/, with its modes up to the limit (Hz) to know the matrices by.
 /// @param gap_damper  N s/m; NaN or 0: none
 ModelFiles model_case_files(const reduce::StandWithModes &model, double frequency_limit, double gap_damper);

@@ -22,7 +22,11 @@ std::vector<TemplateNote> stack_notes()
       {"roll", "", backup, {"neck_diameter", "total_length", "bearing_span", "bearing_stiffness", "chock_mass"}},
       {"roll.saddles", "", {}, {}, true},
       {"material", "[material.carbide]", {}, {}, true},
-      {"strip", "", {}, {"force", "modulus", "contact_length", "entry_thickness", "exit_thickness"}}};
+      {"strip", "", {}, {"force", "modulus", "contact_length", "entry_thickness", "exit_thickness"}},
+      {"strip.flow_stress", "", {}, {}, true},
+      {"strip.friction", "", {}, {}, true},
+      {"window", "", {}, {}, true},
+      {"pass", "", {}, {"load", "speed"}, true}};
 }
 }  // namespace
 
@@ -43,13 +47,29 @@ const CaseKind &case_kind(const StackCase *)
           {"roll.saddles", Repeat::once, false, "backing shaft of the roll above, in place of its bearings",
            rows_of(stack_saddle_rows())},
           {"strip", Repeat::once, true, "the strip between the work rolls", rows_of(stack_strip_rows())},
-          {"engine", Repeat::once, false, "how the stack is computed", rows_of(stack_engine_rows())},
     };
+    for (const SectionRows &section : strip_sections())
+      if (section.name != "strip") {
+        k.sections.push_back(section);
+        k.sections.back().needed = false;
+      }
+    k.sections.push_back(
+        {"engine", Repeat::once, false, "how the stack is computed", rows_of(stack_engine_rows())});
+    k.sections.push_back(
+        {"window", Repeat::once, false, "maps around the settings of the case", rows_of(stack_window_rows())});
+    k.sections.push_back(pass_section(false));
+    k.sections.push_back(dynamics_section(stack_dynamics_rows()));
+    k.sections.push_back({"stand", Repeat::once, false, "the strip around the stand, for millstand chatter",
+                          rows_of(stand_span_rows())});
+    k.sections.push_back(
+        {"analysis", Repeat::once, false, "how chatter is searched", rows_of(chatter_analysis_rows())});
     k.notes    = stack_notes();
     k.repeated = [](const CaseSpec &spec, const std::string &section) {
       const StackInput &input = *std::get<StackCase>(spec).input;
       if (section == "material")
         return names_in(input.materials);
+      if (section == "pass")
+        return numbers_to(input.passes.size());
       return section == "roll" ? numbers_to(input.rolls.size()) : std::vector<std::string>();
     };
     return k;

@@ -140,6 +140,8 @@ TEST(StackCommandResults, InfluencesAgreeWithTheReference)
       near(six.value("influence.crown.W.bending_force"), per("six-high.all: d/d wb um per kN") * um / kN, reason));
   EXPECT_TRUE(
       near(six.value("influence.crown.I.bending_force"), per("six-high.all: d/d ib um per kN") * um / kN, reason));
+  EXPECT_TRUE(near(six.value("influence.crown.I.shift"), per("six-high.all: d/d shift um per mm") * um / mm,
+                   within(5e-3, "differences over other steps, and their meshes")));
 }
 
 // Condensed rolls give the results, with the beams next to each.

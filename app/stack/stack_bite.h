@@ -1,0 +1,26 @@
+#pragma once
+#include "core/model/pass.h"
+#include "core/model/stack.h"
+#include "core/model/stack_input.h"
+#include "reduce/bite/bite.h"
+#include <string>
+
+// The bite between the work rolls of a stack.
+namespace mill {
+/// The bite of a pass, with a flow stress.
+struct StackBite {
+  bite::RollBite bite;
+  std::string stress;  ///< "310 MPa, fitted to the rolling force": where its flow stress comes from
+};
+/// @param pass   what it gives replaces that of [strip]
+/// @param force  N, to which a flow stress that is not given is fitted
+/// @throws InputError, SolverError  what the slab theory refuses
+StackBite stack_bite(const StackInput &input, const Stack &stack, const Pass &pass, double force);
+
+/// Keys that the bite lacks, with commas: "strip.friction, strip.entry_thickness"; empty: it says enough.
+std::string missing_of_bite(const StackInput &input, const Pass &pass);
+
+/// The stack with the slopes of its bite, where law = "bite"; else as it is.  theory.md (51.5)
+/// @throws InputError, SolverError  what the slab theory refuses
+Stack with_slopes_of_bite(const StackInput &input, const Stack &stack);
+}  // namespace mill

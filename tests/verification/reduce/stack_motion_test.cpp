@@ -1,0 +1,150 @@
+#include "reduce/stack/beam_stack.h"
+#include "reduce/stack/group_modes.h"
+#include "reduce/stack/moving_stack.h"
+#include "reduce/stack/stack_mode_names.h"
+#include "reduce/stack/strip_side.h"
+#include "reduce/stand/stand_modes.h"
+#include "tests/support/near.h"
+#include "tests/support/reference_stack.h"
+#include <gtest/gtest.h>
+
+using namespace mill;
+using namespace mill::reduce;
+
+namespace {
+struct Moved {
+  Stack stack;
+  BeamStack engine;
+  StackState state;
+  MovingStack moving;
+  explicit Moved(Stack of, const int elements = 30)
+      : stack(std::move(of)), engine(stack, {elements}), state(engine.solve()), moving(moving_stack(engine))
+  {
+  }
+  explicit Moved(const std::string &name, const int elements = 30)
+      : Moved(reference_stack(reference(name, "stack")), elements)
+  {
+  }
+};
+
+class StackInMotion : public testing::TestWithParam<const char *> {};
+}  // namespace
+
+TEST_P(StackInMotion, HasTheFrequenciesOfTheIndependentModel)
+{
+  const std::string name = GetParam();
+  const Moved moved(name);
+  const auto modes     = stand_modes(moved.moving.model);
+  const Reference list = reference(name, "stack")["result"]["frequencies_Hz"];
+  ASSERT_GE(list.size(), 6u);
+  for (std::size_t i = 0; i < list.size(); ++i)
+    EXPECT_TRUE(near(modes.frequency[Eigen::Index(i)], double(list[i]), within(3e-3, "mesh of both models"))) << i;
+}
+
+// The static shape of each roll is one of its unknowns, so that nothing of the gap's compliance is lost.
+TEST_P(StackInMotion, OpensUnderAForceAsTheBeamsDo)
+{
+  const Moved moved(GetParam());
+  const BeamStackParts parts = moved.engine.parts();
+  double of_beams            = 0;
+  for (const StripSide &side : parts.sides) {
+    const Eigen::VectorXd q = parts.load / moved.stack.strip.force;
+    of_beams += q.dot(side.integrals(side.respond(Eigen::VectorXd::Zero(side.group.size()), q)));
+  }
+  const StandModel &model = moved.moving.model;
+  EXPECT_TRUE(near(model.b.dot(static_displacement(model)), of_beams, within(1e-7, "rounding of a stiff stand")));
+}
+
+// What the supports above the strip take up of a slow force is the force.
+TEST_P(StackInMotion, PassesAStaticForceOnToItsLoadCell)
+{
+  const Moved moved(GetParam());
+  const StandModel &model = moved.moving.model;
+  EXPECT_TRUE(near(model.load_cell.dot(static_displacement(model)), 1,
+                   within(1e-6, "equilibrium; deflections of a millimetre turn no line of force")));
+}
+
+TEST_P(StackInMotion, HasTheMassOfItsRollsAndChocks)
+{
+  const Moved moved(GetParam());
+  double of_beams = 0, of_lumps = lumped_stack(moved.engine, moved.state).model.M.trace();
+  for (const RollGroup &group : moved.engine.parts().groups)
+    for (std::size_t r = 0; r < moved.stack.rolls.size(); ++r)
+      if (group.holds(r)) {
+        const auto beam         = group.free_beam(r);
+        Eigen::VectorXd upwards = Eigen::VectorXd::Zero(beam.mass.rows());
+        for (Eigen::Index i = 0; i < upwards.size(); i += 2)
+          upwards[i] = 1;
+        of_beams += double(group.planes().size()) * upwards.dot(beam.mass * upwards);
+      }
+  EXPECT_TRUE(near(of_lumps, of_beams, within(1e-9, "the same sections")));
+}
+
+INSTANTIATE_TEST_SUITE_P(All, StackInMotion, testing::Values("four-high", "six-high", "twenty-high"),
+                         [](const auto &entry) {
+                           std::string name = entry.param;
+                           for (char &c : name)
+                             c = c == '-' ? '_' : c;
+                           return name;
+                         });
+
+TEST(StackMotion, LumpedFourHighIsTwoMassesAHalf)
+{
+  const Moved moved("four-high");
+  const MovingStack lumped = lumped_stack(moved.engine, moved.state);
+  const auto modes         = stand_modes(lumped.model);
+  const double bearings    = 2 * moved.stack.rolls[1].supports[0].stiffness[1],
+               contact     = moved.state.pairs[0].loaded_tangent;
+  const double backup = lumped.model.M(1, 1), work = lumped.model.M(0, 0);
+  const double a = (bearings + contact) / backup, c = contact / work;
+  for (const double sign : {-1., 1.}) {
+    const double square =
+        (a + c) / 2 + sign * std::sqrt((a - c) * (a - c) / 4 + contact * contact / (backup * work));
+    const double f = std::sqrt(square) / (2 * M_PI);
+    EXPECT_TRUE(near((modes.frequency.array() - f).abs().minCoeff(), 0, within_absolute(1e-9 * f, "closed form")));
+  }
+}
+
+// The load grows where it presses most, so that the weighted tangent lies above the even one at a crowned load.
+TEST(StackMotion, TangentOfAPairIsTheChangeBetweenTwoForces)
+{
+  Stack stack = reference_stack(reference("four-high", "stack"));
+  const Moved moved(stack);
+  const double step = 1e-3 * stack.strip.force;
+  std::array<double, 2> force{}, approach{};
+  for (const int side : {0, 1}) {
+    Stack other = stack;
+    other.strip.force += (side ? 1 : -1) * step;
+    BeamStack engine(other, {30});
+    const StackState state      = engine.solve();
+    const PairState &pair       = state.pairs[0];
+    force[std::size_t(side)]    = pair.force;
+    approach[std::size_t(side)] = pair.weight.dot(pair.load.cwiseProduct(pair.approach)) / pair.force;
+  }
+  EXPECT_TRUE(near(moved.state.pairs[0].loaded_tangent, (force[1] - force[0]) / (approach[1] - approach[0]),
+                   within(1e-5, "central difference over 0.2 % of the force")));
+}
+
+TEST(StackMotion, StripBetweenTheRollsMovesOnlyModesThatOpenTheGap)
+{
+  const Moved moved("six-high");
+  const auto open = stand_modes(moved.moving.model), rolling = stand_modes(with_strip(moved.moving));
+  const auto named =
+      gap_mode_names(gap_motions(moved.stack, moved.state, moved.moving, with_strip(moved.moving), rolling));
+  EXPECT_GT(moved.moving.strip_stiffness, 0);
+  // Mirror halves: up and down together the gap stays, and so does the frequency.
+  EXPECT_TRUE(near(rolling.frequency[0], open.frequency[0], within(1e-9, "the strip is not strained")));
+  const int gap = gap_mode(gap_motions(moved.stack, moved.state, moved.moving, with_strip(moved.moving), rolling));
+  ASSERT_GE(gap, 0);
+  EXPECT_GT(rolling.frequency[gap], 1.2 * open.frequency[0]);
+  EXPECT_EQ(named[std::size_t(gap)].key, "gap_first_kind");
+}
+
+// A stiffer strip cannot lower a frequency (Rayleigh), and none rises beyond the next one of the open stack.
+TEST(StackMotion, FrequenciesOfTheRollingStateAreAboveThoseOfTheOpenOne)
+{
+  const Moved moved("four-high");
+  const auto open = stand_modes(moved.moving.model), rolling = stand_modes(with_strip(moved.moving));
+  for (Eigen::Index k = 0; k < open.frequency.size(); ++k)
+    EXPECT_GE(rolling.frequency[k], open.frequency[k] * (1 - 1e-9));
+}
