@@ -1,6 +1,6 @@
 // The right column: what check says, the quick answer with changes, and the finite elements with what they differ by.
 import { address, ask, banner, byId, edit, isOld, make, on, reread, studio } from "./state.js";
-import { jump } from "./fields.js";
+import { jump, words } from "./fields.js";
 
 const shownUnits = { "N/m": ["MN/mm", 1e-9], N: ["kN", 1e-3], m: ["mm", 1e3], "kg": ["t", 1e-3], "1": ["%", 100], "Hz": ["Hz", 1], "m/s": ["m/s", 1] };
 
@@ -20,6 +20,9 @@ export function change(value, base) {
   const percent = 100 * (value / base - 1);
   return Math.abs(percent) < 0.005 ? "=" : `${percent > 0 ? "+" : "−"}${Math.abs(percent) < 10 ? Math.abs(percent).toFixed(2) : Math.abs(percent).toFixed(1)} %`;
 }
+
+// The sentence of a pass, with its name where there are several.
+const named = (speeds, s) => speeds.length > 1 ? `${words(s.pass)}: ${s.sentence || ""}` : s.sentence || "";
 
 const signed = slope => `${slope < 0 ? "−" : "+"}${plain(Math.abs(slope), 2)}`;
 
@@ -75,15 +78,15 @@ function drawQuick() {
     return old();
   }
   const now = numbersOf(quick), base = studio.base ? numbersOf(studio.base.quick) : {};
-  const speeds = quick.speeds.map(s => {
-    const box = make("p", { className: "speed", textContent: s.sentence });
+  const speeds = quick.speeds.map((s, i) => {
+    const box = make("p", { className: "speed", textContent: named(quick.speeds, s) });
     box.dataset.finding = s.finding;
     const before = base[`critical_speed.${s.pass}`];
     if (before && s.critical !== null)
       box.append(` Since ${studio.base.name}: ${change(s.critical, before.value)}.`);
     for (const key of s.missing) {
       const go = make("button", { textContent: key });
-      go.addEventListener("click", () => jump(key.replace(/^pass\./, "pass.0.")));
+      go.addEventListener("click", () => jump(key.replace(/^pass\./, `pass.${i}.`)));
       box.append(" ", go);
     }
     return box;
@@ -108,9 +111,9 @@ function drawQuick() {
     for (const r of quick.results.slice(0, 24))
       body.append(make("tr", {}, make("td", { textContent: r.name, title: r.meaning }), make("td", { textContent: r.value === null ? "–" : digits(r.value, r.unit) }), make("td", {})));
   byId("quick").replaceChildren(...speeds, table);
-  const named = { gap_first_kind: "the gap mode, first kind,", gap_second_kind: "the gap mode, second kind," };
+  const kinds = { gap_first_kind: "the gap mode, first kind,", gap_second_kind: "the gap mode, second kind," };
   const moves = quick.moves.filter(m => m.mode === "gap_first_kind").slice(0, 4)
-    .map(m => `1 % of ${m.input} moves ${named[m.mode]} by ${signed(m.slope)} %.`);
+    .map(m => `1 % of ${m.input} moves ${kinds[m.mode]} by ${signed(m.slope)} %.`);
   for (const s of quick.speeds.slice(0, 1))
     for (const input of s.inputs.filter(i => i.slope !== null).slice(0, 5))
       moves.push(`1 % of ${input.name.replace(/_/g, " ")} moves the critical speed by ${signed(input.slope)} %.`);
@@ -169,7 +172,7 @@ export async function showRun(id) {
     if (p && typeof p === "object" && "value" in p)
       run[name] = p;
   const quick = numbersOf(studio.quick);
-  const speeds = (manifest.critical_speed || []).map(s => make("p", { className: "speed", textContent: s.sentence || "" }));
+  const speeds = (manifest.critical_speed || []).map(s => make("p", { className: "speed", textContent: named(manifest.critical_speed, s) }));
   const body = make("tbody");
   const lines = [...keyResults];
   for (const [name, label] of lines) {
