@@ -41,7 +41,7 @@ constexpr std::size_t most_values = 61, most_edits = 2000;
 ordered_json job_json(const JobState &job)
 {
   return {{"id", job.id},           {"status", job.status}, {"stage", job.stage}, {"percent", job.percent},
-          {"seconds", job.seconds}, {"left", job.left},     {"said", job.said}};
+          {"seconds", job.seconds}, {"left", job.left},     {"said", job.said},   {"file", job.file}};
 }
 
 std::string path_of_case(const CommandLine &command)

@@ -71,12 +71,12 @@ web::PageReply Studio::run(const std::string &body)
                     file = folder_ + "/" + id + ".toml";
   write_atomically(file, text);
   std::vector<std::string> words;
+  std::string made;
   if (exported) {
     fs::create_directories(folder_ + "/" + id, error);
     const std::string ending = what == "fmu" ? ".fmu" : what == "modelica" ? ".mo" : ".m";
-    const auto name          = fs::path(document_.path()).stem().string();
-    words = {"export",           what, document_.path(), "-o", folder_ + "/" + id + "/" + name + ending,
-             "--force-overwrite"};
+    made                     = slug(fs::path(document_.path()).stem().string()) + ending;
+    words = {"export", what, document_.path(), "-o", folder_ + "/" + id + "/" + made, "--force-overwrite"};
   } else {
     words = {"run", document_.path(), "-o", folder_ + "/" + id};
   }
@@ -85,7 +85,7 @@ web::PageReply Studio::run(const std::string &body)
   words.push_back(file);
   if (!command_.cache.empty())
     words.insert(words.end(), {"--cache", command_.cache});
-  jobs_.start(id, exported ? "millstand-all" : "millstand", words);
+  jobs_.start(id, exported ? "millstand-all" : "millstand", words, made);
   if (!exported)
     document_.add_run({id, text});
   return {202, text_of({{"id", id}})};

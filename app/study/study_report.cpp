@@ -87,8 +87,10 @@ std::string with_interval(const nlohmann::ordered_json &e)
   const auto number = [](const nlohmann::ordered_json &value) {
     return value.is_number() ? value.get<double>() : not_given;
   };
-  return fmt::format("{:>11} ({} .. {})", short_number(number(e["value"]), 5), short_number(number(e["low"]), 5),
-                     short_number(number(e["high"]), 5));
+  const std::string value = fmt::format("{:>11}", short_number(number(e["value"]), 5));
+  if (!std::isfinite(number(e["low"])) || !std::isfinite(number(e["high"])))  // the same in every row
+    return value;
+  return value + fmt::format(" ({} .. {})", short_number(number(e["low"]), 5), short_number(number(e["high"]), 5));
 }
 
 // Key with the largest share of the variance, and that share.
@@ -140,11 +142,12 @@ std::string summary_text(const nlohmann::ordered_json &document)
     if (!result.contains("statistics"))
       continue;
     const nlohmann::ordered_json &s = result["statistics"];
-    text +=
-        fmt::format("{} [{}]: mean {}, sd {}, 95 % of the rows {} .. {}; largest share of the variance: {}\n",
-                    result["name"].get<std::string>(), result["unit"].get<std::string>(), with_interval(s["mean"]),
-                    with_interval(s["sd"]), short_number(s["q025"]["value"].get<double>(), 5),
-                    short_number(s["q975"]["value"].get<double>(), 5), first_to_measure(document, result));
+    const std::string first         = first_to_measure(document, result);
+    text += fmt::format(
+        "{} [{}]: mean {}, sd {}, 95 % of the rows {} .. {}{}\n", result["name"].get<std::string>(),
+        result["unit"].get<std::string>(), with_interval(s["mean"]), with_interval(s["sd"]),
+        short_number(s["q025"]["value"].get<double>(), 5), short_number(s["q975"]["value"].get<double>(), 5),
+        first.empty() ? "" : "; largest share of the variance: " + first);
     if (result.contains("linear"))
       text += fmt::format("  by derivatives at the means: sd {}\n",
                           short_number(result["linear"]["sd"].get<double>(), 5));

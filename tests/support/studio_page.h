@@ -18,6 +18,7 @@ protected:
     folder = scratch("studio-browser");
     std::filesystem::remove_all(folder);
     std::filesystem::create_directories(folder);
+    put_case();
     begin("127.0.0.1:0");
     browser = std::make_unique<Browser>();
     browser->size(1400, 900);
@@ -25,6 +26,8 @@ protected:
     ASSERT_TRUE(browser->wait_for("return document.body.dataset.ready === 'yes'", 20)) << text("body");
     ASSERT_TRUE(settled());
   }
+  // The case in the folder; nothing: the studio begins with a new four-high stand.
+  virtual void put_case() {}
   void begin(const std::string &listen)
   {
     studio = std::make_unique<StudioProgram>(folder, listen, std::vector<std::string>{"--cache", shared_cache()});

@@ -179,8 +179,31 @@ void Browser::type(const std::string &keys)
       steps.push_back({{"type", step}, {"value", keys.substr(position, n)}});
     position += n;
   }
+  press(steps);
+}
+
+void Browser::type_with(const std::string &held, const std::string &key)
+{
+  json steps = json::array();
+  for (const auto &[step, value] :
+       {std::pair("keyDown", held), std::pair("keyDown", key), std::pair("keyUp", key), std::pair("keyUp", held)})
+    steps.push_back({{"type", step}, {"value", value}});
+  press(steps);
+}
+
+void Browser::press(const json &steps)
+{
   session("POST", "/actions",
           {{"actions", json::array({{{"type", "key"}, {"id", "keyboard"}, {"actions", steps}}})}});
+}
+
+json Browser::run_in_frame(const std::string &selector, const std::string &script)
+{
+  const json frame = session("POST", "/element", {{"using", "css selector"}, {"value", selector}});
+  session("POST", "/frame", {{"id", frame}});
+  const json value = run(script);
+  session("POST", "/frame", {{"id", nullptr}});
+  return value;
 }
 
 json Browser::console()

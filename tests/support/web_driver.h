@@ -24,6 +24,10 @@ public:
   bool wait_for(const std::string &script, double seconds = 5);
   /// A key as a user types it into what has the focus: "2", "\uE007".
   void type(const std::string &keys);
+  /// A key while another is held: "\uE009" (Control) and "s".
+  void type_with(const std::string &held, const std::string &key);
+  /// What the body of a function returns inside the first frame of a selector.
+  nlohmann::json run_in_frame(const std::string &selector, const std::string &script);
   /// Lines of the console since the last call: [{"level", "message"}].
   nlohmann::json console();
   /// Addresses of all requests since the last call.
@@ -31,6 +35,7 @@ public:
   void screenshot(const std::string &file);
 
 private:
+  void press(const nlohmann::json &steps);
   nlohmann::json call(const std::string &method, const std::string &path, const nlohmann::json &body = {});
   nlohmann::json session(const std::string &method, const std::string &path, const nlohmann::json &body = {});
   int process_ = -1, port_ = 0;

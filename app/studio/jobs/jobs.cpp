@@ -149,7 +149,8 @@ Jobs::~Jobs()
     state_->reader.join();
 }
 
-void Jobs::start(const std::string &id, const std::string &program, const std::vector<std::string> &arguments)
+void Jobs::start(const std::string &id, const std::string &program, const std::vector<std::string> &arguments,
+                 const std::string &file)
 {
   State &s = *state_;
   {
@@ -162,11 +163,11 @@ void Jobs::start(const std::string &id, const std::string &program, const std::v
   int ends[2];
   if (pipe2(ends, O_CLOEXEC) != 0)
     refuse_file(errno, "the run cannot be started");
-  const auto file = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / program).string();
+  const auto path = (std::filesystem::read_symlink("/proc/self/exe").parent_path() / program).string();
   {
     const std::lock_guard lock(s.access);
     try {
-      s.process = start_with_pipe(file, arguments, ends[1]);
+      s.process = start_with_pipe(path, arguments, ends[1]);
     } catch (const InputError &) {
       close(ends[0]);
       close(ends[1]);
@@ -174,6 +175,7 @@ void Jobs::start(const std::string &id, const std::string &program, const std::v
     }
     s.job         = {};
     s.job.id      = id;
+    s.job.file    = file;
     s.job.status  = "running";
     s.job.stage   = "begins";
     s.begin       = now();

@@ -14,6 +14,7 @@ struct JobState {
   double seconds = 0;   ///< since its begin
   double left    = -1;  ///< s; -1: not known yet
   std::string said;     ///< last lines that the program printed
+  std::string file;     ///< that it makes in the folder `id`; empty: it makes a run
 };
 
 /// One program at a time, in a process of its own, so that neither its memory nor its end is ours.
@@ -26,8 +27,10 @@ public:
   Jobs &operator=(const Jobs &) = delete;
 
   /// Starts the program in the folder of this one.
+  /// @param file  JobState::file
   /// @throws InputError  something runs; it cannot be started
-  void start(const std::string &id, const std::string &program, const std::vector<std::string> &arguments);
+  void start(const std::string &id, const std::string &program, const std::vector<std::string> &arguments,
+             const std::string &file = "");
   void cancel();
   JobState state() const;
 

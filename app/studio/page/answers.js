@@ -1,6 +1,6 @@
 // The right column: what check says, the quick answer with changes, and the finite elements with what they differ by.
-import { address, ask, banner, byId, edit, isOld, make, on, studio } from "./state.js";
-import { jump } from "./fields.js";
+import { address, ask, banner, byId, edit, isOld, make, on, reread, studio } from "./state.js";
+import { jump, words } from "./fields.js";
 
 const shownUnits = { "N/m": ["MN/mm", 1e-9], N: ["kN", 1e-3], m: ["mm", 1e3], "kg": ["t", 1e-3], "1": ["%", 100], "Hz": ["Hz", 1], "m/s": ["m/s", 1] };
 
@@ -21,10 +21,13 @@ export function change(value, base) {
   return Math.abs(percent) < 0.005 ? "=" : `${percent > 0 ? "+" : "−"}${Math.abs(percent) < 10 ? Math.abs(percent).toFixed(2) : Math.abs(percent).toFixed(1)} %`;
 }
 
+// The sentence of a pass, with its name where there are several.
+const named = (speeds, s) => speeds.length > 1 ? `${words(s.pass)}: ${s.sentence || ""}` : s.sentence || "";
+
 const signed = slope => `${slope < 0 ? "−" : "+"}${plain(Math.abs(slope), 2)}`;
 
 const rows = [
-  ["Gap modes", ["mode.gap_first_kind.frequency", "gap mode, first kind"], ["mode.gap_second_kind.frequency", "gap mode, second kind"],
+  ["Gap modes of six masses", ["mode.gap_first_kind.frequency", "gap mode, first kind"], ["mode.gap_second_kind.frequency", "gap mode, second kind"],
     ["open.mode.gap_first_kind.frequency", "first kind, open stand"], ["f1", "lowest mode, f1"], ["f6", "highest mode, f6"]],
   ["Stiffness", ["K3", "K3, upper rolls"], ["K5", "K5, lower rolls"], ["K4", "K4, strip"], ["Kzc1", "Kzc, backup roll"], ["Kzc2", "Kzc, work roll"],
     ["stand.modulus.kiss", "mill modulus, rolls touching"], ["stand.modulus.tangent", "mill modulus with strip"]],
@@ -75,15 +78,15 @@ function drawQuick() {
     return old();
   }
   const now = numbersOf(quick), base = studio.base ? numbersOf(studio.base.quick) : {};
-  const speeds = quick.speeds.map(s => {
-    const box = make("p", { className: "speed", textContent: s.sentence });
+  const speeds = quick.speeds.map((s, i) => {
+    const box = make("p", { className: "speed", textContent: named(quick.speeds, s) });
     box.dataset.finding = s.finding;
     const before = base[`critical_speed.${s.pass}`];
     if (before && s.critical !== null)
       box.append(` Since ${studio.base.name}: ${change(s.critical, before.value)}.`);
     for (const key of s.missing) {
       const go = make("button", { textContent: key });
-      go.addEventListener("click", () => jump(key.replace(/^pass\./, "pass.0.")));
+      go.addEventListener("click", () => jump(key.replace(/^pass\./, `pass.${i}.`)));
       box.append(" ", go);
     }
     return box;
@@ -108,9 +111,9 @@ function drawQuick() {
     for (const r of quick.results.slice(0, 24))
       body.append(make("tr", {}, make("td", { textContent: r.name, title: r.meaning }), make("td", { textContent: r.value === null ? "–" : digits(r.value, r.unit) }), make("td", {})));
   byId("quick").replaceChildren(...speeds, table);
-  const named = { gap_first_kind: "the gap mode, first kind,", gap_second_kind: "the gap mode, second kind," };
+  const kinds = { gap_first_kind: "the gap mode, first kind,", gap_second_kind: "the gap mode, second kind," };
   const moves = quick.moves.filter(m => m.mode === "gap_first_kind").slice(0, 4)
-    .map(m => `1 % of ${m.input} moves ${named[m.mode]} by ${signed(m.slope)} %.`);
+    .map(m => `1 % of ${m.input} moves ${kinds[m.mode]} by ${signed(m.slope)} %.`);
   for (const s of quick.speeds.slice(0, 1))
     for (const input of s.inputs.filter(i => i.slope !== null).slice(0, 5))
       moves.push(`1 % of ${input.name.replace(/_/g, " ")} moves the critical speed by ${signed(input.slope)} %.`);
@@ -129,7 +132,7 @@ function old() {
 // -- finite elements -----------------------------------------------------------------------------------------------
 let running = false, lastRun = "";
 
-function drawJob(job) {
+export function drawJob(job) {
   running = job.status === "running";
   byId("cancel").hidden = !running;
   byId("run-progress").hidden = !running;
@@ -141,16 +144,17 @@ function drawJob(job) {
     byId("run-answer").replaceChildren(make("pre", { textContent: job.said }));
   if (job.status !== "done")
     return;
-  if (job.id.startsWith("run-"))
-    showRun(job.id);
-  else
+  if (job.id.startsWith("run-")) {
+    reread().catch(() => {});  // pins of this state have a run now
+    showRun(job.id).catch(error => banner(error.message, 6000));
+  } else {
     offerExport(job);
+  }
 }
 
 function offerExport(job) {
-  const name = studio.document.path.replace(/^.*\//, "").replace(/\.toml$/, "");
-  const ending = { fmu: ".fmu", modelica: ".mo", matlab: ".m" }[byId("export").dataset.last] || ".fmu";
-  byId("run-answer").replaceChildren(make("p", {}, make("a", { href: address(`/run/${job.id}/${name}${ending}`), download: name + ending, textContent: `Download ${name}${ending}` })));
+  const file = job.file;
+  byId("run-answer").replaceChildren(make("p", {}, make("a", { id: "download", href: address(`/run/${job.id}/${file}`), download: file, textContent: `Download ${file}` })));
 }
 
 export function openReport(path, title) {
@@ -168,20 +172,34 @@ export async function showRun(id) {
     if (p && typeof p === "object" && "value" in p)
       run[name] = p;
   const quick = numbersOf(studio.quick);
-  const speeds = (manifest.critical_speed || []).map(s => make("p", { className: "speed", textContent: s.sentence || "" }));
+  const speeds = (manifest.critical_speed || []).map(s => make("p", { className: "speed", textContent: named(manifest.critical_speed, s) }));
   const body = make("tbody");
   const lines = [...keyResults];
   for (const [name, label] of lines) {
     const found = run[name] || run[`${name}.tangent`] || run[`${name}.combined`];
     if (!found || typeof found.value !== "number")
       continue;
-    body.append(make("tr", {}, make("td", { textContent: label, title: name }), make("td", { textContent: digits(found.value, found.unit) }),
-      make("td", { textContent: quick[name] ? change(found.value, quick[name].value) : "" })));
+    const six = (found.checks || []).find(check => check.name === "six masses"), cell = make("td");
+    if (quick[name])
+      cell.append(change((six || found).value, quick[name].value), ...(six ? [make("br"), make("small", { textContent: `six masses ${digits(six.value, found.unit)}` })] : []));
+    body.append(make("tr", {}, make("td", { textContent: label, title: name }), make("td", { textContent: digits(found.value, found.unit) }), cell));
   }
+  const detailed = (run["mode.gap_first_kind.frequency"] || {}).source || "", rolls = /rolls as [^;]*$/.exec(detailed);
+  const why = make("p", { className: "why", textContent: rolls ? `Gap modes of the run: ${rolls[0]}. The quick answer has six rigid masses and is held against the six masses of the run.` : "" });
   const open = make("button", { textContent: "Show the report", id: "show-report" });
   open.addEventListener("click", () => openReport(`/run/${id}/report.html`, `Report of ${id}`));
   byId("run-answer").replaceChildren(...speeds, make("p", { textContent: results.status && results.status !== "ok" ? `The run ended with status ${results.status}.` : "" }),
-    make("table", {}, make("thead", {}, make("tr", {}, make("th", { textContent: id }), make("th", { textContent: "finite elements" }), make("th", { textContent: "against quick" }))), body), open);
+    make("table", {}, make("thead", {}, make("tr", {}, make("th", { textContent: id }), make("th", { textContent: "finite elements" }), make("th", { textContent: "against quick" }))), body), why, open);
+}
+
+const shownRun = () => lastRun || studio.document.run;
+
+export function chooseExport() {
+  const errors = !studio.check || studio.check.problems.some(p => p.severity === "error");
+  byId("export-box").querySelectorAll(".choices button").forEach(button => { button.disabled = button.value === "page" ? !shownRun() : errors || running; });
+  byId("export-page").title = shownRun() ? "" : "press Run first: the page is that of a run";
+  byId("export-box").returnValue = "";
+  byId("export-box").showModal();
 }
 
 export async function startRun(what = "run") {
@@ -200,14 +218,11 @@ export function begin() {
   on("run", drawJob);
   byId("run").addEventListener("click", () => startRun());
   byId("cancel").addEventListener("click", () => startRun("cancel"));
-  byId("export").addEventListener("change", () => {
-    const what = byId("export").value;
-    byId("export").value = "";
-    byId("export").dataset.last = what;
-    if (what === "page" && (lastRun || studio.document.run))
-      openReport(`/run/${lastRun || studio.document.run}/report.html`, "Report");
-    else if (what === "page")
-      banner("Press Run first: the page is that of a run.", 5000);
+  byId("export").addEventListener("click", chooseExport);
+  byId("export-box").addEventListener("close", () => {
+    const what = byId("export-box").returnValue;
+    if (what === "page")
+      openReport(`/run/${shownRun()}/report.html`, `Report of ${shownRun()}`);
     else if (what)
       startRun(what);
   });
@@ -219,7 +234,6 @@ export async function save() {
     await edit({ op: "hello" });  // what waits is sent first
     await ask("/save", {});
     banner("Saved.", 1500);
-    const { reread } = await import("./state.js");
     await reread();
   } catch (error) {
     banner(error.message, 8000);

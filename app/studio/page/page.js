@@ -23,7 +23,7 @@ function keys(event) {
     return;
   const key = event.key.toLowerCase();
   const action = key === "s" ? answers.save : key === "z" && !event.shiftKey ? () => step("undo") : key === "y" || (key === "z" && event.shiftKey) ? () => step("redo")
-    : key === "enter" ? () => byId("run").click() : key === "k" ? () => byId("search").focus() : null;
+    : key === "enter" ? () => byId("run").click() : key === "k" ? () => byId("search").focus() : key === "e" ? answers.chooseExport : null;
   if (action) {
     event.preventDefault();
     action();
@@ -93,6 +93,8 @@ async function begin() {
     listen();
     if (first.run)
       answers.showRun(first.run).catch(() => {});
+    if (first.job.status === "running" || first.job.file)  // begun before a reload
+      answers.drawJob(first.job);
     document.body.dataset.ready = "yes";
   } catch (error) {
     banner(error.status === 401 ? "This address has not the token of the running program; open the address that it printed." : error.message);

@@ -29,10 +29,18 @@ function differences(values) {
   return [...keys].filter(key => values[key] !== studio.values[key]);
 }
 
+// Two states that were run, and by different runs.
+function showCompare() {
+  const runs = studio.document.pins.filter(pin => chosen.has(pin.name)).map(pin => pin.run), without = runs.some(run => !run);
+  byId("compare").disabled = runs.length !== 2 || without || runs[0] === runs[1];
+  byId("compare-note").textContent = runs.length !== 2 ? (studio.document.pins.length > 1 ? "mark two pins" : "")
+    : without ? "a pin without a run: go back to it and press Run" : runs[0] === runs[1] ? "both pins are one state" : "";
+}
+
 function drawPins() {
   const pins = studio.document.pins, now = numbersOf(studio.quick), table = byId("pins");
   chosen = new Set([...chosen].filter(name => pins.some(p => p.name === name)));
-  byId("compare").disabled = chosen.size !== 2;
+  showCompare();
   if (!pins.length) {
     table.replaceChildren();
     return;
@@ -44,7 +52,7 @@ function drawPins() {
   for (const pin of pins) {
     const answer = answers.get(pin.name), of = numbersOf(answer);
     const box = make("input", { type: "checkbox", checked: chosen.has(pin.name), ariaLabel: `compare ${pin.name}` });
-    box.addEventListener("change", () => { box.checked ? chosen.add(pin.name) : chosen.delete(pin.name); byId("compare").disabled = chosen.size !== 2; });
+    box.addEventListener("change", () => { box.checked ? chosen.add(pin.name) : chosen.delete(pin.name); showCompare(); });
     const back = make("button", { textContent: "Back to it", disabled: pin.same });
     back.addEventListener("click", () => edit({ op: "back", name: pin.name }).catch(error => banner(error.message, 6000)));
     const drop = make("button", { textContent: "×", ariaLabel: `take ${pin.name} away`, title: "take away" });

@@ -11,7 +11,6 @@ namespace mill {
 struct Database::Implementation {
   std::string path;
   sqlite3 *file = nullptr;
-  std::string copy;  // of a file that was cut inside a transaction; empty: none
 };
 
 struct Statement::Implementation {
@@ -61,20 +60,27 @@ Database::Database(std::string path, const Open how) : own(std::make_unique<Impl
     open_copy();
 }
 
-// A reader never writes into the file of another process: the cut transaction is undone in a copy.
+// A reader never writes into the file of another process: the cut transaction is undone in a copy, which has no
+// name from then on, so that nothing is left of a reader that is killed.
 void Database::open_copy()
 {
   sqlite3_close(own->file);
-  own->file = nullptr;
-  own->copy = (fs::temp_directory_path() / ("millstand-rows-" + random_name() + ".db")).string();
-  std::error_code error;
-  fs::copy_file(own->path, own->copy, error);
+  own->file              = nullptr;
+  const std::string copy = (fs::temp_directory_path() / ("millstand-rows-" + random_name() + ".db")).string();
+  std::error_code error, ignored;
+  fs::copy_file(own->path, copy, error);
   if (!error)
-    fs::copy_file(own->path + "-journal", own->copy + "-journal", error);
-  const int code =
-      error ? SQLITE_CANTOPEN : sqlite3_open_v2(own->copy.c_str(), &own->file, SQLITE_OPEN_READWRITE, nullptr);
-  if (code != SQLITE_OK)
-    throw SystemError(own->path + " cannot be copied to " + own->copy + ", which undoes its cut transaction");
+    fs::copy_file(own->path + "-journal", copy + "-journal", error);
+  const bool undone = !error &&
+                      sqlite3_open_v2(copy.c_str(), &own->file, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK &&
+                      !has_cut_transaction(own->file);
+  for (const char *ending : {"", "-journal"})
+    fs::remove(copy + ending, ignored);
+  if (!undone) {
+    sqlite3_close(own->file);
+    own->file = nullptr;
+    throw SystemError(own->path + " cannot be copied to " + copy + ", which undoes its cut transaction");
+  }
 }
 
 Database::~Database()
@@ -82,10 +88,6 @@ Database::~Database()
   if (!own)
     return;
   sqlite3_close(own->file);
-  std::error_code ignored;
-  if (!own->copy.empty())
-    for (const char *ending : {"", "-journal"})
-      fs::remove(own->copy + ending, ignored);
 }
 
 Database::Database(Database &&) noexcept = default;

@@ -5,6 +5,7 @@ import resource
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 import unittest
@@ -74,6 +75,42 @@ class Process(unittest.TestCase):
             case.run(progress=interrupt, fresh=True, cache=CACHE + "-interrupted")
         self.assertLess(time.perf_counter() - begun[0], 1.0)
         self.assertIn("f1", ms.load(CASES / "published-1400.toml").modes())
+
+    def test_verbs_that_leave_a_folder_show_how_far_they_are(self):
+        case = ms.load(CASES / "published-1400.toml")
+        vary = {"given.K1": "normal(1 %)"}
+        with tempfile.TemporaryDirectory() as folder:
+            record = Path(folder) / "noise.csv"
+            noise = np.random.default_rng(1).standard_normal(4000)
+            record.write_text("time [s],a1 [g]\n" + "".join(f"{i / 2000},{a}\n" for i, a in enumerate(noise)))
+            verbs = {
+                "sweep": lambda p: ms.sweep(case, {"given.K1": ["6 MN/mm", "7 MN/mm"]}, ["f1"], model="quick", progress=p),
+                "study": lambda p: ms.study(case, vary, ["f1"], samples=8, model="quick", run=False, progress=p),
+                "study run": lambda p: ms.study(case, vary, ["f1"], samples=8, model="quick").run(progress=p),
+                "analyse": lambda p: ms.record(record).analyse(progress=p),
+            }
+            for name, verb in verbs.items():
+                shown = []
+                verb(lambda stage, fraction: shown.append((stage, fraction)))
+                fractions = [fraction for stage, fraction in shown]
+                if name in ("sweep", "analyse"):
+                    self.assertGreater(len(shown), 0, name)
+                self.assertEqual(fractions, sorted(fractions), name)
+                self.assertTrue(all(0 <= fraction <= 1 and stage for stage, fraction in shown), name)
+
+    def test_an_exception_of_progress_ends_the_verb_and_ctrl_c_works_afterwards(self):
+        class Enough(Exception):
+            pass
+
+        def raise_it(stage, fraction):
+            raise Enough
+
+        case = ms.load(CASES / "published-1400.toml")
+        with self.assertRaises(Enough):
+            ms.study(case, {"given.K1": "normal(1 %)"}, ["f1"], samples=2000, model="quick", progress=raise_it)
+        with self.assertRaises(KeyboardInterrupt):  # the handler of the interpreter is still there
+            os.kill(os.getpid(), signal.SIGINT)
+            time.sleep(1)
 
     def test_memory_stays_after_many_cases_and_errors(self):
         def one(i):

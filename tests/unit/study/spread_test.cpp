@@ -92,5 +92,15 @@ TEST(Spread, ShareOutsideIsThatOfTheNormalLaw)
   spread.mean = 10, spread.sd = 2;
   EXPECT_TRUE(near(share_outside(spread, 6, std::numeric_limits<double>::infinity()), 0.022750131948,
                    within(1e-9, "Phi(-2) of tables")));
+  spread.kind = Spread::Kind::uniform;
+  spread.low = -5, spread.high = 5;
+  EXPECT_TRUE(near(share_outside(spread, 1, 100), 0.6, within(1e-12, "closed form")));
+}
+
+TEST(Spread, ARemedyFitsTheDistribution)
+{
+  const std::string uniform = refusal("work_roll.barrel_diameter~uniform(-5, 420) mm");
+  EXPECT_NE(uniform.find("move its ends inside"), std::string::npos) << uniform;
+  EXPECT_EQ(uniform.find("truncate"), std::string::npos) << uniform;
 }
 }  // namespace

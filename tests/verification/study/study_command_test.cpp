@@ -151,6 +151,10 @@ TEST(StudyCommand, AListNamesItsRowsAndWords)
   expect_refused("study new cases/published-1400.toml --method list --list " + folder + "/bare.csv -o " + folder +
                      "/x",
                  "bare.csv:1:1: error:");
+  mill::write_atomically(folder + "/range.csv", "given.K3 [kN/mm]\n30000\n-6\n");
+  expect_refused("study new cases/published-1400.toml --method list --list " + folder + "/range.csv -o " + folder +
+                     "/x",
+                 "range.csv:3:1: error: row 2 (given.K3 = -6 kN/mm)");
 }
 
 TEST(StudyCommand, RefusesWhatCannotBeStudied)
@@ -168,6 +172,9 @@ TEST(StudyCommand, RefusesWhatCannotBeStudied)
   expect_done(chain + "--samples 10 " + vary + to);
   expect_refused(chain + "--samples 20 " + vary + to,
                  "holds a study of published-1400 by latin-hypercube with 10 rows");
+  expect_refused(chain + "--samples 20 " + vary + to, "now     samples = 20");
+  expect_refused(chain + "--samples 10 " + vary + to,
+                 "holds this study already; go on with: millstand study run " + there);
   expect_refused("study work " + there + " --shard 5/4", "the shards of 4 are 1/4 to 4/4");
   expect_refused("study work " + there + " --shard x", "is not of the form I/N");
   expect_refused("study report " + there, "no row of " + there + " is finished");

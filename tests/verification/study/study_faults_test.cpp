@@ -116,6 +116,23 @@ TEST(StudyFaults, WhatAKilledMergeLeavesIsRemovedByTheNext)
   EXPECT_TRUE(parts_in(folder).empty());
 }
 
+TEST(StudyFaults, WorkersEndWithTheirCommand)
+{
+  const std::string folder = scratch("study-orphans") + "/study";
+  new_study(folder, 3000);
+  // The command is killed; its workers end what is under way and no more.
+  const Outcome ended =
+      shell("'" MILLSTAND_PROGRAM "' study run '" + folder +
+                "' --jobs 2 -q & run=$!; sleep 0.3; kill -9 $run; for i in $(seq 100); do pgrep -f "
+                "\"study work " +
+                folder + " \" > /dev/null || exit 0; sleep 0.1; done; exit 1",
+            "/");
+  EXPECT_EQ(ended.exit_code, 0) << "a worker goes on";
+  const Outcome status = millstand("study status " + folder);
+  EXPECT_EQ(status.out.find("\n3000 of 3000"), std::string::npos) << status.out;
+  EXPECT_NE(status.out.find(", 0 of them begun"), std::string::npos) << "nothing was cut\n" << status.out;
+}
+
 TEST(StudyFaults, AFolderThatCannotBeWrittenIsNamed)
 {
   const std::string folder = scratch("study-unwritable");
