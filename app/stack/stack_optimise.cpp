@@ -15,7 +15,6 @@ using Eigen::VectorXd;
 
 constexpr double micrometre = 1e-6;  // m, distance from a target that weighs as much as
 constexpr double least_move = 1e-3;  // a thousandth of a range squared
-constexpr double shift_step = 1e-3;  // m, of the central difference
 constexpr double settled    = 1e-6;  // of the ranges
 constexpr int most_steps    = 20;
 constexpr int most_halvings = 8;

@@ -5,6 +5,8 @@
 
 // Settings of the actuators of a stack for a wanted profile of the strip.
 namespace mill {
+constexpr double shift_step = 1e-3;  ///< m, of central differences over a shift, which moves the places of contact
+
 enum class StackActuatorKind { bending, shift, eccentric };
 
 /// What may be changed, of a listed roll and of the one that is made of it.

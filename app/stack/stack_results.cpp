@@ -163,7 +163,6 @@ StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, c
 }
 
 namespace {
-constexpr double shift_step     = 1e-3;  // m
 const char *const by_difference = "central difference over 2 mm: a shift moves the places of contact";
 
 // Of a roll that is shifted, or that a map shifts.
