@@ -163,7 +163,7 @@ StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, c
 }
 
 namespace {
-constexpr double shift_step     = 1e-3;  // m
+constexpr double step_of_shift  = 1e-3;  // m
 const char *const by_difference = "central difference over 2 mm: a shift moves the places of contact";
 
 // Of a roll that is shifted, or that a map shifts.
@@ -176,13 +176,13 @@ void add_influence_of_shift(StackNumbers &all, const StackInput &input, const So
   const StackActuator shift = stack_actuator(input, solved.stack, written.name + ".shift");
   std::array<reduce::StripState, 2> strip;
   for (const std::size_t side : {0, 1})
-    strip[side] = make(with_actuator(input, solved.stack, shift, shift.present + (side ? 1 : -1) * shift_step))
+    strip[side] = make(with_actuator(input, solved.stack, shift, shift.present + (side ? 1 : -1) * step_of_shift))
                       ->solve()
                       .strip;
   for (const auto &[what, low, high] : {std::tuple{"crown", strip[0].crown, strip[1].crown},
                                         {"edge_drop", strip[0].edge_drop, strip[1].edge_drop}})
     all.push_back({result_name({family::influence, what, written.name + ".shift"}),
-                   (high - low) / (2 * shift_step),
+                   (high - low) / (2 * step_of_shift),
                    "1",
                    by_difference,
                    {}});

@@ -51,7 +51,7 @@ std::vector<SpreadForce> forces_on(const Stack &stack, const StackState &state, 
 }
 
 // The thinner of the sections that meet at a place.
-double diameter_at(const StackRoll &roll, const double z)
+double thinner_diameter_at(const StackRoll &roll, const double z)
 {
   constexpr double there = 1e-6;  // m
   double diameter        = INFINITY;
@@ -81,7 +81,7 @@ SectionForces section_forces(const Stack &stack, const StackState &state, const 
         out.moment(i, axis) += share * f.force[std::size_t(axis)] * lever;
       }
     }
-    const double d = diameter_at(stack.rolls[roll], z);
+    const double d = thinner_diameter_at(stack.rolls[roll], z);
     out.stress[i]  = std::isfinite(d) ? 32 * out.moment.row(i).norm() / (M_PI * d * d * d) : 0;
   }
   return out;
