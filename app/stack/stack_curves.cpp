@@ -16,7 +16,7 @@
 
 namespace mill {
 namespace {
-constexpr int coarse_elements = 30;  // over the width
+constexpr int elements_of_maps = 30;  // over the width
 constexpr int forces_of_curve = 10;
 
 void write_lines(const RunContext &run, const SolvedStack &solved)
@@ -152,7 +152,7 @@ std::optional<reduce::StackState> state_of(const StackInput &input, const Stack 
     if (stack.strip.width / 2 + std::abs(stack.strip.offset - stack.rolls[r].shift) > stack.rolls[r].length / 2)
       return std::nullopt;
   try {
-    return beams_of(input, coarse_elements)(stack)->solve();
+    return beams_of(input, elements_of_maps)(stack)->solve();
   } catch (const SolverError &) {
     return std::nullopt;
   }

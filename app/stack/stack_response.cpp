@@ -13,7 +13,7 @@
 
 namespace mill {
 namespace {
-constexpr double usual_distance = 5;  // m, of free strip
+constexpr double usual_free_strip = 5;  // m, of free strip
 
 // A chain that has no numbers: its place in what drives a detailed stand.
 LumpedModel no_chain()
@@ -55,8 +55,8 @@ StackSpeedInputs stack_speed_inputs(RunContext &run, const StackInput &input, co
   const auto or_usual = [&](const double given, const char *key) {
     if (!std::isnan(given))
       return given;
-    run.assume(fmt::format("stand.{} is not given: {:g} m of free strip are assumed", key, usual_distance));
-    return usual_distance;
+    run.assume(fmt::format("stand.{} is not given: {:g} m of free strip are assumed", key, usual_free_strip));
+    return usual_free_strip;
   };
   return {rolled.bite, or_usual(input.span.entry_distance, "entry_distance"),
           or_usual(input.span.exit_distance, "exit_distance")};

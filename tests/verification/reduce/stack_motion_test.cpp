@@ -34,8 +34,10 @@ TEST_P(StackInMotion, HasTheFrequenciesOfTheIndependentModel)
 {
   const std::string name = GetParam();
   const Moved moved(name);
-  const auto modes     = stand_modes(moved.moving.model);
-  const Reference list = reference(name, "stack")["result"]["frequencies_Hz"];
+  const auto modes = stand_modes(moved.moving.model);
+  // Of the four-high the reference lists them with local flattening, which no frequency feels.
+  const Reference list =
+      reference(name == "four-high" ? "four-high.local" : name, "stack")["result"]["frequencies_Hz"];
   ASSERT_GE(list.size(), 6u);
   for (std::size_t i = 0; i < list.size(); ++i)
     EXPECT_TRUE(near(modes.frequency[Eigen::Index(i)], double(list[i]), within(3e-3, "mesh of both models"))) << i;
@@ -80,7 +82,7 @@ TEST_P(StackInMotion, HasTheMassOfItsRollsAndChocks)
   EXPECT_TRUE(near(of_lumps, of_beams, within(1e-9, "the same sections")));
 }
 
-INSTANTIATE_TEST_SUITE_P(All, StackInMotion, testing::Values("four-high", "six-high", "twenty-high"),
+INSTANTIATE_TEST_SUITE_P(All, StackInMotion, testing::Values("two-high", "four-high", "six-high", "twenty-high"),
                          [](const auto &entry) {
                            std::string name = entry.param;
                            for (char &c : name)
@@ -93,9 +95,11 @@ TEST(StackMotion, LumpedFourHighIsTwoMassesAHalf)
   const Moved moved("four-high");
   const MovingStack lumped = lumped_stack(moved.engine, moved.state);
   const auto modes         = stand_modes(lumped.model);
-  const double bearings    = 2 * moved.stack.rolls[1].supports[0].stiffness[1],
+  const StackContact &pair = moved.stack.contacts[0];
+  const double bearings    = 2 * moved.stack.rolls[pair.b].supports[0].stiffness[1],
                contact     = moved.state.pairs[0].loaded_tangent;
-  const double backup = lumped.model.M(1, 1), work = lumped.model.M(0, 0);
+  const auto a_row = Eigen::Index(pair.a), b_row = Eigen::Index(pair.b);
+  const double backup = lumped.model.M(b_row, b_row), work = lumped.model.M(a_row, a_row);
   const double a = (bearings + contact) / backup, c = contact / work;
   for (const double sign : {-1., 1.}) {
     const double square =
