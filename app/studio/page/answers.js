@@ -154,7 +154,7 @@ export function drawJob(job) {
 
 function offerExport(job) {
   const file = job.file;
-  byId("run-answer").replaceChildren(make("p", {}, make("a", { id: "download", href: address(`/run/${job.id}/${file}`), download: file, textContent: `Download ${file}` })));
+  byId("export-answer").replaceChildren(make("p", {}, make("a", { id: "download", href: address(`/run/${job.id}/${file}`), download: file, textContent: `Download ${file}` })));
 }
 
 export function openReport(path, title) {
