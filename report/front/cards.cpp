@@ -222,9 +222,6 @@ std::string bite_cards(const Run &run)
          card(run.find("K4.plastic_slope"), "K4, plastic slope");
 }
 
-// The two contacts that a pair of bodies is asked for.
-const char *const pair_contacts[] = {"line", "space"};
-
 std::string contact_cards(const Run &run)
 {
   std::string all;

@@ -3,6 +3,9 @@
 #include <string>
 
 namespace mill::report {
+/// The two contacts that a pair of bodies is asked for.
+inline constexpr const char *pair_contacts[] = {"line", "space"};
+
 /// The numbers that a mill is judged by, one card each.  HTML; empty where the run has none.
 std::string cards(const Run &run);
 

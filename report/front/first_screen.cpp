@@ -23,9 +23,13 @@ bool has_failed(const Run &run)
   return run.status != "ok" && run.status != "warnings";
 }
 
-// A sentence begins with a capital; a key of the case ("output_rate", "strip.width") stays as it is written.
-std::string upper_first(std::string text)
+// A sentence begins with a capital; a key of the case ("output_rate", "strip.width") and the name of a pass stay
+// as they are written.
+std::string upper_first(const Run &run, std::string text)
 {
+  for (const PassInfo &pass : run.manifest.passes)
+    if (!pass.name.empty() && text.rfind(pass.name + ":", 0) == 0)
+      return text;
   const std::string word = text.substr(0, text.find_first_of(" :,"));
   if (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos)
     text[0] = char(text[0] - 'a' + 'A');
@@ -66,7 +70,7 @@ std::string stability_sentence(const Run &run, const std::vector<SpeedVerdict> &
   const std::string worst = sentence_of(verdicts.front());
   const bool differ       = std::any_of(verdicts.begin(), verdicts.end(),
                                         [&](const SpeedVerdict &v) { return sentence_of(v) != worst; });
-  return escaped(differ ? upper_first(title_of_pass(run, verdicts.front().pass)) + ": " + worst : worst);
+  return escaped(differ ? title_of_pass(run, verdicts.front().pass) + ": " + worst : worst);
 }
 
 // The words repeat what the colour shows, for readers who do not see colours.
@@ -103,13 +107,13 @@ std::size_t end_of_fact(const std::string &warning)
   return warning.size();
 }
 
-std::string fact_item(const std::string &warning)
+std::string fact_item(const Run &run, const std::string &warning)
 {
   const std::size_t end = end_of_fact(warning);
   if (end + 2 >= warning.size())
-    return "<li>" + escaped(upper_first(warning)) + "</li>\n";
-  return "<li><details><summary>" + escaped(upper_first(warning.substr(0, end))) + "</summary>" +
-         escaped(upper_first(warning.substr(end + 2))) + "</details></li>\n";
+    return "<li>" + escaped(upper_first(run, warning)) + "</li>\n";
+  return "<li><details><summary>" + escaped(upper_first(run, warning.substr(0, end))) + "</summary>" +
+         escaped(upper_first(run, warning.substr(end + 2))) + "</details></li>\n";
 }
 
 std::string known(const Run &run)
@@ -118,7 +122,7 @@ std::string known(const Run &run)
     return "";
   std::string first, rest;
   for (std::size_t i = 0; i < run.warnings.size(); ++i)
-    (i < most_facts ? first : rest) += fact_item(run.warnings[i]);
+    (i < most_facts ? first : rest) += fact_item(run, run.warnings[i]);
   const std::size_t more = run.warnings.size() - std::min(most_facts, run.warnings.size());
   return "<div class=\"known\"><ul>\n" + first + "</ul>" +
          (more == 0

@@ -138,10 +138,10 @@ void draw_along_rolls(const View &view, const Sizes &size, const Heights &height
                 "strip-line");
 }
 
-// A line of whole metres below the drawing.
+// A line below the drawing, some 100 px long.
 void draw_scale(Svg &svg, const double scale, const double x, const double y)
 {
-  const double metres = scale > 90 ? 1 : scale > 45 ? 2 : 4;
+  const double metres = scale > 450 ? 0.2 : scale > 180 ? 0.5 : scale > 90 ? 1 : scale > 45 ? 2 : 4;
   svg.line(x, y, x + scale * metres, y, "dimension");
   for (const double end : {0.0, metres})
     svg.line(x + scale * end, y - 4, x + scale * end, y + 4, "dimension");

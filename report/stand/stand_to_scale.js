@@ -137,7 +137,7 @@ export function standToScale(length) {
     views.side = new View(shapes, scale, 10 + scale * broad + viewGap + 0.5 * scale * side, y);
     drawAlongRolls(views.side, size, heights);
   }
-  const metres = scale > 90 ? 1 : scale > 45 ? 2 : 4, foot = tall + 30;
+  const metres = scale > 450 ? 0.2 : scale > 180 ? 0.5 : scale > 90 ? 1 : scale > 45 ? 2 : 4, foot = tall + 30;
   front.line(10, foot, 10 + scale * metres, foot, "dimension");
   for (const end of [0, metres])
     front.line(10 + scale * end, foot - 4, 10 + scale * end, foot + 4, "dimension");

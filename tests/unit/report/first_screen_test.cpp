@@ -93,7 +93,7 @@ TEST(FirstScreen, BeginsWithTheVerdictOfTheWorstPass)
   v.finding = mill::SpeedFinding::not_searched;
   v.missing = {"pass.speed"};
   run.manifest.speeds.push_back(v);
-  EXPECT_TRUE(says(first_screen(run), "<b>Stand 5: At 16.0 m/s, 15 %"));
+  EXPECT_TRUE(says(first_screen(run), "<b>stand 5: At 16.0 m/s, 15 %"));
   run.manifest.speeds = {v};
   EXPECT_TRUE(says(first_screen(run), "<b>Critical speed not searched: pass.speed is not given.</b>"));
   EXPECT_FALSE(says(first_screen(run), "<span>critical speed"));
@@ -121,13 +121,15 @@ TEST(FirstScreen, StatesTheRangeThatHasNoCriticalSpeed)
 TEST(FirstScreen, BeginsAWarningWithACapitalAndLeavesKeysAsTheyAre)
 {
   mill::report::Run run  = four_high();
-  run.warnings           = {"pass 1: the content of the force ends early",
+  run.manifest.passes    = {PassInfo{"p", "p", not_given, true, "measured"}};
+  run.warnings           = {"bite of pass 1: the content of the force ends early", "p: nothing was simulated",
                             "output_rate = 20 kHz gives 5.44 points per period of the highest mode; raise it",
                             "strip.width is not known"};
   const std::string html = first_screen(run);
-  EXPECT_TRUE(says(html, "<li>Pass 1: the content")) << html;
+  EXPECT_TRUE(says(html, "<li>Bite of pass 1: the content")) << html;
   EXPECT_TRUE(says(html, "<summary>output_rate = 20 kHz"));
   EXPECT_TRUE(says(html, "<li>strip.width"));
+  EXPECT_TRUE(says(html, "<li>p: nothing"));
 }
 
 // The mode that chatter finds in the gap is not always the one of the card.
@@ -155,7 +157,7 @@ TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
   run.results.push_back(result("chatter.2.frequency", 107.2, "Hz"));
   std::string html = first_screen(run);
   EXPECT_TRUE(says(html,
-                   "<b>Pass 2: At 20.0 m/s, 4.8 % below the critical speed of 21 m/s; the mode at 107 Hz becomes "
+                   "<b>pass 2: At 20.0 m/s, 4.8 % below the critical speed of 21 m/s; the mode at 107 Hz becomes "
                    "unstable first.</b>"))
       << html;
   EXPECT_TRUE(says(html, "card fair")) << "a margin below a tenth";
@@ -163,7 +165,7 @@ TEST(FirstScreen, TheWorstConditionGivesTheVerdict)
   run.results.push_back(result("chatter.3.critical_speed", 18, "m/s", mill::operating_point_of("18 m/s")));
   html = first_screen(run);
   EXPECT_TRUE(says(html,
-                   "verdict failed\"><p><b>Pass 3: Unstable: 20.0 m/s is 11 % above the critical speed of 18 m/s; "
+                   "verdict failed\"><p><b>pass 3: Unstable: 20.0 m/s is 11 % above the critical speed of 18 m/s; "
                    "the least damped mode becomes unstable first.</b>"))
       << html;
 }
