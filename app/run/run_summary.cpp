@@ -96,6 +96,14 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
     lines.push_back(fmt::format("  and {} more named modes", modes.size() - most_modes));
 }
 
+// What the rolls of a stack do to the strip.
+void add_stack_lines(const Results &results, std::vector<std::string> &lines)
+{
+  for (const char *name : {"stack.crown", "stack.edge_drop", "stack.opening", "stack.modulus.mid"})
+    if (const Parameter *p = results.find(name))
+      lines.push_back(value_line(name, *p));
+}
+
 // Results without modes: the first values.
 void add_first_values(const Results &results, std::vector<std::string> &lines)
 {
@@ -140,6 +148,7 @@ std::string run_summary(const Results &results, const std::string &name, const s
       results.estimates.empty() ? "" : fmt::format(", {} values estimated", results.estimates.size()))};
   add_speed_lines(results, lines);
   add_modulus_line(results, lines);
+  add_stack_lines(results, lines);
   add_mode_lines(results, lines);
   if (lines.size() == 1)
     add_first_values(results, lines);

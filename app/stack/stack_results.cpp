@@ -143,7 +143,7 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
   add("deflection",
       y_at(roll.shift) - (y_at(roll.shift - roll.length / 2) + y_at(roll.shift + roll.length / 2)) / 2, "m", {});
   all.push_back({result_name({family::roll, roll.name, "bending_stress"}),
-                 reduce::section_forces(solved.stack, state_of_stack, r).stress.maxCoeff(),
+                 reduce::largest_bending_stress(solved.stack, state_of_stack, r),
                  "Pa",
                  "largest bending moment over the section modulus, plane sections (51.24)",
                  {}});

@@ -60,12 +60,12 @@ double thinner_diameter_at(const StackRoll &roll, const double z)
       diameter = std::min(diameter, section.diameter);
   return diameter;
 }
-}  // namespace
 
-SectionForces section_forces(const Stack &stack, const StackState &state, const std::size_t roll)
+SectionForces forces_at(const Stack &stack, const StackState &state, const std::size_t roll,
+                        const Eigen::VectorXd &z_of)
 {
   SectionForces out;
-  out.z      = state.rolls[roll].z;
+  out.z      = z_of;
   out.moment = out.shear = Eigen::MatrixXd::Zero(out.z.size(), 2);
   out.stress             = Eigen::VectorXd::Zero(out.z.size());
   const auto forces      = forces_on(stack, state, roll);
@@ -85,5 +85,28 @@ SectionForces section_forces(const Stack &stack, const StackState &state, const 
     out.stress[i]  = std::isfinite(d) ? 32 * out.moment.row(i).norm() / (M_PI * d * d * d) : 0;
   }
   return out;
+}
+}  // namespace
+
+SectionForces section_forces(const Stack &stack, const StackState &state, const std::size_t roll)
+{
+  return forces_at(stack, state, roll, state.rolls[roll].z);
+}
+
+double largest_bending_stress(const Stack &stack, const StackState &state, const std::size_t roll)
+{
+  const StackRoll &of          = stack.rolls[roll];
+  const Eigen::VectorXd &known = state.rolls[roll].z;
+  std::vector<double> places(known.begin(), known.end());
+  for (const StackSection &section : of.sections)
+    for (const double z : {section.from, section.to})
+      places.push_back(z + of.shift);
+  for (const StackSupport &support : of.supports)
+    places.push_back(support.z + of.shift);
+  for (const StackLoad &load : of.loads)
+    places.push_back(load.z + of.shift);
+  return forces_at(stack, state, roll,
+                   Eigen::Map<const Eigen::VectorXd>(places.data(), Eigen::Index(places.size())))
+      .stress.maxCoeff();
 }
 }  // namespace mill::reduce

@@ -12,4 +12,7 @@ struct SectionForces {
   Eigen::VectorXd stress;         ///< (n) Pa, of bending at the surface of the section
 };
 SectionForces section_forces(const Stack &stack, const StackState &state, std::size_t roll);
+
+/// Pa, largest bending stress of a roll, ends of its sections and places of its forces among the places looked at.
+double largest_bending_stress(const Stack &stack, const StackState &state, std::size_t roll);
 }  // namespace mill::reduce

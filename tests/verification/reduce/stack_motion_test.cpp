@@ -1,6 +1,7 @@
 #include "reduce/stack/beam_stack.h"
 #include "reduce/stack/group_modes.h"
 #include "reduce/stack/moving_stack.h"
+#include "reduce/stack/section_forces.h"
 #include "reduce/stack/stack_mode_names.h"
 #include "reduce/stack/strip_side.h"
 #include "reduce/stand/stand_modes.h"
@@ -151,4 +152,22 @@ TEST(StackMotion, FrequenciesOfTheRollingStateAreAboveThoseOfTheOpenOne)
   const auto open = stand_modes(moved.moving.model), rolling = stand_modes(with_strip(moved.moving));
   for (Eigen::Index k = 0; k < open.frequency.size(); ++k)
     EXPECT_GE(rolling.frequency[k], open.frequency[k] * (1 - 1e-9));
+}
+
+// A roll on two bearings under an even load over the width: F/2 (span/2 - width/4) in the middle.
+TEST(StackSections, CarryTheMomentOfAnEvenLoad)
+{
+  Stack stack         = reference_stack(reference("two-high", "stack"));
+  stack.strip.modulus = stack.strip.entry_modulus = stack.strip.tension_modulus = 0;
+  BeamStack engine(stack, {30});
+  const StackState state = engine.solve();
+  const StackRoll &roll  = stack.rolls[stack.upper];
+  const double span      = std::abs(roll.supports[1].z - roll.supports[0].z);
+  const double moment    = stack.strip.force / 2 * (span / 2 - stack.strip.width / 4);
+  const SectionForces of = section_forces(stack, state, stack.upper);
+  EXPECT_TRUE(near(of.moment.col(1).cwiseAbs().maxCoeff(), moment, within(1e-9, "statics")));
+  EXPECT_TRUE(near(of.shear.col(1).cwiseAbs().maxCoeff(), stack.strip.force / 2, within(1e-9, "statics")));
+  EXPECT_TRUE(near(of.moment.col(0).cwiseAbs().maxCoeff(), 0, within_absolute(1e-9 * moment, "no force along x")));
+  EXPECT_GE(largest_bending_stress(stack, state, stack.upper),
+            32 * moment / (M_PI * std::pow(roll.diameter, 3)) * (1 - 1e-9));
 }
