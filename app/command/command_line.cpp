@@ -1,4 +1,5 @@
 #include "app/command/command_line.h"
+#include "app/command/option_words.h"
 #include "app/process/console.h"
 #include "app/process/version.h"
 #include "core/case/fields.h"
@@ -212,7 +213,7 @@ void add_model(CLI::App *verb, CommandLine &c)
   add_repeatable(verb, "--watch", c.sweep.watch,
                  "name of a result, as in results.json, repeatable (default: springs and modes)");
   verb->add_option("--model", c.sweep.model, "full: as a run; quick: the closed forms of trace")
-      ->check(CLI::IsMember({"quick", "full"}))
+      ->check(CLI::IsMember(row_models))
       ->capture_default_str();
 }
 
@@ -272,7 +273,7 @@ void add_study(CLI::App &app, CommandLine &c)
   add_repeatable(study, "--correlate", o.correlate, "new: correlation of two inputs, KEY1,KEY2=0.5, repeatable");
   study
       ->add_option("--method", o.method, "new: grid, list, latin-hypercube, monte-carlo, sobol, chaos or optimise")
-      ->check(CLI::IsMember({"grid", "list", "latin-hypercube", "monte-carlo", "sobol", "chaos", "optimise"}))
+      ->check(CLI::IsMember(study_methods))
       ->default_val("latin-hypercube");
   study->add_option("--samples", o.samples,
                     "new: number of rows; with sobol of a group, a power of two; with optimise of start rows");
@@ -284,7 +285,7 @@ void add_study(CLI::App &app, CommandLine &c)
   study->add_flag("--yes", o.yes, "new: accept more than ten million rows");
   add_model(study, c);
   study->add_option("--engine", o.engine, "run: here, parallel (GNU parallel, ssh) or slurm")
-      ->check(CLI::IsMember({"here", "parallel", "slurm"}))
+      ->check(CLI::IsMember(study_engines))
       ->capture_default_str();
   study->add_option("--jobs", o.jobs, "run: processes at a time; with slurm elements of the array")
       ->check(CLI::Range(1, 100000));

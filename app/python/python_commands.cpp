@@ -1,3 +1,4 @@
+#include "app/command/option_words.h"
 #include "app/process/console.h"
 #include "app/python/long_call.h"
 #include "app/python/python_parts.h"
@@ -7,6 +8,8 @@
 #include "app/twin/analyse/analyse_command.h"
 #include "app/twin/calibrate/calibrate_command.h"
 #include "core/records/short_names.h"
+#include <algorithm>
+#include <fmt/ranges.h>
 #include <pybind11/stl.h>
 
 namespace py = pybind11;
@@ -15,6 +18,38 @@ namespace py = pybind11;
 namespace mill::python {
 namespace {
 using Texts = std::vector<std::string>;
+
+template <class Value> Value value_of(const std::string &name, const py::handle &value, const char *needed)
+{
+  try {
+    return value.cast<Value>();
+  } catch (const py::cast_error &) {
+    throw InputError(name + " = " + py::str(value).cast<std::string>() + ": " + needed + " is needed");
+  }
+}
+
+long count_of(const std::string &name, const py::handle &value)
+{
+  const long count = value_of<long>(name, value, "a whole number");
+  if (count < 0)
+    throw InputError(name + " = " + std::to_string(count) + ": a number that is not negative is needed");
+  return count;
+}
+
+// What the command line checks by itself.
+void require_known_words(const CommandLine &command)
+{
+  const auto require = [](const char *what, const std::string &word, const std::vector<std::string> &known) {
+    if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end())
+      throw InputError(fmt::format("{} '{}' is not known; there are {}", what, word, fmt::join(known, ", ")));
+  };
+  require("method", command.study.method, study_methods);
+  require("engine", command.study.engine, study_engines);
+  require("model", command.sweep.model, row_models);
+  if (command.verb == "sweep" && command.sweep.vary.empty())
+    throw InputError(
+        "sweep needs a key with its values, for example {\"backup_roll.crown\": [\"0 um\", \"50 um\"]}");
+}
 
 // Options by their names on the command line; a name that is not here is our bug.
 void take_options(CommandLine &command, const py::dict &options)
@@ -52,19 +87,19 @@ void take_options(CommandLine &command, const py::dict &options)
   for (const auto &[key, value] : options) {
     const auto name = key.cast<std::string>();
     if (const auto text = texts.find(name); text != texts.end())
-      *text->second = value.cast<std::string>();
+      *text->second = value_of<std::string>(name, value, "a text");
     else if (const auto list = lists.find(name); list != lists.end())
-      *list->second = value.cast<Texts>();
+      *list->second = value_of<Texts>(name, value, "a list of texts");
     else if (const auto flag = flags.find(name); flag != flags.end())
-      *flag->second = value.cast<bool>();
+      *flag->second = value_of<bool>(name, value, "True or False");
     else if (name == "threads")
-      command.threads = value.cast<int>();
+      command.threads = int(count_of(name, value));
     else if (name == "samples")
-      command.study.samples = value.cast<long>();
+      command.study.samples = count_of(name, value);
     else if (name == "seed")
-      command.study.seed = value.cast<int>();
+      command.study.seed = value_of<int>(name, value, "a whole number");
     else if (name == "jobs")
-      command.study.jobs = value.cast<int>();
+      command.study.jobs = int(count_of(name, value));
     else
       throw py::key_error("option " + name);
   }
@@ -79,6 +114,7 @@ int carry_out_verb(const std::string &verb, const py::object &the_case, const py
   command.verb  = verb;
   command.quiet = true;
   take_options(command, options);
+  require_known_words(command);
   return long_call<int>(progress, [command](const Progress &shown) {
     const console::HeardProgress heard(shown.step);
     if (command.verb == "sweep")

@@ -14,9 +14,18 @@ py::object error_class(const char *name)
   return py::module_::import("millstand._errors").attr(name);
 }
 
+// A file may hold bytes that are no text.
+py::object text_object(const std::string &text)
+{
+  PyObject *made = PyUnicode_DecodeUTF8(text.data(), Py_ssize_t(text.size()), "backslashreplace");
+  if (!made)
+    throw py::error_already_set();
+  return py::reinterpret_steal<py::object>(made);
+}
+
 py::object place_object(const Place &place)
 {
-  return error_class("Place")(place.file, place.line, place.column);
+  return error_class("Place")(text_object(place.file), place.line, place.column);
 }
 
 void raise(const char *name, const py::tuple &arguments)
@@ -36,7 +45,7 @@ std::string rendered(const InputError &error)
 
 void raise_input(const char *name, const InputError &error)
 {
-  raise(name, py::make_tuple(rendered(error), problem_tuple(error.problems)));
+  raise(name, py::make_tuple(text_object(rendered(error)), problem_tuple(error.problems)));
 }
 
 void translate(std::exception_ptr thrown)
@@ -49,7 +58,8 @@ void translate(std::exception_ptr thrown)
     raise_input("InputError", e);
   } catch (const SolverError &e) {
     const SolverError::Report &r = e.report;
-    raise("SolverError", py::make_tuple(r.what, r.where, r.cause, r.remedy, r.kept));
+    raise("SolverError", py::make_tuple(text_object(r.what), text_object(r.where), text_object(r.cause),
+                                        text_object(r.remedy), text_object(r.kept)));
   } catch (const std::filesystem::filesystem_error &e) {
     const std::string path = e.path1().string();
     PyErr_SetObject(PyExc_OSError, py::make_tuple(e.code().value(), e.code().message(), path).ptr());
@@ -67,8 +77,9 @@ py::tuple problem_tuple(const std::vector<Problem> &problems)
     py::tuple related(p.related.size());
     for (std::size_t r = 0; r < p.related.size(); ++r)
       related[r] = place_object(p.related[r]);
-    all[i] = error_class("Problem")(place_object(p.place), p.message, value_in_message(p.message),
-                                    remedy_in_message(p.message), related);
+    all[i] = error_class("Problem")(place_object(p.place), text_object(p.message),
+                                    text_object(value_in_message(p.message)),
+                                    text_object(remedy_in_message(p.message)), related);
   }
   return all;
 }

@@ -147,9 +147,10 @@ def _calibrate(self, records, *, free=None, model=None, model_error=None, accept
                overwrite=False, progress=None):
     """Fits masses, springs and damping of a case to records, as `millstand calibrate` does.
 
+    records   of ms.record(), or paths of files that say all by themselves
     progress  called on the way as progress(stage, fraction)
     """
-    records = list(records)
+    records = [one if isinstance(one, Record) else Record(one) for one in records]
     if not records:
         raise InputError("calibrate needs at least one record, for example case.calibrate([ms.record(\"stand4.csv\")])")
     folder, kept = _folder(out, "calibration")

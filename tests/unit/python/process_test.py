@@ -98,6 +98,24 @@ class Process(unittest.TestCase):
                 self.assertEqual(fractions, sorted(fractions), name)
                 self.assertTrue(all(0 <= fraction <= 1 and stage for stage, fraction in shown), name)
 
+    def test_what_the_command_line_checks_is_checked_here(self):
+        case, vary = ms.load(CASES / "published-1400.toml"), {"given.K1": "normal(1 %)"}
+        for wrong, words in (
+            ({"method": "morris"}, "method 'morris' is not known; there are grid"),
+            ({"model": "fast"}, "model 'fast' is not known; there are quick, full"),
+            ({"engine": "condor"}, "engine 'condor' is not known"),
+            ({"samples": 10**30}, "a whole number is needed"),
+            ({"jobs": -1}, "a number that is not negative is needed"),
+        ):
+            with self.assertRaisesRegex(ms.InputError, words):
+                ms.study(case, vary, ["f1"], **{"samples": 4, "model": "quick", **wrong})
+        with self.assertRaisesRegex(ms.InputError, "sweep needs a key"):
+            ms.sweep(case, {}, ["f1"], model="quick")
+        with tempfile.TemporaryDirectory() as folder:
+            (Path(folder) / "bytes.toml").write_bytes(b'schema = 1\nkind = "\xff"\n')
+            with self.assertRaisesRegex(ms.InputError, "bytes.toml:2:"):
+                ms.load(Path(folder) / "bytes.toml").check()
+
     def test_an_exception_of_progress_ends_the_verb_and_ctrl_c_works_afterwards(self):
         class Enough(Exception):
             pass
