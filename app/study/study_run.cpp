@@ -105,6 +105,8 @@ public:
       common.insert(common.end(), {"--cache", command.cache});
     if (cache_limit(command) > 0)
       common.insert(common.end(), {"--cache-limit", command.sweep.cache_limit});
+    if (!command.memory.empty())
+      common.insert(common.end(), {"--memory", command.memory});
     if (command.study.keep)
       common.push_back("--keep");
     if (command.fresh)
@@ -142,7 +144,7 @@ public:
       else
         worst = std::max(worst, crashed ? 3 : WEXITSTATUS(status));
     }
-    return signal.asked() ? 130 : worst;
+    return signal.asked() ? 128 + signal.asked() : worst;
   }
 
 private:
@@ -261,13 +263,13 @@ int study_run(const CommandLine &command)
     code = HerePool(study, command, jobs).work(signal);
   else if (run_script(study, command, engine_script(study, engine, shards, command, program_path("millstand"))) !=
            0)
-    code = signal.asked() ? 130 : 3;
+    code = signal.asked() ? 128 + signal.asked() : 3;
   say_notes(merge_rows(study.folder));
   if (code == 0 && study.method == "optimise") {
     code = run_search(study, command, signal);
     say_notes(merge_rows(study.folder));
   }
-  if (code == 130)
+  if (code > 128)
     console::say("stopped; what is finished is kept. Continue with: millstand study run " + study.folder + "\n");
   else if (code == 0 && !command.quiet)
     console::print("finished; report: millstand study report " + study.folder + "\n");
