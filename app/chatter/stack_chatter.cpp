@@ -4,7 +4,6 @@
 #include "app/chatter/chatter_results.h"
 #include "app/run/asked_speeds.h"
 #include "app/stack/stack_bite.h"
-#include "app/stages/stand/mode_results.h"
 #include "core/model/case.h"
 #include "dynamics/response/modal_model.h"
 #include <cmath>
@@ -25,7 +24,7 @@ ChatterQuestion question_of(RunContext &run, const StackInput &input, const Movi
     const auto modal = dynamics::modal_model(stand->model, stand->modes.frequency, stand->modes.shape,
                                              input.dynamics.modal_damping, 2 * input.dynamics.frequency_limit);
     q.structures.push_back(
-        {title_of(stand->model.name),
+        {stand->model.name,
          {structure_of(input, *stand), inputs.entry_distance, inputs.exit_distance, q.bite.strip.youngs_modulus},
          dynamics::modal_numbers(modal)});
   }

@@ -246,8 +246,6 @@ void check_stack_rolls(const StackInput &input, Reading &reading)
     check_shaft(roll, r, reading);
     check_holding(roll, r, input.settings.lower == "listed", reading);
     check_saddles(roll, r, reading);
-    if (roll.on.size() == 2 && roll.on[0] == roll.on[1])
-      contradict(reading, roll_key(r, "on"), "names roll " + roll.on[0] + " twice; name it once", {});
     if (roll.on.size() > 2)
       contradict(reading, roll_key(r, "on"), "names more than two rolls; a roll leans on one or two", {});
     if (!roll.material.empty() && std::find(materials.begin(), materials.end(), roll.material) == materials.end())

@@ -15,7 +15,7 @@ using Eigen::Index;
 using Eigen::VectorXd;
 
 constexpr Pen stack_pens[]   = {Pen::dark, Pen::warm, Pen::dashed, Pen::dotted, Pen::chained, Pen::pale};
-constexpr Pen growing[]      = {Pen::shade1, Pen::shade2, Pen::shade3, Pen::shade4, Pen::shade5};
+constexpr Pen growing[]      = {Pen::dark, Pen::warm, Pen::dashed, Pen::dotted, Pen::chained};
 constexpr double small_width = 330, small_height = 210;  // px, of one of many
 
 Plot over_width(const std::string &title, const char *quantity, const std::string &unit)
@@ -269,10 +269,11 @@ std::vector<std::string> window_drawings(const Run &run)
 std::vector<std::string> mode_drawings(const Run &run)
 {
   std::vector<std::string> drawings;
-  std::vector<std::string> modes = items_of(run, curve::stack_mode);
-  std::sort(modes.begin(), modes.end(), [](const std::string &a, const std::string &b) {
-    return std::atoi(a.c_str()) < std::atoi(b.c_str());
-  });
+  constexpr int most_modes = 400;
+  std::vector<std::string> modes;
+  for (int k = 1; k <= most_modes; ++k)
+    if (stored_curve(run, curve::stack_mode, std::to_string(k)))
+      modes.push_back(std::to_string(k));
   for (const std::string &mode : modes) {
     const Table *table       = stored_curve(run, curve::stack_mode, mode);
     const Table *frequencies = stored_curve(run, curve::modes_of_model, "stack");
