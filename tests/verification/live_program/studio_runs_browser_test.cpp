@@ -74,7 +74,9 @@ TEST_F(StudioRunsBrowser, TwoPinsAreRunComparedAndExported)
       << text("#compare-note") << text("#pins");
   browser->run("document.getElementById('compare').focus()");
   browser->type(enter_key);
-  ASSERT_TRUE(browser->wait_for("return document.getElementById('report-box').open", 20)) << text("#banner");
+  EXPECT_EQ(focus(), "compare");
+  ASSERT_TRUE(browser->wait_for("return document.getElementById('report-box').open", 60))
+      << focus() << text("#banner") << text("#compare-note");
   const std::string comparison = frame_text();
   EXPECT_NE(comparison.find("run-1"), std::string::npos) << comparison.substr(0, 400);
   EXPECT_NE(comparison.find("run-2"), std::string::npos);

@@ -124,8 +124,9 @@ TEST(StudyFaults, WorkersEndWithTheirCommand)
   const Outcome ended =
       shell("'" MILLSTAND_PROGRAM "' study run '" + folder +
                 "' --jobs 2 -q & run=$!; sleep 0.3; kill -9 $run; for i in $(seq 100); do pgrep -f "
-                "\"study work " +
-                folder + " \" > /dev/null || exit 0; sleep 0.1; done; exit 1",
+                "\"study wor[k] " +  // not this shell itself
+                folder +
+                " \" > /dev/null || exit 0; sleep 0.1; done; exit 1",
             "/");
   EXPECT_EQ(ended.exit_code, 0) << "a worker goes on";
   const Outcome status = millstand("study status " + folder);
