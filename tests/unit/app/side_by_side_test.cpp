@@ -111,7 +111,7 @@ TEST(SideBySide, APartOfTwoStagesIsMadeOnce)
           std::this_thread::sleep_for(std::chrono::milliseconds(5));
           return ++made;
         },
-        [&](const std::string &, const std::string &, const int one) { kept = one; });
+        [&](const std::string &, const std::string &, const int one) { kept = one; }, "nothing smaller");
     EXPECT_EQ(value, 1);
   };
   run_side_by_side(run, {part, part});
