@@ -42,7 +42,7 @@ cluster::ContactLaw computed_law(RunContext &run, const ClusterStand &stand, con
   const auto condensed = [&](const std::string &name, const RoundBody &body) {
     const PlannedRoll plan = planned_cylinder(pair, body.diameter);
     return condensed_pair(run, "roll " + name, plan.geometry, plan.size, material_of(body, pair.steel),
-                          {true, false, false});
+                          {true, false, false, "another law than \"computed\" for the contact " + contact.pair});
   };
   const CondensedPair first = condensed(one.name, pair.upper), second = condensed(other.name, pair.lower);
   StageTimer timer(run, "contact " + contact.pair);

@@ -31,6 +31,12 @@ void add_cache(CLI::App *verb, CommandLine &c)
   verb->add_option("--cache", c.cache, "folder of condensed rolls (default: the user's cache folder)");
 }
 
+void add_memory(CLI::App *verb, CommandLine &c)
+{
+  verb->add_option("--memory", c.memory,
+                   "memory that may be used, 8GB: a condensation that needs more is refused before it begins");
+}
+
 void add_common(CLI::App *verb, CommandLine &c)
 {
   add_output(verb, c, "folder of the results (default out/<case name>)");
@@ -40,6 +46,7 @@ void add_common(CLI::App *verb, CommandLine &c)
   verb->add_flag("-v,--verbose", c.verbose, "print what is reused and what is computed");
   verb->add_option("--log", c.log, "log file (in addition to DIR/millstand.log)");
   verb->add_option("--threads", c.threads, "threads (default: all processors)")->check(CLI::Range(1, 1024));
+  add_memory(verb, c);
   verb->add_option("--set", c.sets, "override section.key=value, repeatable")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -235,6 +242,7 @@ void add_sweep(CLI::App &app, CommandLine &c)
   add_model(sweep, c);
   add_cache(sweep, c);
   add_cache_limit(sweep, c);
+  add_memory(sweep, c);
   add_folder_of_records(sweep, c, "folder of the results (default out/<case name>-sweep)",
                         "no progress, no table");
 }
@@ -298,6 +306,7 @@ void add_study(CLI::App &app, CommandLine &c)
                   "run, work: keep all files of each row of a full model, not results.json alone");
   add_cache(study, c);
   add_cache_limit(study, c);
+  add_memory(study, c);
   add_folder_of_records(study, c, "new: folder of the study (default out/<case name>-study)",
                         "no progress, no table");
 }

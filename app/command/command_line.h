@@ -59,7 +59,8 @@ struct CommandLine {
   bool full            = false;       ///< trace --full
   bool stream          = false;       ///< simulate --stream
   bool force_overwrite = false, fresh = false, quiet = false, verbose = false;
-  int threads = 0;  ///< 0: all
+  int threads = 0;     ///< 0: all
+  std::string memory;  ///< --memory, "8 GB"; empty: what the machine and the system allow
 };
 
 /// What `millstand export` writes: "fmu", "modelica", ...

@@ -1,6 +1,7 @@
 #include "app/command/linked_subjects.h"
 #include "app/process/hand_over.h"
 #include "core/model/case.h"
+#include "core/records/result_folder.h"
 #include <filesystem>
 
 namespace fs = std::filesystem;
@@ -15,6 +16,7 @@ namespace {
 
 bool is_folder_of_records(const std::string &directory)
 {
+  const WholeRun complete(directory);  // what a killed program was replacing is in its place now
   return !fs::exists(directory + "/results.json") &&
          (fs::exists(directory + "/calibration.json") || fs::exists(directory + "/plan.json") ||
           fs::exists(directory + "/analysis.json") || fs::exists(directory + "/advice.json") ||

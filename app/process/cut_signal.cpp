@@ -1,10 +1,12 @@
 #include "app/process/cut_signal.h"
 #include "core/process/stop.h"
+#include <array>
 #include <csignal>
 
 namespace mill {
 namespace {
 volatile std::sig_atomic_t cut_by = 0;
+constexpr std::array<int, 3> signals{SIGINT, SIGTERM, SIGHUP};
 
 void ask_for_cut(const int number)
 {
@@ -18,16 +20,18 @@ CutSignal::CutSignal() : of_caller(Stoppable::current())
   if (of_caller)
     return;
   cut_by = 0;
-  std::signal(SIGINT, ask_for_cut);
-  std::signal(SIGTERM, ask_for_cut);
+  for (const int number : signals)
+    if (std::signal(number, ask_for_cut) == SIG_IGN)
+      std::signal(number, SIG_IGN);  // nohup, or a job in the background
 }
 
 CutSignal::~CutSignal()
 {
   if (of_caller)
     return;
-  std::signal(SIGINT, SIG_DFL);
-  std::signal(SIGTERM, SIG_DFL);
+  for (const int number : signals)
+    if (std::signal(number, SIG_DFL) == SIG_IGN)
+      std::signal(number, SIG_IGN);
 }
 
 int CutSignal::asked() const

@@ -1,5 +1,4 @@
 #include "app/process/out_of_memory.h"
-#include "core/process/memory.h"
 #include <cstdlib>
 #include <cstring>
 #include <exception>
@@ -56,18 +55,17 @@ void end_of_a_library()
 }
 }  // namespace
 
-SolverError out_of_memory(const std::string &stage)
+OutOfMemory out_of_memory(const std::string &stage)
 {
   refused = true;
   rusage usage{};
   getrusage(RUSAGE_SELF, &usage);
   const MemoryLeft left = memory_left();
-  return SolverError({stage.empty() ? "out of memory" : "out of memory in the stage " + stage,
-                      megabytes(1024. * double(usage.ru_maxrss)) + " were in use; the limit is set by " + left.end,
-                      "a finer mesh or a longer record than this machine or this limit can hold",
-                      "a coarser mesh (contact.*.elements_per_half_width, dynamics.elements_per_radius), fewer "
-                      "threads (--threads), or a higher limit",
-                      ""});
+  return OutOfMemory(
+      {stage.empty() ? "out of memory" : "out of memory in the stage " + stage,
+       megabytes(1024. * double(usage.ru_maxrss)) + " were in use; the limit is set by " + left.end,
+       "a finer mesh or a longer record than this machine or this limit can hold",
+       memory_remedy("a coarser mesh (contact.*.elements_per_half_width, dynamics.elements_per_radius)"), ""});
 }
 
 void end_with_a_sentence()

@@ -1,12 +1,12 @@
 #pragma once
-#include "core/base/errors.h"
+#include "core/process/memory.h"
 #include <string>
 
 namespace mill {
 /// What std::bad_alloc means to the user: the stage, what is in use, what sets the end, what would make the need
 /// smaller.
 /// @param stage  where it happened; "" where no stage runs
-SolverError out_of_memory(const std::string &stage);
+OutOfMemory out_of_memory(const std::string &stage);
 
 /// The stage that runs, the innermost one, or that an exception has left; "" where none does. (StageTimer tells.)
 std::string stage_in_progress();

@@ -1,6 +1,8 @@
 #pragma once
+#include "app/process/out_of_memory.h"
 #include "app/run/run_context.h"
 #include "core/base/errors.h"
+#include <new>
 #include <optional>
 #include <string>
 
@@ -11,9 +13,11 @@ namespace mill {
 /// @param load  (file, key, std::string *note) -> std::optional<Part>, nothing where no entry can be used
 /// @param make  () -> Part
 /// @param save  (file, key, part)
+/// @param smaller  what makes it need less memory, with its key: "a smaller contact.upper.elements_per_half_width"
+/// @throws OutOfMemory  with that remedy
 template <class Part, class Load, class Make, class Save>
 Part kept_part(RunContext &run, const std::string &stage, const std::string &file, const std::string &key,
-               const Load &load, const Make &make, const Save &save)
+               const Load &load, const Make &make, const Save &save, const std::string &smaller)
 {
   const MadeKeys::Turn alone(*run.made, key);
   StageTimer timer(run, stage);
@@ -28,7 +32,19 @@ Part kept_part(RunContext &run, const std::string &stage, const std::string &fil
     timer.cached = true;
     return std::move(*stored);
   }
-  Part part = make();
+  const auto made = [&] {
+    try {
+      return make();
+    } catch (OutOfMemory &e) {
+      e.report.remedy = memory_remedy(smaller);
+      throw;
+    } catch (const std::bad_alloc &) {
+      OutOfMemory refused   = out_of_memory(stage);
+      refused.report.remedy = memory_remedy(smaller);
+      throw refused;
+    }
+  };
+  Part part = made();
   try {
     save(file, key, part);
     run.made->insert(key);

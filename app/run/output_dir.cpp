@@ -141,9 +141,22 @@ void require_result_folder(const std::string &folder, const std::string &proof, 
   if (error)
     refuse_file(error.value(),
                 "the folder " + folder + " cannot be made: " + error.message() + "; choose another with -o");
-  if (!overwrite && !fs::is_empty(folder) && !fs::exists(folder + "/" + proof))
+  const WholeRun complete(folder);
+  if (!overwrite && !is_free(folder) && !fs::exists(folder + "/" + proof))
     throw InputError("the folder " + folder + " holds files that no " + what +
                      " wrote; choose another with -o, or give --force-overwrite");
+}
+
+void replace_results(const std::string &folder, const std::vector<std::string> &names,
+                     const std::function<void(const std::string &)> &write)
+{
+  const FolderLock alone(folder);
+  finish_publishing(folder);
+  if (alone.held())
+    remove_leftovers(folder);
+  const Staging staged(folder);
+  write(staged.path());
+  publish_results(staged.path(), folder, {}, names);
 }
 
 void check_file_names(const Case &the_case)

@@ -2,6 +2,7 @@
 #include "core/base/files.h"
 #include "core/records/csv.h"
 #include "core/records/result_folder.h"
+#include <functional>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -59,6 +60,13 @@ private:
 /// @throws InputError, SystemError
 void require_result_folder(const std::string &folder, const std::string &proof, const std::string &what,
                            bool overwrite);
+
+/// Replaces what a verb left in its folder by new files: all of them, or, where something goes wrong, none.
+/// @param names  files and folders that it may leave at the top of its folder, the one it is known by first
+/// @param write  (folder) writes the new ones
+/// @throws SystemError  with path and reason; the earlier ones are unchanged
+void replace_results(const std::string &folder, const std::vector<std::string> &names,
+                     const std::function<void(const std::string &)> &write);
 
 /// @throws InputError  two passes whose names lead to the same file names, or a name too long for one
 void check_file_names(const Case &the_case);

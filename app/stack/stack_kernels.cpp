@@ -32,7 +32,7 @@ fem::FourierRoll kept_roll(RunContext &run, const StackRoll &roll, const RollGeo
     fem::save_roll(to, its_key, made);
   };
   return kept_part<fem::FourierRoll>(run, "condensed roll " + roll.name, file, key, fem::load_fourier_roll, make,
-                                     save);
+                                     save, "fewer programs at the same time");
 }
 }  // namespace
 

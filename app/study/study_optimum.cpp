@@ -145,7 +145,7 @@ int run_search(const Study &study, const CommandLine &command, const CutSignal &
     search_optimum(settings_of(study), starts_of(study, rows),
                    [&](const std::vector<double> &inputs) { return worker.value(inputs); });
   } catch (const SearchEnded &) {
-    return 130;
+    return 128 + signal.asked();
   }
   return 0;
 }

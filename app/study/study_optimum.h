@@ -16,7 +16,7 @@ struct StoredOptimum {
 
 /// Searches from the start rows of a study by `optimise`, in this process: rows that are kept are not computed
 /// again, every other one is committed before the next begins.
-/// @return 0; 130 after SIGINT or SIGTERM
+/// @return 0; 128 and the number of the signal that asked for an end
 /// @throws InputError  no start row has a value
 int run_search(const Study &study, const CommandLine &command, const CutSignal &signal);
 

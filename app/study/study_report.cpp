@@ -1,5 +1,6 @@
 #include "app/study/study_report.h"
 #include "app/process/console.h"
+#include "app/run/output_dir.h"
 #include "app/study/store/row_files.h"
 #include "app/study/study_document.h"
 #include "app/study/study_optimum.h"
@@ -33,8 +34,8 @@ bool has_words(const UncertainKey &key)
   return !key.key.values.empty();
 }
 
-// results.csv row by row, so that a million rows need no memory.
-void write_csv(const Study &study, const StudyRows &rows)
+// results.csv
+std::string csv_of(const Study &study, const StudyRows &rows)
 {
   std::string text = "row,key";
   for (const UncertainKey &key : study.keys)
@@ -53,7 +54,7 @@ void write_csv(const Study &study, const StudyRows &rows)
       text += "," + (rows.results[i].empty() ? std::string() : number_text(rows.results[i][r]));
     text += "," + (rows.failures[i].empty() ? std::string() : quoted_cell(rows.failures[i])) + "\n";
   }
-  write_atomically(study.folder + "/results.csv", text);
+  return text;
 }
 
 // The rows of a search behind those of the design, in the order in which they were asked for.
@@ -199,7 +200,7 @@ int study_merge(const CommandLine &command)
   merge(study);
   StudyRows rows = study_rows(study);
   append_search(study, rows);
-  write_csv(study, rows);
+  write_atomically(study.folder + "/results.csv", csv_of(study, rows));
   if (!command.quiet)
     console::print(fmt::format("{}/results.csv: {} of {} rows\n", study.folder, rows.finished, study.rows));
   return 0;
@@ -221,10 +222,12 @@ int study_report(const CommandLine &command)
   const nlohmann::ordered_json document = study_document(study, rows);
   StudyRows all                         = rows;
   append_search(study, all);
-  write_csv(study, all);
   const std::string text = document.dump(1) + "\n";
-  write_atomically(study.folder + "/report.json", text);
-  write_atomically(study.folder + "/report.html", report::study_page(study.folder, text));
+  replace_results(study.folder, {"report.json", "results.csv", "report.html"}, [&](const std::string &staged) {
+    write_atomically(staged + "/results.csv", csv_of(study, all));
+    write_atomically(staged + "/report.html", report::study_page(study.folder, text));
+    write_atomically(staged + "/report.json", text);
+  });
   if (!command.quiet)
     console::print(summary_text(document) + "report: " + study.folder + "/report.html\n");
   return 0;

@@ -201,14 +201,14 @@ int study_run(const CommandLine &command)
   if (engine == "here")
     code = run_workers_here(study, command, jobs, signal, watch);
   else if (wait_or_end(start_program("sh", {script}, "shards of a study"), signal, watch) != 0)
-    code = signal.asked() ? 130 : 3;
+    code = signal.asked() ? 128 + signal.asked() : 3;
   watch.finish();
   say_notes(merge_rows(study.folder));
   if (code == 0 && study.method == "optimise") {
     code = run_search(study, command, signal);
     say_notes(merge_rows(study.folder));
   }
-  if (code == 130)
+  if (code > 128)
     console::say("stopped; what is finished is kept. Continue with: millstand study run " + study.folder + "\n");
   else if (code == 0 && !command.quiet)
     console::print("finished; report: millstand study report " + study.folder + "\n");

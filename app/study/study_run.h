@@ -9,7 +9,7 @@ namespace mill {
 ///   here      processes of this machine (--jobs, one of all threads unless said), started again after a crash
 ///   parallel  GNU parallel: this machine, or those of --hosts FILE by ssh
 ///   slurm     an array of sbatch, one element for each of --jobs; it returns once the array is submitted
-/// @return 0; 130 after SIGINT or SIGTERM; 3 where an engine failed
+/// @return 0; 128 and the number of the signal that asked for an end; 3 where an engine failed
 /// @throws InputError  no study, sbatch or parallel are not installed
 int study_run(const CommandLine &command);
 

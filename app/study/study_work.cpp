@@ -197,6 +197,6 @@ int study_work(const CommandLine &command)
   console::say(
       fmt::format("stopped; what is finished is kept. Continue with: millstand study work {} --shard {}/{}\n",
                   study.folder, shard.number, shard.of));
-  return 130;
+  return 128 + signal.asked();
 }
 }  // namespace mill

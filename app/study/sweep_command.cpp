@@ -1,5 +1,6 @@
 #include "app/study/sweep_command.h"
 #include "app/process/console.h"
+#include "app/run/output_dir.h"
 #include "app/run/run_setup.h"
 #include "app/run/scratch_folder.h"
 #include "app/study/study_table.h"
@@ -142,16 +143,14 @@ std::string table_text(const StudyTable &table)
   return visible(text);
 }
 
-// sweep.json leaves first and comes last, so that a folder with it is whole.
 void write_sweep(const std::string &folder, const StudyTable &table)
 {
-  std::error_code ignored;
-  for (const char *old : {"sweep.json", "results.csv", "report.html"})
-    std::filesystem::remove(folder + "/" + old, ignored);
   const std::string json = table_json(table);
-  write_atomically(folder + "/results.csv", table_csv(table));
-  write_atomically(folder + "/report.html", report::sweep_page(folder, json));
-  write_atomically(folder + "/sweep.json", json);
+  replace_results(folder, {"sweep.json", "results.csv", "report.html"}, [&](const std::string &staged) {
+    write_atomically(staged + "/results.csv", table_csv(table));
+    write_atomically(staged + "/report.html", report::sweep_page(folder, json));
+    write_atomically(staged + "/sweep.json", json);
+  });
 }
 
 double seconds_since(const std::chrono::steady_clock::time_point start)

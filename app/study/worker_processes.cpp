@@ -25,6 +25,8 @@ public:
       common.insert(common.end(), {"--cache", command.cache});
     if (cache_limit(command) > 0)
       common.insert(common.end(), {"--cache-limit", command.sweep.cache_limit});
+    if (!command.memory.empty())
+      common.insert(common.end(), {"--memory", command.memory});
     if (command.study.keep)
       common.push_back("--keep");
     if (command.fresh)
@@ -56,7 +58,7 @@ public:
       else
         worst = std::max(worst, crashed ? 3 : WEXITSTATUS(status));
     }
-    return signal.asked() ? 130 : worst;
+    return signal.asked() ? 128 + signal.asked() : worst;
   }
 
 private:

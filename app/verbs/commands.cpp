@@ -20,6 +20,8 @@
 #include "core/case/case_sheet.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
+#include "core/process/memory.h"
+#include "core/records/cache_limit.h"
 #include "report/compare/comparison.h"
 #include "report/front/html.h"
 #include "report/results/names.h"
@@ -167,6 +169,8 @@ int carry_out(const CommandLine &command)
 {
   console::begin_progress();
   console::progress_line_every(command.progress_step);
+  if (!command.memory.empty())
+    set_memory_limit(bytes_of_size("--memory", command.memory));
   if (command.verb == "new")
     return write_template(command);
   if (command.verb == "check")

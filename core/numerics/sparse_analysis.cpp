@@ -256,16 +256,15 @@ private:
 };
 }  // namespace
 
-SolverError no_memory(const std::string &what, const double needed, const double available)
+OutOfMemory no_memory(const std::string &what, const double needed, const double available)
 {
   const MemoryLeft left = memory_left();
-  return SolverError({"out of memory: " + what + (needed > 0 ? " needs " + megabytes(needed) : ""),
-                      (available > 0 ? megabytes(available) + " may be taken for it: " : "") +
-                          megabytes(left.bytes) + " are left, the limit is set by " + left.end,
-                      "a finer mesh than this machine or this limit can hold",
-                      "a coarser mesh (contact.*.elements_per_half_width, dynamics.elements_per_radius), fewer "
-                      "threads (--threads), or a higher limit",
-                      ""});
+  return OutOfMemory(
+      {"out of memory: " + what + (needed > 0 ? " needs " + megabytes(needed) : ""),
+       (available > 0 ? megabytes(available) + " may be taken for it: " : "") + megabytes(left.bytes) +
+           " are left, the limit is set by " + left.end,
+       "a finer mesh than this machine or this limit can hold",
+       memory_remedy("a coarser mesh (contact.*.elements_per_half_width, dynamics.elements_per_radius)"), ""});
 }
 
 std::string name_of_matrix(const int n)

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/errors.h"
 #include "core/numerics/sparse.h"
+#include "core/process/memory.h"
 #include <cstdint>
 
 // What of a factorisation does not hang on the values of the matrix; for CondensingFactor only.  theory.md 2
@@ -30,6 +31,6 @@ std::shared_ptr<const FactorAnalysis> analysis_of(const SymmetricSparse &K, cons
                                                   const std::vector<int> &retained, cholmod_common_struct &common);
 
 /// @param available  what the caller leaves for it, byte; 0: everything
-SolverError no_memory(const std::string &what, double needed, double available = 0);
+OutOfMemory no_memory(const std::string &what, double needed, double available = 0);
 std::string name_of_matrix(int n);
 }  // namespace mill

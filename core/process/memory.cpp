@@ -1,5 +1,6 @@
 #include "core/process/memory.h"
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <fmt/format.h>
 #include <fstream>
@@ -10,6 +11,7 @@ namespace mill {
 namespace {
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double kB      = 1024;
+std::atomic<double> limit_of_user{0};  // byte; 0: none
 
 // "name  number" in a file of the kernel; a file of one number has the name "".
 double entry(const char *path, const std::string &name)
@@ -60,7 +62,20 @@ MemoryLeft memory_left()
       fmt::format("the {} of address space that are allowed (ulimit -v)", megabytes(space)));
   end(data - kB * entry("/proc/self/status", "VmData:"),
       fmt::format("the {} of data that are allowed (ulimit -d)", megabytes(data)));
+  if (const double limit = limit_of_user; limit > 0)
+    end(limit - kB * entry("/proc/self/status", "VmRSS:"),
+        fmt::format("the {} that --memory allows", megabytes(limit)));
   return left;
+}
+
+void set_memory_limit(const double bytes)
+{
+  limit_of_user = bytes;
+}
+
+std::string memory_remedy(const std::string &smaller)
+{
+  return smaller + ", fewer threads (--threads), or a higher limit";
 }
 
 std::string megabytes(const double bytes)

@@ -20,6 +20,7 @@ namespace {
 const std::string staging_prefix = ".run-";
 const char *const journal_name   = ".publishing";  // folder of a run between its switch and its end
 const char *const list_name      = ".names";       // in the journal: the names that the run has, one on each line
+const char *const replaced_name  = ".replaced";    // in the journal: names that such a folder may hold, likewise
 const char *const lock_name      = ".lock";        // in a staging folder: its owner holds the lock of this file
 
 bool lock(const int file, const int how)
@@ -42,6 +43,20 @@ std::string with_remedy(const std::string &directory, const std::string &reason)
 {
   return reason + "; the new results are complete in " + directory + "/" + journal_name + ", `millstand report " +
          directory + "` moves them into place";
+}
+
+std::string lines_of(const std::vector<std::string> &names)
+{
+  std::string text;
+  for (const std::string &name : names)
+    text += name + "\n";
+  return text;
+}
+
+// The name of an entry of a folder, and not a way out of it.
+bool is_plain(const std::string &name)
+{
+  return !name.empty() && name[0] != '.' && name.find('/') == std::string::npos;
 }
 
 // Repeats a rename that a signal interrupted.
@@ -67,47 +82,58 @@ struct Journal {
                   with_remedy(directory, std::string("cannot be written: ") + std::strerror(errno)));
   }
 
-  std::set<std::string> names() const
+  std::vector<std::string> listed(const char *list) const
   {
-    const auto text = text_if_readable(path + "/" + list_name);
+    const auto text = text_if_readable(path + "/" + list);
     if (!text)
-      throw InputError(Place{path}, "is not the journal of a run: it has no readable list " +
-                                        std::string(list_name) + "; move it out of the way");
-    std::set<std::string> names;
+      throw InputError(Place{path}, "is not the journal of a run: it has no readable list " + std::string(list) +
+                                        "; move it out of the way");
+    std::vector<std::string> names;
     std::istringstream lines(*text);
     for (std::string line; std::getline(lines, line);)
-      names.insert(line);
+      if (is_plain(line))
+        names.push_back(line);
     return names;
   }
+  std::set<std::string> names() const
+  {
+    const auto names = listed(list_name);
+    return {names.begin(), names.end()};
+  }
+  // A journal without this list is of a run.
+  std::vector<std::string> replaced() const
+  {
+    return exists(path + "/" + replaced_name) ? listed(replaced_name) : result_names();
+  }
 
-  // Moves away every entry that is not of the new run, results.json first.
-  void clear(const std::set<std::string> &names) const
+  // Moves away every entry that is not of the new run, the one that says the folder is whole first.
+  void clear(const std::set<std::string> &names, const std::vector<std::string> &all) const
   {
     const std::string earlier = path + "/.earlier-" + random_name();
     if (::mkdir(earlier.c_str(), 0777) != 0)
       refuse_file(errno, Place{earlier},
                   with_remedy(directory, std::string("cannot be created: ") + std::strerror(errno)));
-    for (const std::string &name : result_names()) {
+    for (const std::string &name : all) {
       const bool placed = names.count(name) && !exists(path + "/" + name);
       if (!placed && exists(directory + "/" + name))
         move(directory + "/" + name, earlier + "/" + name);
     }
   }
 
-  // Moves the new entries into place, results.json last: a folder that has one is complete.
-  void place(const std::set<std::string> &names) const
+  // Moves the new entries into place, the same one last: a folder that has it is complete.
+  void place(const std::set<std::string> &names, const std::vector<std::string> &all) const
   {
-    for (auto name = result_names().rbegin(); name != result_names().rend(); ++name)
+    for (auto name = all.rbegin(); name != all.rend(); ++name)
       if (names.count(*name) && exists(path + "/" + *name))
         move(path + "/" + *name, directory + "/" + *name);
   }
 };
 
 // Names of the staged run; an empty folder is not one of them.
-std::vector<std::string> staged_names(const std::string &staged)
+std::vector<std::string> staged_names(const std::string &staged, const std::vector<std::string> &all)
 {
   std::vector<std::string> names;
-  for (const std::string &name : result_names()) {
+  for (const std::string &name : all) {
     const std::string path = staged + "/" + name;
     if (exists(path) && !(fs::is_directory(path) && names_in(path).empty()))
       names.push_back(name);
@@ -179,17 +205,18 @@ void finish_publishing(const std::string &directory, const Rename &rename)
   if (!exists(journal.path))
     return;
   const auto names = journal.names();
-  journal.clear(names);
-  journal.place(names);
+  const auto all   = journal.replaced();
+  journal.clear(names, all);
+  journal.place(names, all);
   sync_folder(directory);
   const std::string done = directory + "/" + staging_prefix + random_name();
   journal.move(journal.path, done);  // the end of the journal; remove_leftovers() removes what stays of it
   remove_folder(done);
 }
 
-void require_replaceable(const std::string &directory)
+void require_replaceable(const std::string &directory, const std::vector<std::string> &names)
 {
-  for (const std::string &name : result_names()) {
+  for (const std::string &name : names) {
     const std::string path = directory + "/" + name;
     std::error_code ignored;
     if (fs::is_directory(fs::symlink_status(path, ignored)) && ::access(path.c_str(), W_OK) != 0)
@@ -199,15 +226,14 @@ void require_replaceable(const std::string &directory)
   }
 }
 
-void publish_results(const std::string &staged, const std::string &directory, const Rename &rename)
+void publish_results(const std::string &staged, const std::string &directory, const Rename &rename,
+                     const std::vector<std::string> &all)
 {
   finish_publishing(directory, rename);  // of a run that ended here before
-  require_replaceable(directory);
-  const auto names = staged_names(staged);
-  std::string list;
-  for (const std::string &name : names)
-    list += name + "\n";
-  write_atomically(staged + "/" + list_name, list);
+  require_replaceable(directory, all);
+  const auto names = staged_names(staged, all);
+  write_atomically(staged + "/" + replaced_name, lines_of(all));
+  write_atomically(staged + "/" + list_name, lines_of(names));
   sync_all(staged, names);
   const std::string journal = directory + "/" + journal_name;
   if (moved(rename, staged, journal) != 0)

@@ -33,14 +33,16 @@ private:
 using Rename = std::function<int(const char *from, const char *to)>;
 
 /// @throws SystemError  folders of the earlier run belong to another user and could not be moved away
-void require_replaceable(const std::string &directory);
+void require_replaceable(const std::string &directory, const std::vector<std::string> &names = result_names());
 
-/// Replaces the earlier run by the entries of `staged`, a folder inside `directory`, that are in result_names(),
+/// Replaces the earlier run by the entries of `staged`, a folder inside `directory`, that are in `names`,
 /// and removes `staged`.  The caller holds the folder's lock.
+/// @param names  what a folder of this kind may hold at its top, the file that says it is whole first
 /// @throws SystemError  with path and reason; until the switch the earlier results are unchanged, from then on the
 /// new
 ///                      ones are complete in DIR/.publishing and finish_publishing() moves them into place
-void publish_results(const std::string &staged, const std::string &directory, const Rename &rename = {});
+void publish_results(const std::string &staged, const std::string &directory, const Rename &rename = {},
+                     const std::vector<std::string> &names = result_names());
 
 /// Carries out the journal that an interrupted run left in a folder; does nothing where there is no journal.  The
 /// caller holds the folder's lock.  @throws SystemError  with path and reason; may be called again

@@ -57,6 +57,8 @@ std::string title_element(const std::string &title)
 std::string html_document(const std::string &title, const Run &run, const Page &page, const std::string &head)
 {
   return "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\"/>\n"
+         "<meta http-equiv=\"Content-Security-Policy\" content=\"default-src 'none'; script-src 'unsafe-inline'; "
+         "style-src 'unsafe-inline'; img-src data: blob:; base-uri 'none'; form-action 'none'\"/>\n"
          "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\"/>\n" +
          title_element(title) + "\n<style>\n" + embedded::page_css +
          "</style>\n</head>\n<body>\n<div class=\"layout\">\n" + sidebar(run, page) + "<main>\n" + head +

@@ -2,6 +2,7 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/base/valid_text.h"
+#include "core/records/result_folder.h"
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -11,7 +12,8 @@ Baseline read_baseline(const std::string &folder)
 {
   using nlohmann::json;
   const std::string path = folder + "/analysis.json";
-  const auto text        = text_if_readable(path);
+  const WholeRun complete(folder);  // an analysis that is replaced now is waited for
+  const auto text = text_if_readable(path);
   if (!text)
     throw InputError("the baseline " + folder +
                      " holds no analysis.json; name the folder of an earlier millstand analyse");

@@ -36,7 +36,8 @@ std::string inputs_of(const RollerSetup &setup)
   return record_text(roller_version, fem::library_version(), meshes::library_version(), setup);
 }
 
-fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, const RollerSetup &s)
+fem::CondensedRoller condensed_roller(RunContext &run, const RollerBearing &b, const std::string &name,
+                                      const RollerSetup &s)
 {
   const std::string key = hash_of(inputs_of(s));
   const auto make       = [&] {
@@ -46,7 +47,7 @@ fem::CondensedRoller condensed_roller(RunContext &run, const std::string &name, 
     return roller;
   };
   return kept_part<fem::CondensedRoller>(run, name, file_name(run, "roller", key), key, fem::load_roller, make,
-                                         fem::save_roller);
+                                         fem::save_roller, "bearing." + b.name + ".roller_law = \"iso\"");
 }
 
 // Everything the rings' flexibility is made from: their sections and what holds them.
@@ -58,6 +59,12 @@ std::string inputs_of(const RingSections &sections)
 std::string ring_key(const RollerBearing &b, const bearing::RacewayDatum &datum)
 {
   return hash_of(inputs_of(bearing::ring_sections(b, datum)));
+}
+
+// What needs less memory than the rings.
+std::string rigid_rings(const RollerBearing &b)
+{
+  return "bearing." + b.name + ".rings = \"rigid\"";
 }
 
 fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const bearing::RacewayDatum &datum)
@@ -75,7 +82,7 @@ fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const b
     return result;
   };
   return kept_part<fem::RingResult>(run, "rings and chock of bearing " + b.name, file_name(run, "rings", key), key,
-                                    fem::load_rings, make, fem::save_rings);
+                                    fem::load_rings, make, fem::save_rings, rigid_rings(b));
 }
 
 // What surrounds the cup in another way: the orders in which it shows, on the coarser meshes.
@@ -97,7 +104,8 @@ fem::RingResult condensed_surroundings(RunContext &run, const bearing::ChockSupp
     return result;
   };
   return kept_part<fem::RingResult>(run, support.name + ", bearing " + support.bearing.name,
-                                    file_name(run, "rings", key), key, fem::load_rings, make, fem::save_rings);
+                                    file_name(run, "rings", key), key, fem::load_rings, make, fem::save_rings,
+                                    rigid_rings(support.bearing));
 }
 
 // The part of the rings that the law of one roller includes; the remainder belongs to the rings.
@@ -195,9 +203,9 @@ CondensedParts condensed_parts(RunContext &run, const RollerBearing &b, const do
     const auto setup = setup_of(b, bearing::ring_walls(b), land_of(b), largest_load);
     const auto name  = "roller of bearing " + b.name;
     stages.push_back(
-        [&, setup, name](RunContext &part_run) { parts.roller = condensed_roller(part_run, name, setup); });
+        [&, setup, name](RunContext &part_run) { parts.roller = condensed_roller(part_run, b, name, setup); });
     stages.push_back([&, setup, name](RunContext &part_run) {
-      parts.coarse_roller = condensed_roller(part_run, name + ", coarse mesh", coarsened(setup));
+      parts.coarse_roller = condensed_roller(part_run, b, name + ", coarse mesh", coarsened(setup));
     });
   }
   for (const bearing::ChockSupport &support : supports) {

@@ -279,7 +279,7 @@ SolvedBearing solved_or_kept(RunContext &run, BearingStudy &s)
   };
   return kept_part<SolvedBearing>(
       run, "bearing " + q.bearing.name, run.cache + "/bearing-" + key + ".bin", key, load_bearing,
-      [&] { return solve_all(run, s); }, save);
+      [&] { return solve_all(run, s); }, save, "bearing." + q.bearing.name + ".roller_law = \"iso\"");
 }
 }  // namespace
 

@@ -106,6 +106,6 @@ fem::BiteRollResult roll_flexibility(RunContext &run, const BiteQuestion &q)
   };
   return kept_part<fem::BiteRollResult>(run, "bite, section of the roll, " + q.pass,
                                         run.cache + "/section-" + key + ".bin", key, load_section, make,
-                                        save_section);
+                                        save_section, "bite.method = \"slab\"");
 }
 }  // namespace mill

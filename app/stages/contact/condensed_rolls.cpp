@@ -57,8 +57,9 @@ std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::
   const auto save = [](const std::string &to, const std::string &key, const fem::CondensedRoll &roll) {
     fem::save_roll(to, key, roll);
   };
-  return std::make_shared<const fem::CondensedRoll>(kept_part<fem::CondensedRoll>(
-      run, "condensation, " + name + (companion ? ", coarse mesh" : ""), file, key, fem::load_roll, make, save));
+  return std::make_shared<const fem::CondensedRoll>(
+      kept_part<fem::CondensedRoll>(run, "condensation, " + name + (companion ? ", coarse mesh" : ""), file, key,
+                                    fem::load_roll, make, save, wanted.smaller));
 }
 }  // namespace
 

@@ -17,6 +17,7 @@ struct RollOptions {
   bool slab       = false;  ///< plane strain
   bool both_sides = false;  ///< loads that differ between the sides; the coarse mesh always has them
   bool tractions  = false;  ///< friction
+  std::string smaller;      ///< what needs less memory: "a smaller contact.upper.elements_per_half_width"
 };
 
 /// Everything that a condensed roll depends on, as text; its hash is the key of the cache.

@@ -150,8 +150,9 @@ ContactModel contact_model(RunContext &run, const FourHigh &stand, const std::st
   const double b = reduce::line_contact(m.closed_form, largest_load).half_width;
   // Crown, bending and a narrow strip gather the load, so the contact may be wider than that of a uniform load.
   for (double reach = first_reach; reach < 12; reach *= 1.5) {
-    const auto plan = planned_rolls(stand, settings, largest_load, reach);
-    const auto into = [&](CondensedPair &pair, const char *roll, const PlannedRoll &planned) {
+    auto plan           = planned_rolls(stand, settings, largest_load, reach);
+    plan.wanted.smaller = "a smaller contact." + name + ".elements_per_half_width";
+    const auto into     = [&](CondensedPair &pair, const char *roll, const PlannedRoll &planned) {
       return [&, roll](RunContext &part_run) {
         pair = condensed_pair(part_run, roll, planned.geometry, planned.size, stand.steel, plan.wanted);
       };

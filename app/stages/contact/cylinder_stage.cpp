@@ -36,7 +36,7 @@ Slabs slabs_of(RunContext &run, const TwoCylinders &spec, const PlaneEngine engi
     return [&, name](RunContext &part_run) {
       const PlannedRoll plan = planned_cylinder(spec, body.diameter);
       pair = condensed_pair(part_run, name, plan.geometry, plan.size, material_of(body, spec.steel),
-                            {true, false, false});
+                            {true, false, false, "a smaller contact.line.elements_per_half_width"});
     };
   };
   std::vector<IndependentStage> stages;

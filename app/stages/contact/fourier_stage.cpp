@@ -23,7 +23,8 @@ namespace {
 constexpr const char *fourier_stage_version = "fourier 2";
 
 fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const RollGeometry &g, const Material &m,
-                              const fem::FourierOptions &options, const Eigen::VectorXd &edge)
+                              const fem::FourierOptions &options, const Eigen::VectorXd &edge,
+                              const std::string &smaller)
 {
   const std::string key  = hash_of(fourier_inputs(g, m, options, edge));
   const std::string file = run.cache + "/fourier-" + key + ".bin";
@@ -37,8 +38,8 @@ fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const Ro
   const auto save = [](const std::string &to, const std::string &key, const fem::FourierRoll &roll) {
     fem::save_roll(to, key, roll);
   };
-  return kept_part<fem::FourierRoll>(run, "Fourier series, " + name, file, key, fem::load_fourier_roll, make,
-                                     save);
+  return kept_part<fem::FourierRoll>(run, "Fourier series, " + name, file, key, fem::load_fourier_roll, make, save,
+                                     smaller);
 }
 
 // The approach as the first engine defines it: from the first touch, and under a force off the middle at the
@@ -92,11 +93,13 @@ FourierRolls fourier_rolls(RunContext &run, const FourHigh &stand, const Contact
   fem::FourierOptions options;
   // For the whole sweep, so that another working load finds the rolls in the cache: the contact at a quarter of
   // the largest load.  Below it the harmonics follow their asymptote.
-  options.half_width = 0.5 * reduce::line_contact(closed_form(stand), largest).half_width;
-  options.both_sides = plan.wanted.both_sides;
+  options.half_width        = 0.5 * reduce::line_contact(closed_form(stand), largest).half_width;
+  options.both_sides        = plan.wanted.both_sides;
+  const std::string smaller = "loads of contact.*.loads that end higher";  // a wider contact has a coarser section
   FourierRolls rolls;
-  rolls.backup = fourier_roll(run, "backup roll", plan.backup.geometry, stand.steel, options, {});
-  rolls.work   = fourier_roll(run, "work roll", plan.work.geometry, stand.steel, options, rolls.backup.edge);
+  rolls.backup = fourier_roll(run, "backup roll", plan.backup.geometry, stand.steel, options, {}, smaller);
+  rolls.work =
+      fourier_roll(run, "work roll", plan.work.geometry, stand.steel, options, rolls.backup.edge, smaller);
   return rolls;
 }
 

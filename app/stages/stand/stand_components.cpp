@@ -42,8 +42,10 @@ Component cached(RunContext &run, const std::string &name, const std::string &in
                     c.fixed_frequency.size() > 0 ? c.fixed_frequency.maxCoeff() : 0., c.reach));
     return c;
   };
-  return kept_part<Component>(run, "components, " + name, run.cache + "/component-" + key + ".bin", key,
-                              fem::load_component, made, fem::save_component);
+  return kept_part<Component>(
+      run, "components, " + name, run.cache + "/component-" + key + ".bin", key, fem::load_component, made,
+      fem::save_component,
+      "a smaller dynamics.elements_per_radius or dynamics.frequency_limit, dynamics.model = \"beam\"");
 }
 
 // A mesh that follows waves to the frequency limit: as fine as the case says, or finer.

@@ -27,19 +27,18 @@ namespace mill {
 namespace {
 constexpr std::size_t most_said = 12;  // actions on the console
 
-// advice.json leaves first and comes last, so that a folder with it is whole.
 void write_advice(const std::string &folder, const twin::AdviceRecord &record)
 {
-  std::error_code ignored;
-  for (const char *old :
-       {"advice.json", "advice.csv", "spectrum.csv", "detuning.csv", "growth.csv", "report.html"})
-    fs::remove(folder + "/" + old, ignored);
-  write_atomically(folder + "/advice.csv", advice_csv(record));
-  for (const auto &[name, table] : record.tables)
-    write_atomically(folder + "/" + name + ".csv", csv_text(table));
   const std::string json = advice_json(record);
-  write_atomically(folder + "/report.html", report::advice_page(folder, json, record.tables));
-  write_atomically(folder + "/advice.json", json);
+  replace_results(folder,
+                  {"advice.json", "advice.csv", "spectrum.csv", "detuning.csv", "growth.csv", "report.html"},
+                  [&](const std::string &staged) {
+                    write_atomically(staged + "/advice.csv", advice_csv(record));
+                    for (const auto &[name, table] : record.tables)
+                      write_atomically(staged + "/" + name + ".csv", csv_text(table));
+                    write_atomically(staged + "/report.html", report::advice_page(folder, json, record.tables));
+                    write_atomically(staged + "/advice.json", json);
+                  });
 }
 
 void say_action(const twin::RatedAction &action, const std::size_t rank)

@@ -55,21 +55,21 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
   return settings;
 }
 
-// analysis.json leaves first and comes last, so that a folder with it is whole.
 void write_folder(const std::string &folder, const twin::CleanRecord &record, const twin::Analysis &analysis,
                   const twin::CaseModel *stand, const twin::AnalysisSettings &settings)
 {
-  std::error_code ignored;
-  for (const char *old : {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv",
-                          "poles.csv", "singular.csv", "h1.csv", "modes_h1.csv", "candidates.csv", "report.html"})
-    fs::remove(folder + "/" + old, ignored);
-  const auto tables = twin::analysis_tables(analysis);
-  for (const auto &[name, table] : tables)
-    write_atomically(folder + "/" + name + ".csv", csv_text(table));
-  write_atomically(folder + "/candidates.csv", twin::candidates_csv(analysis));
+  const auto tables      = twin::analysis_tables(analysis);
   const std::string json = twin::analysis_json(record, analysis, stand, settings);
-  write_atomically(folder + "/report.html", report::analysis_page(folder, json, tables));
-  write_atomically(folder + "/analysis.json", json);
+  replace_results(folder,
+                  {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv", "poles.csv",
+                   "singular.csv", "h1.csv", "modes_h1.csv", "candidates.csv", "report.html"},
+                  [&](const std::string &staged) {
+                    for (const auto &[name, table] : tables)
+                      write_atomically(staged + "/" + name + ".csv", csv_text(table));
+                    write_atomically(staged + "/candidates.csv", twin::candidates_csv(analysis));
+                    write_atomically(staged + "/report.html", report::analysis_page(folder, json, tables));
+                    write_atomically(staged + "/analysis.json", json);
+                  });
 }
 
 }  // namespace

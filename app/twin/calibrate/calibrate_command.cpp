@@ -79,24 +79,23 @@ twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &ch
   return input;
 }
 
-// calibration.json is removed first and written last, so that a folder that holds it is complete.
 void write_calibration(const std::string &folder, const std::string &json,
                        const std::map<std::string, Table> &tables,
                        const std::map<std::string, std::string> &calibrated)
 {
-  std::error_code ignored;
-  for (const char *old :
-       {"calibration.json", "response.csv", "profiles.csv", "force.csv", "report.html", "calibrated.toml"})
-    fs::remove(folder + "/" + old, ignored);
-  remove_folder(folder + "/models");
-  for (const auto &[name, table] : tables)
-    write_atomically(folder + "/" + name + ".csv", csv_text(table));
-  for (const auto &[name, text] : calibrated) {
-    fs::create_directories(fs::path(folder + "/" + name).parent_path());
-    write_atomically(folder + "/" + name, text);
-  }
-  write_atomically(folder + "/report.html", report::calibration_page(folder, json, tables));
-  write_atomically(folder + "/calibration.json", json);
+  replace_results(folder,
+                  {"calibration.json", "response.csv", "profiles.csv", "force.csv", "report.html",
+                   "calibrated.toml", "models"},
+                  [&](const std::string &staged) {
+                    for (const auto &[name, table] : tables)
+                      write_atomically(staged + "/" + name + ".csv", csv_text(table));
+                    for (const auto &[name, text] : calibrated) {
+                      fs::create_directories(fs::path(staged + "/" + name).parent_path());
+                      write_atomically(staged + "/" + name, text);
+                    }
+                    write_atomically(staged + "/report.html", report::calibration_page(folder, json, tables));
+                    write_atomically(staged + "/calibration.json", json);
+                  });
 }
 
 std::string line_of(const twin::Calibrated &u, const std::size_t width, const bool agrees, const bool written)
@@ -227,8 +226,10 @@ int plan_record(const CommandLine &command, const Case &the_case)
   if (folder.empty())
     return 0;
   const std::string json = plan_json(plan);
-  write_atomically(folder + "/report.html", report::plan_page(folder, json));
-  write_atomically(folder + "/plan.json", json);
+  replace_results(folder, {"plan.json", "report.html"}, [&](const std::string &staged) {
+    write_atomically(staged + "/report.html", report::plan_page(folder, json));
+    write_atomically(staged + "/plan.json", json);
+  });
   if (!command.quiet)
     console::print("report: " + folder + "/report.html\n");
   return 0;

@@ -167,6 +167,7 @@ private:
   std::vector<double> unknowns_at(std::vector<double> values, double more_force, const Direction &asked);
   std::vector<double> by_known(const Direction &asked, Reference known);
   bool is_copy(const char *function, const void *state) const;
+  bool may_hold(const Snapshot &state) const;
   // Kind "chatter".
   PassData pass_of(const std::vector<double> &values) const;
   double bite_number(BiteNumber number) const;

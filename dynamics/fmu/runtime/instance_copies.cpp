@@ -1,4 +1,5 @@
 #include "instance.h"
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <memory>
@@ -155,6 +156,8 @@ Status Instance::restore(const char *function, const void *state)
   now_ = std::move(wanted);
   if (plays_series() && now_.phase != Phase::instantiated && now_.phase != Phase::set_up)
     load_series();
+  if (now_.place > series_.time.size())
+    now_.place = series_.before(now_.time, 0);
   use_parameters();
   std::swap(modes, now_.modes);
   return Status::ok;
@@ -198,6 +201,39 @@ Status Instance::serialize(const char *function, const void *state, char *bytes,
   return Status::ok;
 }
 
+// Bytes with a hash that fits are whole, and not by that a state of this model: whoever wrote them may have made
+// them.
+bool Instance::may_hold(const Snapshot &state) const
+{
+  const auto finite = [](const std::vector<double> &numbers) {
+    return std::all_of(numbers.begin(), numbers.end(), [](const double number) { return std::isfinite(number); });
+  };
+  if (state.values.size() != variables_.size() || state.phase == Phase::intermediate)
+    return false;
+  for (std::size_t i = 0; i < variables_.size(); ++i) {
+    const Variable &variable = variables_[i];
+    const double value       = state.values[i];
+    if (variable.has_start() && variable.type == Type::real &&
+        !(std::isfinite(value) && (!variable.bounded() || (value >= variable.low && value <= variable.high))))
+      return false;
+  }
+  if (model_.kind == "chain" && !is_held(modal_system(model_, tuning_of(state.values))))
+    return false;
+  const ModalState &modes = state.modes;
+  const auto &vibration   = state.vibration.z;
+  const std::size_t n = model_.n_modes(), unknowns = 2 * n + 2;
+  // From the first values on there is a motion.
+  const bool moves = state.phase == Phase::step || state.phase == Phase::terminated ||
+                     (state.phase == Phase::initialization && !state.outputs_stale);
+  const bool chatter   = model_.kind == "chatter";
+  const bool has_modes = modes.q.size() == n && !chatter, has_vibration = vibration.size() == unknowns;
+  return modes.p.size() == modes.q.size() && (modes.q.empty() || has_modes) &&
+         (vibration.empty() || (chatter && has_vibration)) &&
+         (!moves || has_modes || (chatter && has_vibration)) && finite(modes.q) && finite(modes.p) &&
+         finite(vibration) && std::isfinite(state.vibration.next_step) &&
+         finite({state.time, state.start, state.force, state.slope, state.last_slope});
+}
+
 Status Instance::deserialize(const char *function, const char *bytes, const std::size_t size, void **state) const
 {
   const std::string who = std::string(function) + ": ";
@@ -214,10 +250,7 @@ Status Instance::deserialize(const char *function, const char *bytes, const std:
   auto made = std::make_unique<Copy>(Copy{mark_, {}});
   StateReader reader(bytes + header_size, std::size_t(head[1]));
   each_number(reader, made->state);
-  const std::size_t modes = made->state.modes.q.size();
-  if (!reader.at_end() || made->state.values.size() != variables_.size() || made->state.modes.p.size() != modes ||
-      (modes != 0 && modes != model_.n_modes()) ||
-      (!made->state.vibration.z.empty() && made->state.vibration.z.size() != 2 * model_.n_modes() + 2))
+  if (!reader.at_end() || !may_hold(made->state))
     return log_->refuse(Status::error, who + "the bytes are not a serialised state, or they are damaged");
   if (*state) {
     if (!is_copy(function, *state))

@@ -29,3 +29,19 @@ TEST(MemoryLeft, TheAddressSpaceIsWhatTheLimitLeaves)
   EXPECT_LE(left.bytes, 50e6);
   EXPECT_EQ(left.end, "the " + megabytes(double(allowed)) + " of address space that are allowed (ulimit -v)");
 }
+
+TEST(MemoryLeft, TheLimitOfTheUserIsForTheWholeProcess)
+{
+  const auto left_below = [](const double limit) {
+    set_memory_limit(limit);
+    const MemoryLeft left = memory_left();
+    set_memory_limit(0);
+    return left;
+  };
+  EXPECT_EQ(left_below(1e6).bytes, 0) << "a process with its libraries has more than that";
+  EXPECT_EQ(left_below(1e6).end, "the 1 MB that --memory allows");
+  const double some = left_below(300e6).bytes;
+  EXPECT_GT(some, 0);
+  EXPECT_LT(some, 300e6) << "less what this process has already";
+  EXPECT_NE(memory_left().end, "the 300 MB that --memory allows");
+}

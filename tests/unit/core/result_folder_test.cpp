@@ -161,6 +161,66 @@ TEST_F(ResultFolder, AKillAtAnyRenameLeavesOneRunAndTheNextCommandCompletesIt)
     }
 }
 
+// Another kind of folder, of three files: those of a run that are next to them are files of the user there.
+TEST_F(ResultFolder, FilesOfAnAnalysisAreReplacedTogetherAndOthersStay)
+{
+  const std::vector<std::string> names{"analysis.json", "spectrum.csv", "report.html"};
+  const std::vector<std::string> first{"analysis.json", "spectrum.csv", "report.html", "results.json"};
+  for (int kill = 0; kill < 7; ++kill) {  // the switch, three names away, two into place, the end
+    fs::remove_all(folder);
+    write(folder, first, "earlier");
+    const pid_t child = ::fork();
+    if (child == 0) {
+      int renames = 0;
+      const FolderLock alone(folder.string());
+      const Staging staging(folder.string());
+      write(staging.path(), {"analysis.json", "report.html"}, "later");
+      publish_results(
+          staging.path(), folder.string(),
+          [&](const char *from, const char *to) {
+            if (renames++ == kill)
+              ::raise(SIGKILL);
+            return ::rename(from, to);
+          },
+          names);
+      ::_exit(0);
+    }
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    ASSERT_TRUE(WIFSIGNALED(status)) << kill;
+    {
+      const WholeRun complete(folder.string());
+    }
+    std::map<std::string, std::string> wanted{{"results.json", "earlier"}};
+    for (const char *name : {"analysis.json", "report.html"})
+      wanted[name] = kill == 0 ? "earlier" : "later";
+    if (kill == 0)
+      wanted["spectrum.csv"] = "earlier";
+    EXPECT_EQ(shown(), wanted) << kill;
+  }
+}
+
+// A journal is text from a disk: names that lead out of the folder are not followed.
+TEST_F(ResultFolder, NamesOfAJournalThatLeadElsewhereAreLeftAlone)
+{
+  set_up_earlier_run();
+  const fs::path outside = folder.string() + "-outside.txt";
+  write_atomically(outside.string(), "outside");
+  fs::create_directories(folder / ".publishing");
+  write_atomically((folder / ".publishing/.names").string(),
+                   "../" + outside.filename().string() + "\nresults.json\n");
+  write_atomically((folder / ".publishing/.replaced").string(),
+                   "results.json\n../" + outside.filename().string() + "\n" + outside.string() + "\n..\n");
+  write_atomically((folder / ".publishing/results.json").string(), "later");
+  {
+    const WholeRun complete(folder.string());
+  }
+  EXPECT_EQ(read_text(outside.string()), "outside");
+  EXPECT_EQ(shown().at("results.json"), "later");
+  EXPECT_EQ(shown().at("mine.txt"), "mine");
+  fs::remove(outside);
+}
+
 // The same, and the next program only reads.
 TEST_F(ResultFolder, AReaderAfterAKillAtAnyRenameSeesOneWholeRun)
 {
