@@ -1,7 +1,7 @@
 // The bytes of one connection to the server of a page, over a socket of this machine.  Nothing is done without the
 // token, and the server answers the next one.
 #include "tests/fuzz/fuzz_file.h"
-#include "web/server/page_server.h"
+#include "twin/web/server/page_server.h"
 #include <arpa/inet.h>
 #include <cstdlib>
 #include <cstring>
