@@ -62,7 +62,7 @@ TEST(ForgedState, WhatTheModelCannotHoldIsRefused)
   SampleStand stand = sample_stand();
   carry(stand.model, sample_force(50, 1e-4));
   Client2 client(stand.model);
-  ASSERT_EQ(FMI2(client, SetupExperiment)(client.c, fmi2False, 0, 0, fmi2False, 0), fmi2OK);
+  ASSERT_EQ(FMI2(client, SetupExperiment)(client.c, 0, 0, 0, 0, 0), fmi2OK);
   ASSERT_EQ(FMI2(client, EnterInitializationMode)(client.c), fmi2OK);
   ASSERT_EQ(FMI2(client, ExitInitializationMode)(client.c), fmi2OK);
   ASSERT_EQ(client.step(0, 1e-3), fmi2OK);
