@@ -2,7 +2,7 @@
 #include <atomic>
 
 namespace mill {
-/// While it lives, SIGINT, SIGTERM and SIGHUP (those that were not ignored before) ask for an end and do not end
+/// While it lives, SIGINT, SIGTERM and, unless nohup ignores it, SIGHUP ask for an end and do not end
 /// the program: whoever works looks at `asked()` between two pieces of work.  A second signal ends the program as
 /// usual.  Work that its caller can stop (core/process/stop.h) leaves the signals to that caller and looks at its
 /// wish.
