@@ -21,8 +21,9 @@ CutSignal::CutSignal() : of_caller(Stoppable::current())
     return;
   cut_by = 0;
   for (const int number : signals)
-    if (std::signal(number, ask_for_cut) == SIG_IGN)
-      std::signal(number, SIG_IGN);  // nohup, or a job in the background
+    if (std::signal(number, ask_for_cut) == SIG_IGN && number == SIGHUP)
+      std::signal(number,
+                  SIG_IGN);  // nohup; a job in the background begins with SIGINT ignored, and may be ended by it
 }
 
 CutSignal::~CutSignal()
@@ -30,7 +31,7 @@ CutSignal::~CutSignal()
   if (of_caller)
     return;
   for (const int number : signals)
-    if (std::signal(number, SIG_DFL) == SIG_IGN)
+    if (std::signal(number, SIG_DFL) == SIG_IGN && number == SIGHUP)
       std::signal(number, SIG_IGN);
 }
 

@@ -80,6 +80,8 @@ std::string options_of(const CommandLine &command)
     options += " --cache " + shell_word(fs::absolute(command.cache).string());
   if (cache_limit(command) > 0)
     options += " --cache-limit " + shell_word(command.sweep.cache_limit);
+  if (!command.memory.empty())
+    options += " --memory " + shell_word(command.memory);
   if (command.study.keep)
     options += " --keep";
   return options;

@@ -7,7 +7,7 @@
 namespace mill {
 /// `study work` for each of as many shards, side by side on this machine.  A shard that a crash ended is started
 /// again, since its second crash is marked.
-/// @return exit code; 130: asked to end, after every worker has kept what was finished
+/// @return exit code; 128 and its number: a signal asked for an end, after every worker has kept what was finished
 int run_workers_here(const Study &study, const CommandLine &command, long jobs, const CutSignal &signal,
                      RowWatch &watch);
 

@@ -2,11 +2,15 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <fmt/format.h>
+#include <optional>
 
 namespace mill::twin {
 namespace {
+constexpr std::size_t header_size = 44;
+
 std::int64_t big_endian(const std::string &bytes, const std::size_t position, const int n)
 {
   std::uint64_t value = 0;
@@ -19,15 +23,22 @@ struct Counts {
   std::size_t utc_flags, standard_flags, leaps, changes, types, characters;
 };
 
-// Counts of the header at `at`, and the length of what follows it.
-Counts counts_at(const std::string &bytes, const std::size_t position)
+// Counts of the header at a position, where the file has one there.  Nothing where one of them is larger than the
+// file: what follows cannot fit, and no length made of them can wrap.
+std::optional<Counts> counts_at(const std::string &bytes, const std::size_t position)
 {
-  const auto count = [&](const int i) {
-    return std::size_t(big_endian(bytes, position + 20 + 4 * std::size_t(i), 4));
-  };
-  return {count(0), count(1), count(2), count(3), count(4), count(5)};
+  if (bytes.size() < header_size || position > bytes.size() - header_size)
+    return {};
+  std::array<std::size_t, 6> count{};
+  for (std::size_t i = 0; i < count.size(); ++i) {
+    count[i] = std::uint32_t(big_endian(bytes, position + 20 + 4 * i, 4));
+    if (count[i] > bytes.size())
+      return {};
+  }
+  return Counts{count[0], count[1], count[2], count[3], count[4], count[5]};
 }
 
+// Length of what follows a header.
 std::size_t length_of(const Counts &c, const std::size_t time_size)
 {
   return c.changes * (time_size + 1) + c.types * 6 + c.characters + c.leaps * (time_size + 4) + c.standard_flags +
@@ -187,14 +198,17 @@ TimeZone::TimeZone(const std::string &name, const std::string &folder) : name_(n
   if (!is_plain_name(name))
     throw InputError(refusal);
   const auto read = text_if_readable(folder + "/" + name);
-  if (!read || read->size() < 44 || read->compare(0, 4, "TZif") != 0 || (*read)[4] < '2')
+  if (!read || read->size() < header_size || read->compare(0, 4, "TZif") != 0 || (*read)[4] < '2')
     throw InputError(refusal);
   const std::string &bytes = *read;
-  const std::size_t second = 44 + length_of(counts_at(bytes, 0), 4);  // the block with times of 64 bits
-  if (bytes.size() < second + 44)
+  const auto first         = counts_at(bytes, 0);
+  // The block with times of 64 bits.
+  const std::size_t second = header_size + (first ? length_of(*first, 4) : 0);
+  const auto counts        = first ? counts_at(bytes, second) : std::nullopt;
+  if (!counts)
     throw InputError(refusal);
-  const Counts c             = counts_at(bytes, second);
-  const std::size_t position = second + 44;
+  const Counts c             = *counts;
+  const std::size_t position = second + header_size;
   if (c.types == 0 || bytes.size() < position + length_of(c, 8))
     throw InputError(refusal);
   const auto offset_of_type = [&](const std::size_t type) {
@@ -211,7 +225,7 @@ TimeZone::TimeZone(const std::string &name, const std::string &folder) : name_(n
 std::vector<std::int64_t> TimeZone::utc_of(const std::int64_t local_seconds) const
 {
   constexpr std::int64_t year = 366 * 86400;
-  if (goes_on_ && !change_.empty() && local_seconds > change_.back() + year)
+  if (goes_on_ && !change_.empty() && local_seconds - year > change_.back())
     throw InputError("this system knows the zone " + name_ +
                      " not as far as this time; write the times with their offset from UTC");
   std::vector<std::int64_t> times;

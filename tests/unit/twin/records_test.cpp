@@ -184,6 +184,18 @@ TEST_F(Records, LocalTimesOfSummerAndWinter)
   EXPECT_FALSE(time_of_text("2026-02-30T10:00:00"));
 }
 
+// Counts near 2^32 in the head of a file of rules, of which lengths wrap around.
+TEST_F(Records, AFileOfTimeZonesWithCountsLargerThanItselfIsRefused)
+{
+  const std::string folder = testing::TempDir();
+  std::string bytes        = "TZif2" + std::string(39, '\0');
+  for (std::size_t i = 20; i < 44; ++i)
+    bytes[i] = char(i % 4 == 3 ? 0xF0 : 0xFF);
+  std::ofstream(folder + "/damaged_zone", std::ios::binary) << bytes << bytes;
+  EXPECT_THROW(TimeZone("damaged_zone", folder), InputError);
+  std::filesystem::remove(folder + "/damaged_zone");
+}
+
 TEST_F(Records, WhatIsMissingIsNoNumber)
 {
   const RawRecord record = csv("time [s];a [g];b [mm/s]\n0;1;\n0,1;NaN;2\n0,2;;n/a\n0,3;4;3");
