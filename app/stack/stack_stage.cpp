@@ -11,6 +11,7 @@
 #include "reduce/stack/beam_stack.h"
 #include "reduce/stack/line_law.h"
 #include "reduce/stack/section_forces.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -99,6 +100,27 @@ void add_results(RunContext &run, const StackNumberSets &sets, const double forc
                           "edges of the strip are in the condensed rolls only"});
     p.error_estimate = p.value == 0 || p.value == coarse[i].value ? 0 : mesh_pair_error(p.value, coarse[i].value);
     run.results.add(number.name, p);
+  }
+}
+
+// A crown that bending and shift take away is a small difference of large numbers, in which the engines differ
+// more.
+void warn_of_engines(RunContext &run, const StackNumberSets &sets)
+{
+  constexpr double share = 0.1, least = 2e-6;  // -, m
+  for (const char *what : {"crown", "edge_drop"}) {
+    const std::string name = result_name({family::stack, what});
+    const auto of          = [&](const StackNumbers &numbers) {
+      const auto found = std::find_if(numbers.begin(), numbers.end(),
+                                               [&](const StackNumber &number) { return number.name == name; });
+      return found == numbers.end() ? not_given : found->value;
+    };
+    const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
+    if (apart > least && apart > share * std::max(std::abs(here), std::abs(other)))
+      run.warn(
+          fmt::format("{} is {:.1f} um here and {:.1f} um by the other engine ({}): take the difference as its "
+                      "error",
+                      name, 1e6 * here, 1e6 * other, sets.other_method));
   }
 }
 
@@ -291,6 +313,7 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, d
   write_stack_curves(run, input, fine);
   write_stack_maps(run, input, stack);
   warn_of_state(run, fine);
+  warn_of_engines(run, sets);
   say_what_is_assumed_of(run, input);
 }
 }  // namespace
