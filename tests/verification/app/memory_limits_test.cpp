@@ -24,6 +24,21 @@ TEST(MemoryLimits, ALimitBelowTheBuffersOfTheBlasIsReportedAtOnce)
   EXPECT_TRUE(says(outcome.err, "  change        a higher limit\n")) << outcome.err;
 }
 
+// Known before the factorisation begins; the numbers are those of this machine and mesh.
+TEST(MemoryLimits, TheLimitOfTheUserRefusesWithTheKeyThatNeedsLess)
+{
+  const Outcome outcome = millstand("stiffness cases/two-cylinders.toml --memory 200MB -q --fresh -o " +
+                                    scratch("allowed") + " --cache " + scratch("allowed-cache"));
+  EXPECT_EQ(outcome.exit_code, 3);
+  for (const char *part : {"upper cylinder: out of memory: the factor of a stiffness matrix of ",
+                           " unknowns with what is made of it needs ", " may be taken for it: ",
+                           " are left, the limit is set by the 200 MB that --memory allows\n",
+                           "  usual cause   a finer mesh than this machine or this limit can hold\n",
+                           "  change        a smaller contact.line.elements_per_half_width, fewer threads "
+                           "(--threads), or a higher limit\n"})
+    EXPECT_TRUE(says(outcome.err, part)) << part << " in\n" << outcome.err;
+}
+
 TEST(MemoryLimits, EveryLimitEndsWithResultsOrASentence)
 {
   // 560: no room for the library of the finite elements.
