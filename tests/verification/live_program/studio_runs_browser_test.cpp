@@ -73,8 +73,8 @@ TEST_F(StudioRunsBrowser, TwoPinsAreRunComparedAndExported)
   ASSERT_TRUE(browser->wait_for("return !document.getElementById('compare').disabled", 10))
       << text("#compare-note") << text("#pins");
   browser->run("document.getElementById('compare').focus()");
-  browser->type(enter_key);
   EXPECT_EQ(focus(), "compare");
+  browser->type(enter_key);
   ASSERT_TRUE(browser->wait_for("return document.getElementById('report-box').open", 60))
       << focus() << text("#banner") << text("#compare-note");
   const std::string comparison = frame_text();
