@@ -6,11 +6,24 @@
 namespace mill::verify {
 const std::vector<std::string> &names_of_long_form()
 {
-  static const std::vector<std::string> names{
-      "strip-step42",           "engine-agreement",   "fe-mesh-order",       "published-k",
-      "roller-on-ring",         "condensed-identity", "ring-mesh",           "strip-flow-thick",
-      "strip-flow-mesh",        "strip-elastic-mesh", "strip-elastic-stiff", "strip-elastic-elastic-roll",
-      "strip-elastic-balances", "component-mesh"};
+  static const std::vector<std::string> names{"strip-step42",
+                                              "engine-agreement",
+                                              "fe-mesh-order",
+                                              "published-k",
+                                              "roller-on-ring",
+                                              "condensed-identity",
+                                              "ring-mesh",
+                                              "strip-flow-thick",
+                                              "strip-flow-mesh",
+                                              "strip-elastic-mesh",
+                                              "strip-elastic-stiff",
+                                              "strip-elastic-elastic-roll",
+                                              "strip-elastic-balances",
+                                              "strip-flow-derivative",
+                                              "strip-flow-slab-ratio",
+                                              "component-mesh",
+                                              "component-assembly",
+                                              "component-reach"};
   return names;
 }
 

@@ -109,7 +109,7 @@ TEST(SpectralPeaks, AStrongLowLineHidesNothing)
 }
 
 // Sixty records of one tone in white noise.
-TEST(SpectralPeaks, AToneIsFoundInEveryRecord)
+TEST(SpectralPeaksLong, AToneIsFoundInEveryRecord)
 {
   int true_lines = 0, others = 0;
   for (const double seconds : {10.0, 20.0, 30.0})

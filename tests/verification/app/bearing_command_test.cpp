@@ -84,7 +84,7 @@ TEST(BearingCommand, EveryNumberHasItsOwnError)
 
 // Contact elements of the roller between rigid rings: every promised name and file, and a roller on rigid backing
 // is 5 to 25 % stiffer than the standard's.  With elastic rings: bearing_by_elements_test.
-TEST(BearingCommand, RollersByFiniteElementsAgreeWithTheirChecks)
+TEST(BearingCommandLong, RollersByFiniteElementsAgreeWithTheirChecks)
 {
   const auto results = run("rollers", "--set model.rings=rigid --set load.samples=5");
   for (const char *name : {"tangent", "secant", "roller_secant", "roller_max", "loaded_rollers", "row1_share",

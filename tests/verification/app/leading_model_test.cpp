@@ -32,7 +32,7 @@ Eigen::Index rows_of(const std::string &csv)
 }
 }  // namespace
 
-TEST(LeadingModel, OfADrawingIsExportedWithTheStaticRest)
+TEST(LeadingModelLong, OfADrawingIsExportedWithTheStaticRest)
 {
   const std::string folder = scratch("leading-export");
   const Outcome run        = exported(folder, "-o detailed");

@@ -223,7 +223,7 @@ TEST(Models, CachedRunGivesTheSameModels)
             mill::read_text(scratch("again") + "/curves/models.json"));
 }
 
-TEST(Housing, DrawingReplacesTheFrame)
+TEST(HousingLong, DrawingReplacesTheFrame)
 {
   ASSERT_EQ(run("masses", drawn, "drawn",
                 "--set 'frame.piston_stiffness_tolerance=1 %' --set 'frame.upper_packing_stiffness_tolerance=1 %'")

@@ -39,7 +39,7 @@ TEST(MemoryLimits, TheLimitOfTheUserRefusesWithTheKeyThatNeedsLess)
     EXPECT_TRUE(says(outcome.err, part)) << part << " in\n" << outcome.err;
 }
 
-TEST(MemoryLimits, EveryLimitEndsWithResultsOrASentence)
+TEST(MemoryLimitsLong, EveryLimitEndsWithResultsOrASentence)
 {
   // 560: no room for the library of the finite elements.
   for (const int megabytes : {560, 800, 860, 920, 1000, 3000}) {

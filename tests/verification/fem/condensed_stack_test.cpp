@@ -13,7 +13,7 @@ using namespace mill;
 
 // Values of docs/theory/51: beams with the shear coefficient of the surface, the exact cylinder at the strip,
 // one-sided flattening between the rolls and opposite contacts.
-TEST(CondensedStack, SolidRollsWithoutShouldersFollowTheirPrediction)
+TEST(CondensedStackLong, SolidRollsWithoutShouldersFollowTheirPrediction)
 {
   const CondensedReference plain(stack_named("four-high.plain"));
   const reduce::StripState &strip = plain.state.strip;

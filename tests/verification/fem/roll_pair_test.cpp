@@ -46,7 +46,7 @@ fem::ContactPair in_stand(const Rolls &r, const double strip)
 }
 }  // namespace
 
-TEST(RollPair, MirroredApproachLiesInTheBandOfTheClosedForms)
+TEST(RollPairLong, MirroredApproachLiesInTheBandOfTheClosedForms)
 {
   const auto pair = mirrored(shared_rolls());
   for (const double F : {F1, F2}) {

@@ -6,7 +6,7 @@
 using namespace mill;
 using namespace mill::twin;
 
-TEST(PlantCalibration, RefusesAWrongStand)
+TEST(PlantCalibrationLong, RefusesAWrongStand)
 {
   expect_refused(wrong_stands().front(), 0);
 }
