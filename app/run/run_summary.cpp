@@ -93,7 +93,8 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
                                 open ? ", open stand " + engineering(*open) : ""));
   }
   if (modes.size() > most_modes)
-    lines.push_back(fmt::format("  and {} more named modes", modes.size() - most_modes));
+    lines.push_back(fmt::format("  and {} more named mode{}", modes.size() - most_modes,
+                                modes.size() - most_modes > 1 ? "s" : ""));
 }
 
 // What the rolls of a stack do to the strip.

@@ -117,10 +117,8 @@ void warn_of_engines(RunContext &run, const StackNumberSets &sets)
     };
     const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
     if (apart > least && apart > share * std::max(std::abs(here), std::abs(other)))
-      run.warn(
-          fmt::format("{} is {:.1f} um here and {:.1f} um by the other engine ({}): take the difference as its "
-                      "error",
-                      name, 1e6 * here, 1e6 * other, sets.other_method));
+      run.warn(fmt::format("{}: take {:.1f} um as its error: {:.1f} um here, {:.1f} um by the other engine", name,
+                           1e6 * apart, 1e6 * here, 1e6 * other));
   }
 }
 
