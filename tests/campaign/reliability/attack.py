@@ -44,11 +44,26 @@ class Campaign:
         self.work = tempfile.mkdtemp(prefix="millstand-%s-" % name, dir="/dev/shm" if os.access("/dev/shm", os.W_OK) else None)
         self.environment = dict(os.environ, LC_ALL="C.UTF-8", OMP_NUM_THREADS="1")
         self.environment.pop("MILLSTAND_TEST_CACHE", None)
+        self.copy = None
 
     def path(self, *parts):
         path = os.path.join(self.work, *parts)
         os.makedirs(os.path.dirname(path), exist_ok=True)
         return path
+
+    def open_to_others(self):
+        """Programs and cases where another user can read them, as in an installed program; the folder of the cases.  A tree below
+        the home of root is copied."""
+        if os.geteuid() != 0 or all(searched_by_others(path) for path in (self.program, CASES)):
+            return CASES
+        self.copy = tempfile.mkdtemp(prefix="millstand-copy-")
+        os.chmod(self.copy, 0o755)
+        beside = os.path.dirname(self.program)
+        for name in os.listdir(beside):
+            if name.startswith("millstand") and os.path.isfile(os.path.join(beside, name)):
+                shutil.copy(os.path.join(beside, name), self.copy)
+        self.program = os.path.join(self.copy, os.path.basename(self.program))
+        return shutil.copytree(CASES, os.path.join(self.copy, "cases"))
 
     def wants(self, attack):
         return self.options.only in attack
@@ -101,7 +116,18 @@ class Campaign:
               (self.name, self.options.seed, self.tried, self.tried - self.lost, self.lost, seconds), flush=True)
         if not self.options.keep:
             shutil.rmtree(self.work, ignore_errors=True)
+        if self.copy:
+            shutil.rmtree(self.copy, ignore_errors=True)
         sys.exit(1 if self.lost or not self.tried else 0)
+
+
+def searched_by_others(path):
+    """Whether every folder above a path lets other users through."""
+    while path != "/":
+        path = os.path.dirname(path)
+        if not os.stat(path).st_mode & 0o001:
+            return False
+    return True
 
 
 def sha(path):

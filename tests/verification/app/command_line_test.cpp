@@ -63,7 +63,7 @@ TEST(Run, TwoCylindersAgreeWithTheClosedForm)
     EXPECT_GT(fs::file_size(out + "/" + file), 0u) << file;
 }
 
-TEST(Run, TheDemoStandWritesEveryDocumentedFileAndName)
+TEST(RunLong, TheDemoStandWritesEveryDocumentedFileAndName)
 {
   const std::string out = run_demo(scratch("demo"));
   for (const char *file : {"resolved.toml", "results.json", "run.json", "millstand.log", "report.html",

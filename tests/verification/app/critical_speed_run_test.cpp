@@ -78,7 +78,7 @@ TEST(CriticalSpeedLong, OfARunIsThatOfKindChatterWithTheSameStructure)
       near(value(cold_run(), "chatter.pass 1.frequency"), value(other, "chatter.pass 1.frequency"), rounding));
 }
 
-TEST(CriticalSpeed, OfARunIsThatOfTheVerbChatter)
+TEST(CriticalSpeedLong, OfARunIsThatOfTheVerbChatter)
 {
   const std::string other = coarse_run(
       "chatter", "verb-chatter", thin_strip + "--set analysis.map_points=0 --set analysis.duration='0.05 s'");

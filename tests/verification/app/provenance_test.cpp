@@ -244,7 +244,7 @@ TEST(Provenance, ResultsOfAStandStateTheirInputs)
   std::filesystem::remove(base.file);
 }
 
-TEST(Provenance, ResultsOfADrawnFrameAndGivenSpringsStateTheirInputs)
+TEST(ProvenanceLong, ResultsOfADrawnFrameAndGivenSpringsStateTheirInputs)
 {
   BaseCase base = stand("four-high-drawn", tapered);
   for (const char *set :

@@ -56,7 +56,7 @@ TEST(Schedule, TheSameCaseAgainIsTakenFromTheCacheWithTheSameResults)
 }
 
 // One run says both: with --fresh nothing is taken from the cache, and one thread computes what more did.
-TEST(Schedule, ResultsAreTheSameFreshAndWithAnyNumberOfThreads)
+TEST(ScheduleLong, ResultsAreTheSameFreshAndWithAnyNumberOfThreads)
 {
   const auto &fresh = fresh_stiffness();
   EXPECT_EQ(difference_of_runs(kept_stiffness(), fresh), "");

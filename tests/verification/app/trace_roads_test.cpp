@@ -50,7 +50,7 @@ void compare_with_lists(const BaseCase &base, const Trace &t, ClosedFormMemory &
 }
 }  // namespace
 
-TEST(TraceRoads, EveryKeyOfTheDemoStandIsTraced)
+TEST(TraceRoadsLong, EveryKeyOfTheDemoStandIsTraced)
 {
   const ShortRecords demo("four-high-1400");
   const std::string &file = demo.file;

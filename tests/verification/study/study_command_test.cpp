@@ -39,7 +39,7 @@ void expect_refused(const std::string &arguments, const std::string &words)
   EXPECT_NE(text.find(words), std::string::npos) << arguments << "\n" << text;
 }
 
-TEST(StudyCommand, IndicesAndSpreadOfTheChainAreThoseOfTheReference)
+TEST(StudyCommandLong, IndicesAndSpreadOfTheChainAreThoseOfTheReference)
 {
   const std::string folder = scratch("study-chain") + "/study";
   std::string keys;

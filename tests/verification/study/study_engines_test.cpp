@@ -56,7 +56,7 @@ TEST(StudyEngines, ParallelGivesTheSameBytes)
   EXPECT_EQ(dump(folder), dump_of_here());
 }
 
-TEST(StudyEngines, SlurmGivesTheSameBytesAfterKillsOfItsDaemons)
+TEST(StudyEnginesLong, SlurmGivesTheSameBytesAfterKillsOfItsDaemons)
 {
   const std::string cluster = scratch("one-node-slurm");
   const Outcome started     = shell(one_node_slurm + " start " + cluster, "/");
