@@ -35,7 +35,8 @@ std::string unpacked_sources(const std::string &identifier)
 
 void compile(const std::string &folder, const std::string &files, const std::string &options)
 {
-  const std::string command = "cd '" + folder + "' && g++ -std=c++17 -O0 -fPIC -c -w " + options + " " + files;
+  const std::string command =
+      "cd '" + folder + "' && " CXX_COMPILER " -std=c++17 -O0 -fPIC -c -w " + options + " " + files;
   ASSERT_EQ(std::system(command.c_str()), 0) << command;
 }
 
