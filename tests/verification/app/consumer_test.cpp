@@ -15,10 +15,12 @@ TEST(Consumer, TenLinesFindTheLibrariesAndOpenTheFiniteElements)
     ASSERT_EQ(
         shell("cmake --install '" + build + "' --prefix '" + root + "' --component " + component, root).exit_code,
         0);
-  const Outcome made = shell("cmake -S '" MILLSTAND_SOURCE_DIR "/docs/examples/consumer' -B consumer "
-                             "-DCMAKE_PREFIX_PATH='" +
-                                 root + "' && cmake --build consumer",
-                             root);
+  const Outcome made =
+      shell("cmake -S '" MILLSTAND_SOURCE_DIR
+            "/docs/examples/consumer' -B consumer -G Ninja -DCMAKE_CXX_COMPILER='" CXX_COMPILER "' "
+            "-DCMAKE_PREFIX_PATH='" +
+                root + "' && cmake --build consumer",
+            root);
   ASSERT_EQ(made.exit_code, 0) << made.out << made.err;
   const Outcome run = shell("consumer/consumer", root);
   ASSERT_EQ(run.exit_code, 0) << run.err;
