@@ -9,16 +9,6 @@
 
 namespace mill {
 namespace {
-bite::Theory theory_of(const Strip &strip)
-{
-  return slides(strip.friction) ? bite::Theory::bland_ford : bite::Theory::hu_ehmann;
-}
-
-bool has_friction(const Friction &friction)
-{
-  return friction.law != FrictionLaw::coulomb || friction.coefficient > 0;
-}
-
 void add_key(std::string &list, const bool missing, const std::string &key)
 {
   if (missing)
@@ -34,16 +24,18 @@ std::optional<RolledBite> rolled_bite(const ClusterStand &stand, const ClusterPa
     return std::nullopt;
   RolledBite rolled;
   if (force.given) {
-    const auto fit = bite::fit_flow_stress(*drawn, theory_of(drawn->strip), bite::Arc::hitchcock, force.value);
-    rolled.bite    = fit.bite;
-    rolled.stress  = fmt::format("{:.4g} MPa, fitted to the load of the pass", 1e-6 * fit.value);
+    const auto fit =
+        bite::fit_flow_stress(*drawn, bite::closed_form_theory(drawn->strip), bite::Arc::hitchcock, force.value);
+    rolled.bite   = fit.bite;
+    rolled.stress = fmt::format("{:.4g} MPa, fitted to the load of the pass", 1e-6 * fit.value);
   } else {
     rolled.bite   = bite::with_exit_stress(*drawn);
     rolled.stress = fmt::format("{:.4g} MPa, strip.flow_stress at the exit of the pass",
                                 1e-6 * rolled.bite.strip.flow_stress.k);
   }
-  const auto state = bite::solve_slab(rolled.bite, {theory_of(rolled.bite.strip), bite::Arc::hitchcock, 0});
-  rolled.K4        = bite::slab_stiffness(rolled.bite, state).combined;
+  const auto state =
+      bite::solve_slab(rolled.bite, {bite::closed_form_theory(rolled.bite.strip), bite::Arc::hitchcock, 0});
+  rolled.K4 = bite::slab_stiffness(rolled.bite, state).combined;
   return rolled;
 }
 
@@ -55,7 +47,7 @@ std::string missing_of_bite(const ClusterStand &stand, const std::size_t p)
   add_key(missing, !(stand.strip.width > 0), "strip.width");
   add_key(missing, std::isnan(pass.entry_thickness), of + "entry_thickness");
   add_key(missing, std::isnan(pass.exit_thickness), of + "exit_thickness");
-  add_key(missing, !has_friction(stand.strip.friction), "strip.friction");
+  add_key(missing, !bite::has_friction(stand.strip.friction), "strip.friction");
   add_key(missing, std::isnan(pass.load) && !bite::has_flow_stress(stand.strip), "strip.flow_stress");
   add_key(missing, needs_speed(stand.strip.friction) && std::isnan(pass.speed), of + "speed");
   return missing;

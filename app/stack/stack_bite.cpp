@@ -7,18 +7,6 @@
 #include <fmt/format.h>
 
 namespace mill {
-namespace {
-bite::Theory theory_of(const Strip &strip)
-{
-  return slides(strip.friction) ? bite::Theory::bland_ford : bite::Theory::hu_ehmann;
-}
-
-bool rubs(const Friction &friction)
-{
-  return friction.law != FrictionLaw::coulomb || friction.coefficient > 0;
-}
-}  // namespace
-
 StackBite stack_bite(const StackInput &input, const Stack &stack, const Pass &pass, const double force)
 {
   const StackRoll &roll = stack.rolls[stack.upper];
@@ -26,9 +14,10 @@ StackBite stack_bite(const StackInput &input, const Stack &stack, const Pass &pa
   made.bite = bite_of(input.bite, pass, roll.diameter, roll.material);
   if (std::isnan(made.bite.strip.flow_stress.k)) {
     made.bite.strip.flow_stress.k = 0;
-    const auto fit = bite::fit_flow_stress(made.bite, theory_of(made.bite.strip), bite::Arc::hitchcock, force);
-    made.bite      = fit.bite;
-    made.stress    = fmt::format("{:.4g} MPa, fitted to the rolling force", 1e-6 * fit.value);
+    const auto fit =
+        bite::fit_flow_stress(made.bite, bite::closed_form_theory(made.bite.strip), bite::Arc::hitchcock, force);
+    made.bite   = fit.bite;
+    made.stress = fmt::format("{:.4g} MPa, fitted to the rolling force", 1e-6 * fit.value);
   } else
     made.stress = "strip.flow_stress";
   return made;
@@ -43,7 +32,7 @@ std::string missing_of_bite(const StackInput &input, const Pass &pass)
   };
   add(std::isnan(input.strip.entry_thickness) && std::isnan(pass.entry_thickness), "strip.entry_thickness");
   add(std::isnan(input.strip.exit_thickness) && std::isnan(pass.exit_thickness), "strip.exit_thickness");
-  add(!rubs(input.bite.friction), "strip.friction");
+  add(!bite::has_friction(input.bite.friction), "strip.friction");
   add(needs_speed(input.bite.friction) && std::isnan(pass.speed), "pass.speed");
   return missing;
 }

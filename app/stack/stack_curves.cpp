@@ -17,7 +17,7 @@
 namespace mill {
 namespace {
 constexpr int elements_of_maps = 30;  // over the width
-constexpr int forces_of_curve = 10;
+constexpr int forces_of_curve  = 10;
 
 void write_lines(const RunContext &run, const SolvedStack &solved)
 {

@@ -69,7 +69,7 @@ std::string chain_table(const Run &run)
   std::string tables;
   std::size_t count = 0;
   for (const ChainColumn &one : {column(run, "springs", "K", 7), column(run, "equivalent masses", "M", 6),
-                            column(run, "bearings, radial", "Kzc", 4)}) {
+                                 column(run, "bearings, radial", "Kzc", 4)}) {
     tables += table_of(one);
     count += one.rows.size();
   }

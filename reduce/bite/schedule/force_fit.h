@@ -4,6 +4,19 @@
 // One unknown of a pass from its force: one equation, one unknown.  The force is met with any model, so that
 // the agreement says nothing about it.  theory.md 39.2
 namespace mill::bite {
+/// The closed form that knows the friction of a strip: Bland and Ford's where it slides, Hu and Ehmann's where a
+/// share of the shear yield stress is given.
+inline Theory closed_form_theory(const Strip &strip)
+{
+  return slides(strip.friction) ? Theory::bland_ford : Theory::hu_ehmann;
+}
+
+/// False of a Coulomb coefficient of zero, with which no bite draws its strip in.
+inline bool has_friction(const Friction &friction)
+{
+  return friction.law != FrictionLaw::coulomb || friction.coefficient > 0;
+}
+
 /// The unknown that meets the force, and the pass with it.
 struct ForceFit {
   double value = 0;  ///< flow stress Pa, or friction -

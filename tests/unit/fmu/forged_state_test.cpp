@@ -84,8 +84,8 @@ TEST(ForgedState, WhatTheModelCannotHoldIsRefused)
     return bytes;
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
-  EXPECT_EQ(taken(client, with(modes_at + 8, nan)), fmi2Error) << "a displacement that is no number";
-  EXPECT_EQ(taken(client, with(own.size() - 16, std::uint64_t(4))), fmi2Error) << "inside a step of nobody";
+  EXPECT_EQ(taken(client, with(modes_at + 8, nan)), fmi2Error) << "a displacement that is not a number";
+  EXPECT_EQ(taken(client, with(own.size() - 16, std::uint64_t(4))), fmi2Error) << "inside a step that was never begun";
   EXPECT_EQ(taken(client, with(head_size + 8 * (1 + std::size_t(client.at("M3"))), -1.0)), fmi2Error)
       << "a mass below zero";
   // The place in the recorded force follows from the time.
