@@ -51,16 +51,16 @@ struct Points {
 // Every roll upwards, then along the rolling direction.  @param away  positive away from the strip, else upwards
 Points points_of(const ClusterStand &stand, const cluster::Stack &stack, const bool away)
 {
-  const StripRolls at = strip_rolls(stand);
+  const StripRolls rolls = strip_rolls(stand);
   Points points;
   points.rows      = Eigen::MatrixXd::Zero(2 * Eigen::Index(stack.rolls.size()), stack.size());
   Eigen::Index row = 0;
   for (const int direction : {1, 0})
     for (std::size_t i = 0; i < stack.rolls.size(); ++i) {
-      const bool down = away && direction == 1 && !at.is_upper(stack, i);
+      const bool down = away && direction == 1 && !rolls.is_upper(stack, i);
       points.rows(row++, stack.per_roll() * Eigen::Index(i) + direction) = down ? -1 : 1;
-      const std::string name = int(i) == at.upper && direction == 1 ? "upper work roll"
-                               : int(i) == at.lower && direction == 1
+      const std::string name = int(i) == rolls.upper && direction == 1 ? "upper work roll"
+                               : int(i) == rolls.lower && direction == 1
                                    ? "lower work roll"
                                    : stack.rolls[i].name + (direction ? " y" : " x");
       points.labels.push_back(name);
@@ -124,8 +124,8 @@ KeyList keys_of_bite(const Case &the_case, const std::size_t p)
 
 cluster::GapStand gap_stand_of(const ClusterStand &stand, const cluster::PassState &state)
 {
-  const StripRolls at = strip_rolls(stand);
-  return cluster::gap_stand(state.stack, state.rest.u, at.upper, at.lower);
+  const StripRolls rolls = strip_rolls(stand);
+  return cluster::gap_stand(state.stack, state.rest.u, rolls.upper, rolls.lower);
 }
 
 Eigen::VectorXd damping_of(const cluster::GapStandModes &modes)
@@ -288,25 +288,25 @@ namespace {
 void keep_stack_motions(dynamics::StandStructure &structure, const ClusterStand &stand, const ClusterPassRun &pass,
                         const cluster::GapStandModes &modes)
 {
-  const StripRolls at = strip_rolls(stand);
+  const StripRolls rolls = strip_rolls(stand);
   structure.labels.clear();
-  structure.point            = Eigen::MatrixXd::Zero(at.lower < 0 ? 2 : 4, modes.shape.cols());
+  structure.point            = Eigen::MatrixXd::Zero(rolls.lower < 0 ? 2 : 4, modes.shape.cols());
   const Eigen::VectorXd mass = cluster::masses(pass.state.stack);
   for (const bool upper : {true, false}) {
     Eigen::VectorXd of_stack = Eigen::VectorXd::Zero(mass.size());
     for (std::size_t i = 0; i < pass.state.stack.rolls.size(); ++i)
-      if (const int row = pass.state.stack.per_roll() * int(i); at.is_upper(pass.state.stack, i) == upper)
+      if (const int row = pass.state.stack.per_roll() * int(i); rolls.is_upper(pass.state.stack, i) == upper)
         of_stack.segment(row, pass.state.stack.per_roll()) = mass.segment(row, pass.state.stack.per_roll());
     structure.stack_mass[upper ? 0 : 1] = modes.shape.transpose() * of_stack.asDiagonal() * modes.shape;
   }
   for (const bool upper : {true, false}) {
-    if (!upper && at.lower < 0)
+    if (!upper && rolls.lower < 0)
       continue;
     const std::string side = upper ? "upper" : "lower";
     const auto row         = Eigen::Index(structure.labels.size());
     for (Eigen::Index k = 0; k < modes.shape.cols(); ++k) {
       const cluster::StripMotion motion =
-          cluster::strip_motion(pass.state.stack, pass.state.rest.contact_loads, upper ? at.upper : at.lower,
+          cluster::strip_motion(pass.state.stack, pass.state.rest.contact_loads, upper ? rolls.upper : rolls.lower,
                                 upper ? 1 : -1, modes.shape.col(k));
       structure.point(row, k)     = motion.work_roll;
       structure.point(row + 1, k) = motion.carrier;

@@ -42,11 +42,11 @@ void require_output(const std::string &path, const std::string &identifier, cons
   if (fs::path(path).extension() != ".fmu")
     throw InputError("-o " + path + ": a functional mock-up unit is an archive whose name ends with .fmu");
   std::error_code error;
-  const auto found = fs::status(path, error);
-  if (fs::is_directory(found))
+  const auto file_status = fs::status(path, error);
+  if (fs::is_directory(file_status))
     throw InputError("-o " + path + " is a folder; name the archive, for example " + path + "/" + identifier +
                      ".fmu");
-  if (fs::exists(found) && !overwrite && !is_earlier_export(path, identifier))
+  if (fs::exists(file_status) && !overwrite && !is_earlier_export(path, identifier))
     throw InputError("the file " + path +
                      " exists and is not an earlier export of this case; choose another with -o, or "
                      "give --force-overwrite");

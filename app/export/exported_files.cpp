@@ -95,8 +95,9 @@ const char *ending_of(const std::string &format)
 bool names_case(const std::string &text, const std::string &case_name)
 {
   const std::string words = "case " + case_name;
-  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
-    const std::size_t end = at + words.size();
+  for (std::size_t position = text.find(words); position != std::string::npos;
+       position             = text.find(words, position + 1)) {
+    const std::size_t end = position + words.size();
     if (end == text.size() || std::string(", \n\"").find(text[end]) != std::string::npos)
       return true;
   }
@@ -244,7 +245,7 @@ void write_together(const std::vector<ExportedFile> &files, const std::string &f
 {
   std::error_code error;
   for (const ExportedFile &file : files)
-    if (const auto found = fs::symlink_status(file.path, error); fs::exists(found) && fs::is_other(found))
+    if (const auto status = fs::symlink_status(file.path, error); fs::exists(status) && fs::is_other(status))
       throw InputError(Place{file.path}, "cannot be written: it is not a regular file; name another");
   Aside aside;
   aside.make_folder(folder);

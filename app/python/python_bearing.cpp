@@ -17,8 +17,8 @@ struct HeldBearing {
 NamedResult result_of_bearing(const LoadedState &state, const std::string &name)
 {
   for (const std::string &full : {name, "Kzc." + name, "bearing." + state.name + "." + name})
-    if (const Parameter *found = state.results.find(full))
-      return {full, *found};
+    if (const Parameter *result = state.results.find(full))
+      return {full, *result};
   std::vector<std::string> known;
   for (const auto &[other, parameter] : state.results.values)
     known.push_back(other);

@@ -12,11 +12,11 @@ namespace mill {
 namespace {
 double chain_spring(const std::vector<ClosedFormResult> &results, const char *name)
 {
-  const ClosedFormResult *found = find(results, name);
-  if (!found || !(found->parameter.value > 0))
+  const ClosedFormResult *result = find(results, name);
+  if (!result || !(result->parameter.value > 0))
     throw InputError(fmt::format("--as stack needs {} of the stand, and no closed form gives it{}", name,
-                                 found ? ": " + found->parameter.method : std::string()));
-  return found->parameter.value;
+                                 result ? ": " + result->parameter.method : std::string()));
+  return result->parameter.value;
 }
 
 // From the middle of the bearings to the ground, one side: the spring of the frame and that to the roll in series,

@@ -111,9 +111,9 @@ void warn_of_engines(RunContext &run, const StackNumberSets &sets)
   for (const char *what : {"crown", "edge_drop"}) {
     const std::string name = result_name({family::stack, what});
     const auto of          = [&](const StackNumbers &numbers) {
-      const auto found = std::find_if(numbers.begin(), numbers.end(),
+      const auto entry = std::find_if(numbers.begin(), numbers.end(),
                                                [&](const StackNumber &number) { return number.name == name; });
-      return found == numbers.end() ? not_given : found->value;
+      return entry == numbers.end() ? not_given : entry->value;
     };
     const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
     if (apart > least && apart > share * std::max(std::abs(here), std::abs(other)))

@@ -37,10 +37,10 @@ Spring with_film(Spring spring, const ChainFilm &film, const double frequency)
   if (!(film.damper > 0) || !(film.stiffness > spring.stiffness))
     return spring;
   const double rest = 1 / (1 / spring.stiffness - 1 / film.stiffness);
-  const auto at =
+  const auto place =
       reduce::equivalent_in_series(rest, {film.stiffness, film.damper}, std::isnan(frequency) ? 0 : frequency);
-  spring.stiffness = at.stiffness;
-  spring.damper    = at.damper;
+  spring.stiffness = place.stiffness;
+  spring.damper    = place.damper;
   return spring;
 }
 

@@ -322,8 +322,8 @@ Frame frame_on_modulus(const FourHigh &stand, const ChainInputs &inputs)
 LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const StatedErrors stated)
 {
   LumpedStand result;
-  LumpedModel &model      = result.model;
-  const OperatingPoint at = model.at = inputs.at;
+  LumpedModel &model        = result.model;
+  const OperatingPoint load = model.at = inputs.at;
   const Parameter K3 = given_or(stand, "K3", inputs.K3), K4 = given_or(stand, "K4", inputs.K4),
                   K5 = given_or(stand, "K5", inputs.K5);
   result.K_Zy_upper  = given_or(stand, "K_Zy", inputs.K_Zy_upper);
@@ -389,7 +389,8 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   for (std::size_t i = 0; i < 6; ++i) {
     const bool frame = i == 0 || i == 5;
     Parameter mass   = with_error(
-          computed_parameter(values[i], "kg", mass_method(i, reference), frame ? OperatingPoint() : at, keys[i]), i);
+          computed_parameter(values[i], "kg", mass_method(i, reference), frame ? OperatingPoint() : load, keys[i]),
+          i);
     if (!frame) {
       mass.checks.push_back(other_reference(i, reference, other));
       if (inputs.solid)
@@ -400,7 +401,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   for (std::size_t i = 0; i < 7; ++i) {
     const bool frame = i == 0 || i == 6;
     Parameter p      = with_error(
-             computed_parameter(values[6 + i], "N/m", "series springs", frame ? OperatingPoint() : at, keys[6 + i]),
+             computed_parameter(values[6 + i], "N/m", "series springs", frame ? OperatingPoint() : load, keys[6 + i]),
              6 + i);
     if (inputs.solid && (i == 1 || i == 5))
       add_other_model(p, other_model[6 + i], solid);

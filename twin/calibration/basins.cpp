@@ -19,9 +19,9 @@ struct Scan {
   FitSettings settings;
   Fit at(const Eigen::VectorXd &start, const Eigen::Index fixed) const
   {
-    FitSettings own = settings;
-    own.covariance  = fixed < 0;
-    return minimised(problem, start, fit.noise, own, fixed);
+    FitSettings each = settings;
+    each.covariance  = fixed < 0;
+    return minimised(problem, start, fit.noise, each, fixed);
   }
   double deviance(const Fit &other) const
   {

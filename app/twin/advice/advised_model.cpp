@@ -31,8 +31,8 @@ bool says_untold(const std::string &name, const std::string &text)
   const auto is_word = [&](const std::size_t i) {
     return i < rest.size() && std::isalnum(static_cast<unsigned char>(rest[i]));
   };
-  for (auto found = rest.find(name); found != std::string::npos; found = rest.find(name, found + 1))
-    if (!is_word(found - 1) && !is_word(found + name.size()))
+  for (auto position = rest.find(name); position != std::string::npos; position = rest.find(name, position + 1))
+    if (!is_word(position - 1) && !is_word(position + name.size()))
       return true;
   return false;
 }
@@ -88,12 +88,12 @@ std::optional<twin::VibratingStand> detailed_after(DetailParts parts, const Make
       return std::nullopt;
   if (!with_bite)
     parts.springs.K4 = parts.gap_damper = 0;
-  const StandModel stand   = make(parts.stand, parts.springs);
-  const double highest     = 2 * parts.stand.dynamics.frequency_limit;
-  twin::VibratingStand own = in_its_modes(stand, reduce::stand_modes(stand, highest),
-                                          parts.stand.dynamics.modal_damping, highest, parts.gap_damper);
-  own.damping *= change.damping;
-  return own;
+  const StandModel stand           = make(parts.stand, parts.springs);
+  const double highest             = 2 * parts.stand.dynamics.frequency_limit;
+  twin::VibratingStand modal_stand = in_its_modes(stand, reduce::stand_modes(stand, highest),
+                                                  parts.stand.dynamics.modal_damping, highest, parts.gap_damper);
+  modal_stand.damping *= change.damping;
+  return modal_stand;
 }
 
 DetailedStand detailed_stand(const Case &the_case, const FourHigh &four, const CaseChain &chain,

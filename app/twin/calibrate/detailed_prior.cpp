@@ -97,13 +97,15 @@ void add_masses(PriorChain &prior, const Case &the_case)
     const std::string of_chain[] = {"upper frame",     "upper backup roll", "upper work roll",
                                     "lower work roll", "lower backup roll", "lower frame"};
     for (std::size_t i = 0; i < 6; ++i)
-      if (const auto found = stated.error.find("M" + std::to_string(i + 1)); found != stated.error.end())
-        error["mass " + of_chain[i]] = found->second;
+      if (const auto stated_error = stated.error.find("M" + std::to_string(i + 1));
+          stated_error != stated.error.end())
+        error["mass " + of_chain[i]] = stated_error->second;
   }
   for (const twin::ReducedMass &mass : prior.stand.detailed->masses) {
-    const auto found = error.find(mass.name);
-    prior.masses.push_back({mass.name, prior_of_mass(found == error.end() ? not_given : found->second), 0});
-    if (found != error.end())
+    const auto stated_error = error.find(mass.name);
+    prior.masses.push_back(
+        {mass.name, prior_of_mass(stated_error == error.end() ? not_given : stated_error->second), 0});
+    if (stated_error != error.end())
       prior.stated.push_back(mass.name);
   }
 }

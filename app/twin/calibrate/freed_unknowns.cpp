@@ -8,8 +8,9 @@ namespace mill {
 namespace {
 const twin::Unknown *find_unknown(const std::vector<twin::Unknown> &all, const std::string &name)
 {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const twin::Unknown &u) { return u.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  const auto unknown =
+      std::find_if(all.begin(), all.end(), [&](const twin::Unknown &u) { return u.name == name; });
+  return unknown == all.end() ? nullptr : &*unknown;
 }
 
 const twin::Unknown *part_of_stand(const PriorChain &prior, const std::string &name)

@@ -198,9 +198,9 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
   MeasuredPieces result;
   std::vector<twin::CleanRecord> records;
   for (const RecordEntry &entry : set.entries) {
-    twin::ReadOptions own = options;
-    own.channels.insert(entry.channels.begin(), entry.channels.end());
-    records.push_back(twin::clean_record(twin::read_record(entry.file, own)));
+    twin::ReadOptions sheet_options = options;
+    sheet_options.channels.insert(entry.channels.begin(), entry.channels.end());
+    records.push_back(twin::clean_record(twin::read_record(entry.file, sheet_options)));
     const twin::CleanRecord &record = records.back();
     for (const twin::CleanChannel &channel : record.channels)
       if (channel.clipped > 0 &&

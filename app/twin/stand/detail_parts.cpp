@@ -21,8 +21,8 @@ DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
   reduce::ChainInputs inputs;
   reduce::each_spring(
       [&](const std::string &name, Parameter &spring) {
-        if (const ClosedFormResult *found = find(chain.results, name))
-          spring = found->parameter;
+        if (const ClosedFormResult *result = find(chain.results, name))
+          spring = result->parameter;
       },
       inputs);
   inputs.K_ww       = touching_work_rolls(parts.stand, chain.load, nullptr);

@@ -377,15 +377,15 @@ bool Instance::plays_series() const
 void Instance::play_series(const double end)
 {
   const auto &time = series_.time;
-  double at = now_.time, force = now_.force, slope = 0;
+  double instant = now_.time, force = now_.force, slope = 0;
   if (!curves_)
     motion_->begin(now_.modes);
   for (std::size_t place = std::size_t(now_.place);;) {
     const bool inside = place > 0 && place < time.size();
     const double stop = place < time.size() ? std::min(end, time[place]) : end;
     slope = inside ? (series_.force[place] - series_.force[place - 1]) / (time[place] - time[place - 1]) : 0;
-    travel(stop - at, {force - mean(), slope});
-    at = stop;
+    travel(stop - instant, {force - mean(), slope});
+    instant = stop;
     if (place < time.size() && time[place] <= end) {
       force = series_.force[place];
       ++place;

@@ -154,15 +154,16 @@ TEST(SpeedInterval, SlopesOfAModalStandAreThoseOfTheSixMasses)
   ASSERT_EQ(critical.verdict, Verdict::crossing);
   const SpeedInterval interval = speed_interval(q, critical, drawn.numbers);
   for (std::size_t i = 0; i < drawn.numbers.size(); ++i) {
-    const auto at = [&](const double change) {
+    const auto speed_with = [&](const double change) {
       Eigen::VectorXd s  = Eigen::VectorXd::Zero(Eigen::Index(drawn.numbers.size()));
       s[Eigen::Index(i)] = change / drawn.numbers[i].error;
       return std::log(drawn.program_at(s).speed);
     };
     constexpr double step = 1e-3;
-    const double d1 = (at(step) - at(-step)) / (2 * step), d2 = (at(2 * step) - at(-2 * step)) / (4 * step);
-    const auto share = std::find_if(interval.shares.begin(), interval.shares.end(),
-                                    [&](const SpeedShare &one) { return one.name == drawn.numbers[i].name; });
+    const double d1       = (speed_with(step) - speed_with(-step)) / (2 * step),
+                 d2       = (speed_with(2 * step) - speed_with(-2 * step)) / (4 * step);
+    const auto share      = std::find_if(interval.shares.begin(), interval.shares.end(),
+                                         [&](const SpeedShare &one) { return one.name == drawn.numbers[i].name; });
     EXPECT_TRUE(
         near(share->slope, (4 * d1 - d2) / 3, within(1e-5, "difference of fourth order, root to 1e-10", 1e-2)))
         << share->name;

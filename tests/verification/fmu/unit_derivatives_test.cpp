@@ -121,13 +121,13 @@ TEST(UnitDerivatives, WhatIsNotADependencyHasNoDerivative)
         for (unsigned k = 1; k < variables.size(); ++k) {
           if (!variables[k].has_start() || variables[k].type != fmu::Type::real)
             continue;
-          const double found = derivative(u, k);
+          const double slope = derivative(u, k);
           if (std::find(listed.begin(), listed.end(), k) == listed.end()) {
             ++independent;
-            EXPECT_LT(found, 1e-7) << variables[u].name << " by " << variables[k].name << at_start
+            EXPECT_LT(slope, 1e-7) << variables[u].name << " by " << variables[k].name << at_start
                                    << ": rounding of differences of fourth order";
           } else
-            dependent += found > 1e-7;
+            dependent += slope > 1e-7;
         }
       }
     };

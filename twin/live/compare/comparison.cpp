@@ -276,14 +276,14 @@ void Comparison::begin_recalibration(const ModeDrift &drift)
     if (unknown.name == "zeta" || twin::is_spring(stand, unknown.name))
       unknowns.push_back(unknown);
   const auto work = [stand = std::move(stand), record = std::move(record), unknowns, load = load_] {
-    twin::Recalibration found;
+    twin::Recalibration recalibration;
     try {
-      found = twin::recalibrate(stand, unknowns, record);
+      recalibration = twin::recalibrate(stand, unknowns, record);
     } catch (const std::exception &error) {
-      found.refused = error.what();
+      recalibration.refused = error.what();
     }
-    found.load = load;
-    return found;
+    recalibration.load = load;
+    return recalibration;
   };
   task.start(work);
   answered = drift;
