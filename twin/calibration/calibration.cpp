@@ -298,6 +298,22 @@ Table response_table(const CalibrationInput &in, const Eigen::VectorXd &theta)
 }
 }  // namespace
 
+namespace {
+/// Scans of springs and of modes, again where a mode shows a lower minimum.
+ScannedFit scan_of(const CalibrationInput &in, const FitProblem &problem, Fit start, const FitSettings &settings,
+                   const Progress &progress)
+{
+  for (int again = 0;; ++again) {
+    ScannedFit scan = scanned(problem, start, settings, [&](const double f) { progress.at("basins", f); });
+    std::optional<Eigen::VectorXd> lower;
+    scan.modes = scanned_modes(in.stand, problem, scan.best, in.unknowns, in.high, settings, lower);
+    if (!lower || again == 2)
+      return scan;
+    start = fitted(problem, *lower, settings);
+  }
+}
+}  // namespace
+
 Calibration calibrate(const CalibrationInput &in, const Progress &progress)
 {
   if (!in.force_recorded)
@@ -308,11 +324,11 @@ Calibration calibrate(const CalibrationInput &in, const Progress &progress)
   const Eigen::VectorXd start = start_of(in, data);
   const FitSettings settings{3, 60, 1e-4, in.threads};
   progress.at("fit", 0);
-  const Fit first = fitted(in.stand, in.unknowns, start, data, settings);
-  result.scan     = scanned(in.stand, first, data, settings, [&](const double f) { progress.at("basins", f); });
-  result.unknowns = judged(result.scan, result.scan.best.sd());
-  result.identification       = identification(result.scan.best.information, in.unknowns);
-  result.unseen               = unseen_directions(result.identification, in.stand);
+  const Fit first       = fitted(in.stand, in.unknowns, start, data, settings);
+  result.scan           = scan_of(in, recorded_force(in.stand, in.unknowns, data), first, settings, progress);
+  result.unknowns       = judged(result.scan, result.scan.best.sd());
+  result.identification = identification(result.scan.best.information, in.unknowns);
+  result.unseen         = unseen_directions(result.identification, in.stand);
   const Eigen::VectorXd scale = result.scan.best.sd().cwiseInverse();
   result.correlation          = scale.asDiagonal() * result.scan.best.covariance * scale.asDiagonal();
   keep_priors([&](const std::vector<Unknown> &unknowns) { return recorded_force(in.stand, unknowns, data); },

@@ -275,4 +275,18 @@ StandAt stand_at(const FittedStand &stand, const std::vector<Unknown> &unknowns,
     add_change(trial, slopes, unknown.name);
   return trial;
 }
+Eigen::MatrixXd frequency_slopes(const StandAt &trial)
+{
+  const Eigen::Index n  = trial.frequency.size();
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, Eigen::Index(trial.stiffness.size()));
+  for (std::size_t p = 0; p < trial.stiffness.size(); ++p)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double square = trial.frequency[i] * trial.frequency[i];
+      if (trial.stiffness[p].size())
+        slope(i, Eigen::Index(p)) += 0.5 * trial.stiffness[p](i, i) / square;
+      if (trial.mass[p].size())
+        slope(i, Eigen::Index(p)) -= 0.5 * trial.mass[p](i, i);
+    }
+  return slope;
+}
 }  // namespace mill::twin

@@ -60,4 +60,8 @@ struct StandAt {
 
 /// @throws InputError  an unknown that the stand does not have
 StandAt stand_at(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta);
+
+/// (n, p) d ln w_i / d theta_p: half of what the dynamic stiffness of the mode changes by at its own frequency.
+/// (45.10)
+Eigen::MatrixXd frequency_slopes(const StandAt &trial);
 }  // namespace mill::twin
