@@ -206,7 +206,7 @@ ChatterCondition condition_record(const ChatterStudy &s)
   record.name      = c.name;
   record.slug      = slug(c.name);
   record.speed     = s.question.speed_assumed ? not_given : c.speed;
-  record.scheme    = s.question.analysis.linearisation;
+  record.scheme    = word_of(s.question.analysis.linearisation);
   record.reduction = 100 * (1 - c.exit_thickness / c.entry_thickness);
   record.viscosity = has_film(friction) ? 1e3 * friction.viscosity : not_given;
   record.structure = s.question.structure;

@@ -104,7 +104,8 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   by_karman("arc_length", "m", state.arc_length, other(k.arc_length), not_given, not_given);
   by_karman("torque", "N m", state.torque, other(k.torque), not_given, not_given);
   const ChatterAdder slope{run, s, "bite",
-                           "exact derivative, " + s.question.analysis.linearisation + " linearisation",
+                           std::string("exact derivative, ") + word_of(s.question.analysis.linearisation) +
+                               " linearisation",
                            at_speed(c.speed)};
   const auto &[P, Q, F, mu, xn] = s.working->by;
   const char *by[]              = {"gap", "gap_rate", "entry_tension", "exit_tension", "entry_thickness"};
@@ -125,7 +126,7 @@ void add_searches(RunContext &run, const ChatterStudy &s, const std::string &gro
     if (other.found.verdict != Verdict::crossing)
       continue;  // its verdict stands in the file of the condition
     const std::string stand  = schemes ? s.question.structure : group + " " + other.name;
-    const std::string scheme = schemes ? other.name : s.question.analysis.linearisation;
+    const std::string scheme = schemes ? other.name : word_of(s.question.analysis.linearisation);
     const ChatterAdder add{run, s, "chatter",
                            "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
                            at_speed(other.found.speed)};
@@ -168,13 +169,14 @@ void add_growth(RunContext &run, const ChatterStudy &s, const std::string &metho
 void add_stability(RunContext &run, const ChatterStudy &s)
 {
   const RollingCondition &c = s.question.condition;
-  const std::string system  = s.question.structure + ", " + s.question.analysis.linearisation + " linearisation";
+  const std::string system =
+      s.question.structure + ", " + word_of(s.question.analysis.linearisation) + " linearisation";
   const ChatterAdder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
                               s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
   std::vector<Check> checks;
   add_check(checks, "Routh's array in extended precision", s.speed_by_routh);
   for (const OtherSearch &other : s.schemes)
-    if (other.name != s.question.analysis.linearisation)
+    if (other.name != word_of(s.question.analysis.linearisation))
       add_check(checks, (other.name + " linearisation").c_str(), other.found.speed,
                 "the speed depends on what follows a disturbance");
   for (std::size_t i = 1; i < s.structures.size(); ++i)

@@ -19,7 +19,7 @@ ChatterQuestion question_of(RunContext &run, const StackInput &input, const Movi
   q.condition = condition_of(pass.pass, q.bite.strip);
   q.label     = pass.pass.name;
   q.analysis  = input.analysis;
-  q.scheme    = linearisation_of(input.analysis);
+  q.scheme    = input.analysis.linearisation;
   for (const reduce::StandWithModes *stand : {&pass.open, &pass.lumped_open}) {
     const auto modal = dynamics::modal_model(stand->model, stand->modes.frequency, stand->modes.shape,
                                              input.dynamics.modal_damping, 2 * input.dynamics.frequency_limit);

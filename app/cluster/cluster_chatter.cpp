@@ -229,7 +229,7 @@ ClusterChatter chatter_question(const Case &the_case, const ClusterStand &stand,
   q.condition         = condition_of(pass, q.bite.strip);
   q.label             = pass.name;
   q.analysis          = stand.analysis;
-  q.scheme            = linearisation_of(stand.analysis);
+  q.scheme            = stand.analysis.linearisation;
   const auto distance = [&](const double given, const char *key) {
     if (!std::isnan(given))
       return given;
@@ -409,7 +409,7 @@ DrivenStand driven_cluster(RunContext &run, const std::string &wanted)
   modal.load_cell = modes.shape.transpose() * row;
   DrivenStand driven;
   driven.modes                  = modal;
-  driven.dynamics.force_meaning = "measured";
+  driven.dynamics.force_meaning = ForceMeaning::measured;
   driven.dynamics.modal_damping = modal.damping;
   driven.pass                   = *pass;
   driven.load                   = force.value;

@@ -26,7 +26,7 @@ const RunKind &cluster_kind()
     k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
       std::vector<std::pair<std::string, double>> stages;
       for (const ClusterContact &c : stand_of(the_case).contacts)
-        if (c.law == "computed" && c.like.empty()) {
+        if (c.law == ClusterLaw::computed && c.like.empty()) {
           stages.emplace_back("condensation", 5);
           stages.emplace_back("contact " + c.pair, 1);
         }

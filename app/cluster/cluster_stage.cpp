@@ -23,10 +23,10 @@ ClusterRecord stack_record(const ClusterStand &written, const cluster::Stack &st
     r.rolls.push_back({roll.name, roll.centre.x(), roll.centre.y(), roll.radius, roll.mass});
   for (std::size_t i = 0; i < stack.contacts.size(); ++i)
     r.contacts.push_back({stack.contacts[i].name, stack.contacts[i].a, stack.contacts[i].b,
-                          i < stand.contacts.size() ? stand.contacts[i].law : "spring"});
+                          word_of(i < stand.contacts.size() ? stand.contacts[i].law : ClusterLaw::spring)});
   for (std::size_t i = 0; i < stack.supports.size(); ++i)
-    r.supports.push_back(
-        {stack.supports[i].name, stand.supports[i].type, stack.supports[i].roll, stand.supports[i].fitted});
+    r.supports.push_back({stack.supports[i].name, word_of(stand.supports[i].type), stack.supports[i].roll,
+                          stand.supports[i].fitted});
   for (const ClusterMode &mode : stand.modes)
     r.published.push_back({mode.name, mode.shape, mode.frequency});
   return r;
@@ -161,7 +161,7 @@ void say_what_is_assumed(RunContext &run, const ClusterStand &stand)
       run.assume(fmt::format(
           "the stiffness of support {} is fitted to frequencies; agreement with these frequencies is not evidence",
           s.own_name()));
-  if (stand.stack.spin == "free")
+  if (stand.stack.spin == ClusterSpin::free)
     run.assume(
         "contacts of the stack are frictionless; rolls turn freely in every vibration (stack.spin = \"coupled\" "
         "has the other limit)");

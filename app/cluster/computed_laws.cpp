@@ -75,7 +75,7 @@ cluster::ComputedLaws computed_laws(RunContext &run, const ClusterStand &stand)
     const ClusterStand out = cluster::written_out(written);
     for (std::size_t i = 0; i < out.contacts.size(); ++i) {
       const ClusterContact &contact = out.contacts[i];
-      if (contact.law != "computed" || laws.count(contact.pair))
+      if (contact.law != ClusterLaw::computed || laws.count(contact.pair))
         continue;
       // A mirror image is the same pair of diameters.
       const std::string &like = written.contacts[i].like;

@@ -65,7 +65,7 @@ namespace {
 // A unit follows the curves; an export that has slopes alone gives a warning.
 void warn_of_slopes(const DynamicsSettings &settings)
 {
-  if (settings.contact == "curve")
+  if (settings.contact == ContactSprings::curve)
     console::say("warning: dynamics.contact = \"curve\" holds for run, simulate and export fmu with a pass; this "
                  "model is linear, with the slopes of the springs at the working load\n");
 }

@@ -129,7 +129,7 @@ public:
     add(contacts, [&](RunContext &part_run) { parts.contacts = solve_contacts(part_run, stand, loads); });
     add(bearings, [&](RunContext &part_run) { parts.bearings = solve_bearings(part_run, stand, loads); });
     add(components, [&, goal](RunContext &part_run) {
-      if (goal >= Goal::masses || stand.backup_roll.bending_model == "solid")
+      if (goal >= Goal::masses || stand.backup_roll.bending_model == BendingModel::solid)
         parts.components = stand_components(part_run, stand, goal >= Goal::masses);
     });
     for (std::size_t p = 0; p < n_passes; ++p)
@@ -258,7 +258,7 @@ void drive_pass(RunContext &run, const FourHigh &stand, const reduce::LumpedStan
     return;
   }
   PassModel model = model_of_pass(stand, chain, models);
-  if (stand.dynamics.contact == "curve")
+  if (stand.dynamics.contact == ContactSprings::curve)
     model.curves = std::make_shared<CurveDrive>(curve_drive(run, curves_of(stand, parts, p), chain,
                                                             driven(models, stand.dynamics), stand.dynamics, pass,
                                                             forces.loads[p]));
@@ -292,7 +292,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
     run.results.add("K_Zy_lower", chain.K_Zy_lower);
     write_shapes(run, chain);
     std::string curves;
-    if (stand.dynamics.contact == "curve")
+    if (stand.dynamics.contact == ContactSprings::curve)
       curves = chain_curves_toml(chain_curves_of(curves_of(stand, parts, p), chain, forces.loads[p]));
     run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()) + curves);
   }
@@ -338,7 +338,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
 {
   if (goal == Goal::chatter) {
     require_bite(run.the_case);
-    stand.dynamics.force_meaning = "measured";  // the stand without the strip, which the bite then adds
+    stand.dynamics.force_meaning =
+        ForceMeaning::measured;  // the stand without the strip, which the bite then adds
   }
   const PassForces forces = forces_of(run, stand, force_file);
   set_given_inputs(stand.given);
@@ -392,7 +393,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   set_given_inputs(stand.given);
   resolve_frame(run, stand);
   // A measured force leaves K4 out, so that no bite has to be solved for it.
-  const bool gap_springs = stand.dynamics.force_meaning != "measured";
+  const bool gap_springs = stand.dynamics.force_meaning != ForceMeaning::measured;
   PartsOfStand made(run, stand, forces.loads, Goal::simulate, gap_springs);
   made.take_bite(p);
   close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
@@ -402,7 +403,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   add_films(chain.model, stand, made.parts.bearings[p].film_damper, in);
   std::optional<StandModels> models;
   const reduce::StandWithModes *detailed = nullptr;
-  if (stand.dynamics.model != "six-mass" || stand.dynamics.mass_source != "closed-form") {
+  if (stand.dynamics.model != StandModelKind::six_mass || stand.dynamics.mass_source != MassSource::closed_form) {
     models = stand_models(stand, chain, made.parts.components);
     add_fe_masses(chain.model, stand, *models);
     detailed = driven(*models, stand.dynamics);
@@ -419,7 +420,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
         !sentence.empty())
       run.warn(sentence);
   }
-  if (stand.dynamics.contact == "curve")
+  if (stand.dynamics.contact == ContactSprings::curve)
     driven_stand.curves = std::make_shared<CurveDrive>(curve_drive(
         run, curves_of(stand, made.parts, p), chain, detailed, stand.dynamics, stand.passes[p], forces.loads[p]));
   driven_stand.chain    = chain.model;

@@ -160,14 +160,14 @@ MovingPass moving_pass(const StackInput &input, const Stack &stack, const Pass &
   made.stack.strip.force = made.force;
   reduce::BeamStackSettings settings;
   settings.elements_per_width = elements_per_width;
-  settings.flattening =
-      input.engine.flattening == "local" ? reduce::Flattening::local : reduce::Flattening::half_space;
-  made.engine        = std::make_shared<reduce::BeamStack>(made.stack, settings);
-  made.state         = made.engine->solve();
-  made.moving        = reduce::moving_stack(*made.engine);
-  made.lumped        = reduce::lumped_stack(*made.engine, made.state);
-  const double limit = 2 * input.dynamics.frequency_limit;
-  made.open          = named_stand(made, made.moving, made.moving.model, limit);
+  settings.flattening         = input.engine.flattening == StackFlattening::local ? reduce::Flattening::local
+                                                                                  : reduce::Flattening::half_space;
+  made.engine                 = std::make_shared<reduce::BeamStack>(made.stack, settings);
+  made.state                  = made.engine->solve();
+  made.moving                 = reduce::moving_stack(*made.engine);
+  made.lumped                 = reduce::lumped_stack(*made.engine, made.state);
+  const double limit          = 2 * input.dynamics.frequency_limit;
+  made.open                   = named_stand(made, made.moving, made.moving.model, limit);
   if (made.moving.strip_stiffness > 0)
     made.rolling = named_stand(made, made.moving, reduce::with_strip(made.moving), limit);
   made.lumped_open = named_stand(made, made.lumped, made.lumped.model, INFINITY);
@@ -207,7 +207,7 @@ void add_stack_modes(RunContext &run, const StackInput &input, const MovingPass 
   write_mode_table(run, fine.open, GapState::open);
   if (!fine.rolling)
     write_shapes(run, fine.open);
-  if (fine.open.model.M.rows() <= small_model || input.dynamics.model_files == "all")
+  if (fine.open.model.M.rows() <= small_model || input.dynamics.model_files == ModelFileSet::all)
     write_model_matrices(run, input.dynamics, fine.driven(input.dynamics), 0);
   else
     run.progress.note(fmt::format("the matrices of {} unknowns are not written; dynamics.model_files = \"all\" "

@@ -77,7 +77,7 @@ StabilityQuestion stability_of(RunContext &run, const StackInput &input, const M
   q.model                 = title_of(pass.open.model.name);
   q.leading.bite          = inputs.bite;
   q.leading.modal_damping = input.dynamics.modal_damping;
-  q.leading.scheme        = linearisation_of(input.analysis);
+  q.leading.scheme        = input.analysis.linearisation;
   q.leading.range         = speed_range(input.analysis);
   q.leading.stand         = around(pass.open);
   q.others                = {{title_of(pass.lumped_open.model.name), around(pass.lumped_open)}};

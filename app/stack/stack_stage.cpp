@@ -31,8 +31,8 @@ reduce::BeamStackSettings settings_of(const StackInput &input, const int element
 {
   reduce::BeamStackSettings settings;
   settings.elements_per_width = elements_per_width;
-  settings.flattening =
-      input.engine.flattening == "local" ? reduce::Flattening::local : reduce::Flattening::half_space;
+  settings.flattening         = input.engine.flattening == StackFlattening::local ? reduce::Flattening::local
+                                                                                  : reduce::Flattening::half_space;
   return settings;
 }
 
@@ -176,8 +176,8 @@ MakeStackEngine condensed_of(const StackKernels &kernels, const int stations_per
 
 MakeStackEngine leading_engine(RunContext &run, const StackInput &input, const Stack &stack)
 {
-  return input.engine.model == "condensed" ? condensed_of(stack_kernels(run, stack), stations_over_width)
-                                           : beams_of(input, elements_over_width);
+  return input.engine.model == StackModel::condensed ? condensed_of(stack_kernels(run, stack), stations_over_width)
+                                                     : beams_of(input, elements_over_width);
 }
 
 SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeStackEngine &make)
@@ -235,7 +235,7 @@ std::vector<std::string> all_keys_of_stack(const Case &the_case)
 
 std::vector<std::string> keys_of_stack(const Case &the_case)
 {
-  const bool of_bite = std::get<StackCase>(the_case.spec).input->strip.law == "bite";
+  const bool of_bite = std::get<StackCase>(the_case.spec).input->strip.law == StackStripLaw::bite;
   std::vector<std::string> keys;
   for (const std::string &key : all_keys_of_stack(the_case)) {
     const auto in    = [&](const char *start) { return key.rfind(start, 0) == 0; };
@@ -286,7 +286,7 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, d
 {
   StageTimer timer(run, "stack");
   const StackKernels kernels = stack_kernels(run, stack);
-  const bool is_condensed    = input.engine.model == "condensed";
+  const bool is_condensed    = input.engine.model == StackModel::condensed;
   const auto engine          = [&](const bool condensed, const int coarser) {
     return condensed ? condensed_of(kernels, stations_over_width / coarser)
                               : beams_of(input, elements_over_width / coarser);

@@ -14,7 +14,7 @@ namespace {
 StabilityQuestion question_of(const ClosedFormStand &closed, const Pass &pass)
 {
   FourHigh open               = *closed.stand;
-  open.dynamics.force_meaning = "measured";  // without K4: the bite is what chatter adds
+  open.dynamics.force_meaning = ForceMeaning::measured;  // without K4: the bite is what chatter adds
   const auto chain            = chain_with_modes(closed.model, open.dynamics);
   const double damping        = open.dynamics.modal_damping;
   const auto modes     = dynamics::modal_model(chain.model, chain.modes.frequency, chain.modes.shape, damping,
@@ -26,7 +26,7 @@ StabilityQuestion question_of(const ClosedFormStand &closed, const Pass &pass)
   q.model                 = "six masses by closed forms";
   q.leading.bite          = bite_of(open.strip, pass, open.work_roll.barrel_diameter, open.steel);
   q.leading.modal_damping = damping;
-  q.leading.scheme        = linearisation_of(open.analysis);
+  q.leading.scheme        = open.analysis.linearisation;
   q.leading.range         = speed_range(open.analysis);
   q.leading.stand         = {dynamics::structure_of(modes), free.entry_distance, free.exit_distance,
                              q.leading.bite.strip.youngs_modulus};

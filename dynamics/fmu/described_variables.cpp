@@ -17,9 +17,9 @@ std::string spoken(std::string label)
 
 std::string force_text(const ExportedModel &model)
 {
-  const char *meaning = model.force_meaning == "measured"
+  const char *meaning = model.force_meaning == ForceMeaning::measured
                             ? "the whole measured bite force; K4 and C are zero, since their forces are part of it"
-                        : model.force_meaning == "disturbance"
+                        : model.force_meaning == ForceMeaning::disturbance
                             ? "the part of the bite force that the motion of the gap does not cause"
                             : "as published: in parallel with K4 and C, the mean included";
   return fmt::format("rolling force, positive pushes the work rolls apart: {}", meaning);

@@ -19,10 +19,10 @@ LumpedModel set_r()
   return model;
 }
 
-dynamics::MillModel chain_of(const LumpedModel &model, const std::string &frame)
+dynamics::MillModel chain_of(const LumpedModel &model, const FrameForm frame)
 {
   DynamicsSettings settings;
-  settings.force_meaning = "measured";
+  settings.force_meaning = ForceMeaning::measured;
   settings.frame         = frame;
   settings.modal_damping = 0.01;
   return dynamics::mill_model(model, settings);
@@ -61,7 +61,7 @@ Recipe recipe(const std::string &name)
               in["force_band"][1],
               in["density"],
               {},
-              name == "closed" ? "closed" : "open",
+              name == "closed" ? FrameForm::closed : FrameForm::open,
               in["F0"]};
   const auto labels = chain_of(set_r()).labels;
   for (std::string place : in["sensors"].get<std::vector<std::string>>()) {

@@ -14,7 +14,7 @@ mill::LumpedModel published_stand()
   return stand;
 }
 
-mill::DynamicsSettings settings(const std::string &force_meaning, const double modal_damping)
+mill::DynamicsSettings settings(const mill::ForceMeaning force_meaning, const double modal_damping)
 {
   mill::DynamicsSettings result;
   result.force_meaning = force_meaning;

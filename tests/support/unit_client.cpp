@@ -10,7 +10,7 @@
 
 using namespace mill;
 
-SampleStand sample_stand(const std::string &force_meaning, const double damping, const double gap_damper)
+SampleStand sample_stand(const ForceMeaning force_meaning, const double damping, const double gap_damper)
 {
   LumpedModel lumped = published_stand();
   lumped.K[2].value = lumped.K[4].value = 4.02e10;
@@ -31,9 +31,9 @@ SampleStand sample_stand(const std::string &force_meaning, const double damping,
   data.points               = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
                                "lower_work_roll", "lower_backup_roll", "lower_frame"};
   data.modal_damping        = damping;
-  data.gap_damper           = force_meaning == "measured" ? 0 : gap_damper;
+  data.gap_damper           = force_meaning == ForceMeaning::measured ? 0 : gap_damper;
   data.mean_force           = 976e3;
-  data.share_from_statics   = force_meaning == "published";
+  data.share_from_statics   = force_meaning == ForceMeaning::published;
   data.load_cell_spring     = 6;
   for (Eigen::Index i = 0; i < 6; ++i) {
     data.mass.push_back(chain.M[i]);

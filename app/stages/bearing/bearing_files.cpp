@@ -73,7 +73,7 @@ Table roller_table(const BearingStudy &s)
   return t;
 }
 
-RollerBearing with_law(RollerBearing b, const std::string &law)
+RollerBearing with_law(RollerBearing b, const OneRollerLaw law)
 {
   b.roller_law = law;
   return b;
@@ -115,10 +115,10 @@ Table law_table(const BearingStudy &s)
     });
     add("slices", by_law(s.parts.model.roller));
   }
-  for (const char *law : {"iso", "palmgren", "elastic"})
-    if (std::string(law) != "elastic" || std::isfinite(b.bore + b.outside_diameter + b.roller_diameter)) {
+  for (const OneRollerLaw law : {OneRollerLaw::iso, OneRollerLaw::palmgren, OneRollerLaw::elastic})
+    if (law != OneRollerLaw::elastic || std::isfinite(b.bore + b.outside_diameter + b.roller_diameter)) {
       const auto other = bearing::roller_law(with_law(b, law));
-      add(law, by_law(other));
+      add(word_of(law), by_law(other));
     }
   return t;
 }

@@ -374,8 +374,9 @@ void note_bite(RunContext &run, const BiteStudy &s)
   }
   if (!s.slab().refused.empty())
     run.warn(where + "the slab theory for comparison has no solution: " + s.slab().refused);
-  const bool free_arc = s.chosen().key == "karman-elastic-arc" ||
-                        (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == "elastic");
+  const bool free_arc =
+      s.chosen().key == "karman-elastic-arc" ||
+      (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == BiteArc::elastic);
   if (free_arc)
     run.assume(where +
                "strip.exit_thickness is the smallest thickness of the strip under elastic rolls; the strip "

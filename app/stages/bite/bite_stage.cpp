@@ -57,7 +57,7 @@ void add_measured(BiteQuestion &q, const Pass &pass)
 {
   q.measured_slip   = pass.forward_slip;
   q.measured_torque = pass.torque;
-  if (std::count(q.setup.fit.begin(), q.setup.fit.end(), "force") > 0)
+  if (std::count(q.setup.fit.begin(), q.setup.fit.end(), PassMeasure::force) > 0)
     q.force_deviation = pass.force_deviation;
 }
 

@@ -159,8 +159,8 @@ void add_quality(RunContext &run, const StripFit &fit)
                     plain(fit, "1", worst.unit[i], "share in the direction known worst, of logarithms"));
   for (std::size_t i = 0; i < data.size(); ++i)
     run.results.add(
-        name_in_fit(fmt::format("residual.{}.{}", answer.problem.passes[data[i].pass].name,
-                                bite::measured_words[std::size_t(data[i].kind)])),
+        name_in_fit(
+            fmt::format("residual.{}.{}", answer.problem.passes[data[i].pass].name, word_of(data[i].kind))),
         plain(fit, "1", answer.best.residual[Index(i)], "model less measured, in standard deviations"));
 }
 
@@ -187,12 +187,12 @@ void note_kept(RunContext &run, const StripFit &fit)
   for (const bite::KeptUnknown &kept : fit.answer.kept) {
     const FittedNumber number = number_of(kept.unknown, start_of(fit.answer));
     const std::string remedy  = !alone ? "measure another reduction, or fix one number by bite.fit_for"
-                                : setup.fit.front() == "slip"
+                                : setup.fit.front() == PassMeasure::slip
                                     ? "add \"force\" to bite.fit"
                                     : "add \"slip\" to bite.fit and forward_slip to the passes";
     run.warn(fmt::format(
         "{}{} one number: {} stays {}, for {} leaves the measured values where they are{}; {}", about,
-        alone ? "the " + setup.fit.front() + " alone gives"
+        alone ? std::string("the ") + word_of(setup.fit.front()) + " alone gives"
               : data_text(fit.answer) + " determine, as far as they are distinguishable,",
         number.name, short_number(number.base), direction_text(kept.direction, kept.among),
         std::isfinite(kept.direction.deviation)
@@ -216,8 +216,7 @@ void note_quality(RunContext &run, const StripFit &fit)
         "which chance exceeds beyond {} in one of a hundred cases; farthest off is the {} of {}, by "
         "{:.1f} standard deviations; the intervals are too narrow",
         about, short_number(answer.best.misfit), freedom, short_number(bite::largest_likely_misfit(freedom)),
-        bite::measured_words[std::size_t(datum.kind)], answer.problem.passes[datum.pass].name,
-        std::abs(answer.best.residual[worst])));
+        word_of(datum.kind), answer.problem.passes[datum.pass].name, std::abs(answer.best.residual[worst])));
   }
   if (answer.best.at_edge)
     run.warn(about +
@@ -274,8 +273,7 @@ void add_line(Table &table, const StripFit &fit, const std::size_t datum, const 
     x[k]                        = friction.at(answer.best.x[i] + point[0]);
     y[k]                        = std::exp(answer.best.x[j] + point[1]);
   }
-  const std::string name = fmt::format("{} of {}", bite::measured_words[std::size_t(fitted.kind)],
-                                       answer.problem.passes[fitted.pass].name);
+  const std::string name = fmt::format("{} of {}", word_of(fitted.kind), answer.problem.passes[fitted.pass].name);
   table.add("friction, " + name, "", x).add("flow_stress_factor, " + name, "", y);
 }
 }  // namespace

@@ -23,8 +23,8 @@ constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand b
 double allowed_work(const BiteSetup &setup)
 {
   const double elements = double(setup.elements_along) * setup.elements_through;
-  return setup.strip == "elastic-plastic" ? 1.3e6 * std::max(1., elements / (36 * 8))
-                                          : 6e5 * std::max(1., elements / (48 * 12));
+  return setup.strip == BiteStrip::elastic_plastic ? 1.3e6 * std::max(1., elements / (36 * 8))
+                                                   : 6e5 * std::max(1., elements / (48 * 12));
 }
 
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
@@ -87,7 +87,7 @@ fem::StripElastic elastic_flow(const FlowQuestion &q, const int along, const int
                                const bite::ArcFlexibility *flexibility, const double work)
 {
   fem::StripElasticModel model;
-  model.arc              = q.setup.arc == "rigid" ? bite::Arc::rigid : bite::Arc::elastic;
+  model.arc              = q.setup.arc == BiteArc::rigid ? bite::Arc::rigid : bite::Arc::elastic;
   model.elements_along   = along;
   model.elements_through = through;
   model.work_limit       = work;
@@ -171,7 +171,7 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
   }
   run.progress.at(timer_name(q), 0);
   FlowAnswer answer =
-      q.setup.strip == "elastic-plastic" ? elastic_answer(run, q, flexibility) : rigid_answer(run, q);
+      q.setup.strip == BiteStrip::elastic_plastic ? elastic_answer(run, q, flexibility) : rigid_answer(run, q);
   for (const auto &level : answer.fine.history)
     run.progress.note(
         fmt::format("bite {}: {}, {} unknowns, g0 {:.3g}, d0 {:.3g}, {} steps, residual {:.2g}, force "

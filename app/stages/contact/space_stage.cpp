@@ -251,7 +251,7 @@ void solve_slip(RunContext &run, const SpaceRun &s)
   const SpaceSlip fine   = slip_in_space(s.shape, c, s.fine, coupled ? 12 : 16),
                   coarse = slip_in_space(s.shape, c, s.fine, coupled ? 8 : 10);
   const double share     = c.tangential_load / (c.friction * c.at);
-  const bool along       = c.tangential_direction == "along";
+  const bool along       = c.tangential_direction == TangentialDirection::along;
   std::vector<Check> stick, displacement, first, tangent;
   const std::string equal = coupled ? "equal materials: pressure and shear apart" : "";
   if (s.point) {
@@ -273,7 +273,8 @@ void solve_slip(RunContext &run, const SpaceRun &s)
     p.value          = value;
     p.unit           = unit;
     p.method         = "half spaces with stick and slip (sec. 33.4), between points far from the contact";
-    p.at             = {"{}, {} " + c.tangential_direction + " the axes", {{c.at, "N"}, {c.tangential_load, "N"}}};
+    p.at             = {std::string("{}, {} ") + word_of(c.tangential_direction) + " the axes",
+                        {{c.at, "N"}, {c.tangential_load, "N"}}};
     p.error_estimate = mesh_pair_error(value, other);
     p.checks         = std::move(checks);
     p.checks.push_back({"coarser grid", other, ""});

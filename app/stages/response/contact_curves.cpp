@@ -196,7 +196,7 @@ LumpedModel at_load(RunContext &run, LumpedModel model, const ChainCurves &curve
   require_load(pass, load);
   std::string linear;
   for (int i = 2; i <= 6; ++i) {
-    if (i == 4 && settings.force_meaning == "measured")
+    if (i == 4 && settings.force_meaning == ForceMeaning::measured)
       continue;
     if (curves.of(i).empty()) {
       linear += fmt::format("{}K{}", linear.empty() ? "" : ", ", i);
@@ -222,7 +222,7 @@ CurveDrive curve_drive(const ChainCurves &curves, const DynamicsSettings &settin
   CurveDrive made;
   std::vector<ConnectionCurve> all;
   for (int i = 2; i <= 6; ++i) {
-    if (curves.of(i).empty() || (i == 4 && settings.force_meaning == "measured"))
+    if (curves.of(i).empty() || (i == 4 && settings.force_meaning == ForceMeaning::measured))
       continue;
     const std::string name = fmt::format("K{}", i);
     all.push_back({name, name, law_of(curves.of(i)), load});

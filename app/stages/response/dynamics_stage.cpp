@@ -265,7 +265,7 @@ dynamics::ModalModel driven_modes(const reduce::StandWithModes &stand, const Lum
 {
   return dynamics::modal_model(
       stand.model, stand.modes.frequency, stand.modes.shape, settings.modal_damping, 2 * settings.frequency_limit,
-      settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value);
+      settings.force_meaning == ForceMeaning::measured || std::isnan(chain.C.value) ? 0 : chain.C.value);
 }
 
 PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
@@ -356,7 +356,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     p.unit   = "g";
     p.method = model.method +
                (curves ? ", curves of the contacts, Runge-Kutta of order 8" : ", exact first-order hold") +
-               ", force " + settings.force_meaning;
+               ", force " + word_of(settings.force_meaning);
     p.at          = {"{} mean, {} peak to peak",
                      {{statistics.mean, "kN", ".1f"}, {statistics.largest - statistics.smallest, "kN", ".3f"}}};
     p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};

@@ -17,13 +17,13 @@ namespace {
 // Without K4 in the chain: the bite is what chatter adds.
 FourHigh open_stand(FourHigh stand)
 {
-  stand.dynamics.force_meaning = "measured";
+  stand.dynamics.force_meaning = ForceMeaning::measured;
   return stand;
 }
 
 bool holds_strip(const FourHigh &stand)
 {
-  return stand.dynamics.force_meaning != "measured";
+  return stand.dynamics.force_meaning != ForceMeaning::measured;
 }
 
 KeyList keys_of_search(const FourHigh &stand, const std::size_t p, const reduce::LumpedStand &chain)
@@ -92,7 +92,7 @@ void add_critical_speed(RunContext &run, const FourHigh &stand, const std::size_
   q.model                 = title_of(solid.model.name);
   q.leading.bite          = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
   q.leading.modal_damping = damping;
-  q.leading.scheme        = linearisation_of(stand.analysis);
+  q.leading.scheme        = stand.analysis.linearisation;
   q.leading.range         = speed_range(stand.analysis);
   const auto around       = [&](dynamics::StandStructure structure) {
     return dynamics::ChatterStandModel{std::move(structure), free.entry_distance, free.exit_distance,

@@ -111,13 +111,13 @@ void add_bearing(twin::CaseModel &stand, const std::vector<RollerBearing> &beari
 void add_ball_bearings(twin::CaseModel &stand, const std::vector<BallBearing> &bearings)
 {
   for (const BallBearing &b : bearings) {
-    std::string roll = b.roll;
+    std::string roll = word_of(b.roll);
     std::replace(roll.begin(), roll.end(), ' ', '_');
     const auto turning =
         std::find_if(stand.rolls.begin(), stand.rolls.end(), [&](const auto &one) { return one.name == roll; });
     if (turning == stand.rolls.end()) {
       stand.notes.push_back(
-          fmt::format("bearing {}: not computed, the case states no diameter of the {}", b.name, b.roll));
+          fmt::format("bearing {}: not computed, the case states no diameter of the {}", b.name, word_of(b.roll)));
       continue;
     }
     const auto orders = bearing::pass_frequencies(b.balls, b.ball_diameter, b.pitch_diameter, b.contact_angle);

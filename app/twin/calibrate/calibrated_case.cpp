@@ -92,11 +92,11 @@ PriorChain prior_chain(const Case &the_case, const double load)
   chain.model               = analysed.model;
   chain.source              = analysed.source;
   DynamicsSettings settings = analysed.dynamics;
-  if (settings.force_meaning != "measured")
-    chain.notes.push_back("force_meaning = \"" + settings.force_meaning +
+  if (settings.force_meaning != ForceMeaning::measured)
+    chain.notes.push_back(std::string("force_meaning = \"") + word_of(settings.force_meaning) +
                           "\" of the case: a record's force is the whole bite force, so K4 and C have no part in "
                           "the calibration and stay as they are");
-  settings.force_meaning = "measured";
+  settings.force_meaning = ForceMeaning::measured;
   const double damping   = damping_to_start_from(settings);
   chain.stand.chain      = dynamics::mill_model(chain.model, settings);
   chain.stand.damping    = Eigen::VectorXd::Constant(chain.stand.chain.M.size(), damping);

@@ -140,10 +140,10 @@ PriorChain detailed_prior(const CommandLine &command, const Case &the_case, cons
         {connection.name, prior_of_spring(connection.name, connection.error_estimate, true), 0});
   prior.springs.push_back({"zeta", std::log(2.0), 0});
   add_masses(prior, the_case);
-  Case given                = the_case;
-  const std::string meaning = dynamics_of(given).force_meaning;
+  Case given         = the_case;
+  const auto meaning = dynamics_of(given).force_meaning;
   if (meaning != DynamicsSettings().force_meaning)
-    prior.notes.push_back("force_meaning = \"" + meaning +
+    prior.notes.push_back(std::string("force_meaning = \"") + word_of(meaning) +
                           "\" of the case: a record's force is the whole bite force, so K4 and the gap damper are "
                           "left out, and the calibrated case says force_meaning = \"measured\"");
   for (const std::string &warning : driven.warnings)

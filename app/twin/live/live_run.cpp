@@ -30,7 +30,7 @@ live::ClockReading clock_now()
 
 bool six_masses(const CommandLine &command, const Case &the_case)
 {
-  return leading_model(the_case, command) == "six-mass";
+  return leading_model(the_case, command) == StandModelKind::six_mass;
 }
 }  // namespace
 
@@ -49,7 +49,7 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
   if (!options.token_file.empty())
     token_ = web::token_of_file(options.token_file);
   engine_ = std::make_unique<live::Engine>(model_, hooks());
-  if (model_.dynamics.contact == "curve")
+  if (model_.dynamics.contact == ContactSprings::curve)
     print("note: contacts on their curves are not followed here; the twin has their slopes\n");
   open_folder();
   if (!options.response.empty())

@@ -12,7 +12,7 @@
 namespace mill {
 double gap_damper_of(const LumpedModel &chain, const DynamicsSettings &settings)
 {
-  return settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
+  return settings.force_meaning == ForceMeaning::measured || std::isnan(chain.C.value) ? 0 : chain.C.value;
 }
 
 DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)

@@ -192,7 +192,7 @@ std::vector<Check> kumar_convention()
   b.pitch_diameter  = 2 * 40.5 * mm;
   b.roller_length   = 18.251 * mm;
   b.cup_angle       = 31.128 * degree;
-  b.roller_law      = "palmgren";
+  b.roller_law      = OneRollerLaw::palmgren;
   // load kN, axial tangent N/m 1e9: per contact; the published value, which reads the constant as the whole roller
   const double table[4][3] = {{4, 1.43, 2.80}, {20, 1.68, 3.29}, {40, 1.80, 3.53}, {98, 1.97, 3.86}};
   std::vector<Check> checks;

@@ -149,7 +149,7 @@ std::vector<Check> chock_round()
   const int n = 8, modes = 3, size = 4 * modes;
   const ScratchRings fine(sections, {1, 1}, "round");
   RingSections as_block = sections;  // for the section on the block's mesh lines
-  as_block.housing.kind = Housing::Kind::block;
+  as_block.housing.kind = ChockForm::block;
   const ScratchRings coarse(as_block, {0.5, 1}, "lines");
   const ScratchFile file("round-block");
   const MeshFile block = meshes::mesh_chock(cup, sections.housing, 1, file.path);
@@ -255,8 +255,8 @@ double heaviest(const bearing::AssemblyState &state)
 std::vector<Check> chock_m_shape()
 {
   RollerBearing bearing = mill_bearing("block");
-  bearing.roller_law    = "iso";
-  bearing.rings         = "elastic";
+  bearing.roller_law    = OneRollerLaw::iso;
+  bearing.rings         = RingBodies::elastic;
   const double load     = 1e6;
   auto model            = bearing::rigid_model(bearing);
   const auto solved     = [&] { return bearing::BearingAssembly(model).solve(bearing::radial_drive(load)); };

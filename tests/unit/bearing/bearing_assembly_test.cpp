@@ -207,7 +207,7 @@ TEST(BearingAssembly, PreloadOffsetOfThePowerLaw)
 {
   RollerBearing b = demo_bearing(20);
   b.preload       = 40e3;
-  const double K  = roller_constant("iso", b.roller_length);
+  const double K  = roller_constant(OneRollerLaw::iso, b.roller_length);
   EXPECT_TRUE(near(BearingAssembly(rigid_model(b)).offset()[0],
                    std::pow(40e3 / (39 * K * std::sin(20 * degree)), 0.9), within(1e-9, "closed form")));
 }

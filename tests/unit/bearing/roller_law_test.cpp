@@ -24,8 +24,10 @@ RollerBearing bearing_with(const std::string &law, const std::string &profile = 
 // formula.
 TEST(RollerLaw, IsoConstantAndApproach)
 {
-  EXPECT_TRUE(near(roller_constant("iso", 0.0334), 813048 * per_mm, within(1e-6, "printed with six digits")));
-  EXPECT_TRUE(near(roller_constant("iso", 0.010), 278332 * per_mm, within(2e-6, "printed with six digits")));
+  EXPECT_TRUE(
+      near(roller_constant(OneRollerLaw::iso, 0.0334), 813048 * per_mm, within(1e-6, "printed with six digits")));
+  EXPECT_TRUE(
+      near(roller_constant(OneRollerLaw::iso, 0.010), 278332 * per_mm, within(2e-6, "printed with six digits")));
   EXPECT_TRUE(near(roller_approach(roller_law(bearing_with("iso")), 10e3), 19.094e-6,
                    within(1e-4, "printed with five digits")));
 }
@@ -33,8 +35,8 @@ TEST(RollerLaw, IsoConstantAndApproach)
 // 3.84e-5 Q^0.9 / l^0.8 belongs to one contact; read as the whole roller the stiffness doubles.
 TEST(RollerLaw, PalmgrenApproachIncludesBothContacts)
 {
-  EXPECT_TRUE(
-      near(roller_constant("palmgren", 0.0334), reference("bearing.Kn"), within(1e-12, "same closed form")));
+  EXPECT_TRUE(near(roller_constant(OneRollerLaw::palmgren, 0.0334), reference("bearing.Kn"),
+                   within(1e-12, "same closed form")));
   EXPECT_TRUE(near(roller_approach(roller_law(bearing_with("palmgren")), 10e3), 18.466e-6,
                    within(1e-4, "printed with five digits")));
   const RollerLaw law = roller_law(bearing_with("palmgren"));
@@ -52,7 +54,7 @@ TEST(RollerLaw, SumOverLaminaeIsTheWholeRoller)
     RollerBearing b = bearing_with("iso");
     b.slices        = n;
     EXPECT_TRUE(near(roller_load(roller_law(b), 20e-6, 0).load,
-                     roller_constant("iso", 0.0334) * std::pow(20e-6, 10.0 / 9),
+                     roller_constant(OneRollerLaw::iso, 0.0334) * std::pow(20e-6, 10.0 / 9),
                      within(1e-13, "equal laminae, rounding of the sum")));
   }
 }
@@ -137,8 +139,8 @@ TEST(RollerLaw, CrownIsACircleAndTiltLoadsOneEnd)
   const RollerLaw flat = roller_law(bearing_with("iso"));
   // All of the roller in contact and a small tilt: load is c_s sum (d + x t)^(10/9), second order in the tilt.
   const double d = 20e-6, tilt = 1e-4, L = 0.0334;
-  const double second = roller_constant("iso", L) * std::pow(d, 10.0 / 9) * 5.0 / 81 * std::pow(tilt * L / d, 2) /
-                        12 * (1 - 1.0 / (41 * 41));
+  const double second = roller_constant(OneRollerLaw::iso, L) * std::pow(d, 10.0 / 9) * 5.0 / 81 *
+                        std::pow(tilt * L / d, 2) / 12 * (1 - 1.0 / (41 * 41));
   EXPECT_TRUE(near(roller_load(flat, d, tilt).load - roller_load(flat, d, 0).load, second,
                    within(1e-3, "next term of the series is of fourth order, (tilt L / 2d)^2 / 40 of this one")));
   EXPECT_TRUE(
@@ -147,7 +149,7 @@ TEST(RollerLaw, CrownIsACircleAndTiltLoadsOneEnd)
 
 TEST(RollerLaw, RefusesUnknownLawsAndProfiles)
 {
-  EXPECT_THROW(roller_constant("hertz", 0.03), InputError);
+  EXPECT_THROW(roller_constant(OneRollerLaw::elastic, 0.03), InputError);
   EXPECT_THROW(roller_law(bearing_with("iso", "barrel")), InputError);
   EXPECT_THROW(roller_law(bearing_with("iso", "crown")), InputError);
   RollerBearing b   = bearing_with("iso", "iso");

@@ -162,10 +162,10 @@ TEST(SliceLoads, RefusesWhatDoesNotFit)
   law.influence.resize(2, 2);
   EXPECT_THROW(with_limits(law), InputError);
   RollerBearing fe = demo_bearing();
-  fe.roller_law    = "fe";
+  fe.roller_law    = OneRollerLaw::fe;
   EXPECT_THROW(roller_law(fe), InputError);
   RollerBearing thin  = demo_bearing();
-  thin.roller_law     = "elastic";
+  thin.roller_law     = OneRollerLaw::elastic;
   thin.pitch_diameter = 0.28;  // the cone's raceway below the bore
   EXPECT_THROW(roller_law(thin), InputError);
 }

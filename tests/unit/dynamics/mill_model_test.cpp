@@ -13,9 +13,9 @@ const Tolerance one_solve = within(1e-8, "one linear solve in double precision, 
 
 TEST(MillModel, StaticDisplacementPerNewtonOfBiteForce)
 {
-  const auto with_bite = mill_model(published_stand(), settings("published", 0.01));
+  const auto with_bite = mill_model(published_stand(), settings(ForceMeaning::published, 0.01));
   EXPECT_TRUE(near(static_displacement(with_bite), reference_vector("static.K4_on"), one_solve));
-  const auto without = mill_model(published_stand(), settings("measured", 0.01));
+  const auto without = mill_model(published_stand(), settings(ForceMeaning::measured, 0.01));
   EXPECT_TRUE(near(static_displacement(without), reference_vector("static.K4_zero"), one_solve));
 }
 
@@ -23,7 +23,8 @@ TEST(MillModel, MillModulusIsTheGapPerNewton)
 {
   const double modulus = mill_modulus(published_stand());
   EXPECT_TRUE(near(modulus, reference("static.mill_modulus"), one_solve));
-  const Eigen::VectorXd y = static_displacement(mill_model(published_stand(), settings("measured", 0)));
+  const Eigen::VectorXd y =
+      static_displacement(mill_model(published_stand(), settings(ForceMeaning::measured, 0)));
   EXPECT_TRUE(near(1 / (y[upper_work_roll] - y[lower_work_roll]), modulus, one_solve));
 }
 
@@ -54,14 +55,14 @@ TEST(MillModel, LoadCellShowsTheMeanForceUnlessTheBiteTakesItsShare)
   EXPECT_EQ(share("disturbance"), 1);
   const double K7 = 6.8789e9;
   EXPECT_TRUE(near(share("published"), -K7 * reference_vector("static.K4_on")[lower_frame], one_solve));
-  const auto measured = mill_model(published_stand(), settings("measured", 0));
+  const auto measured = mill_model(published_stand(), settings(ForceMeaning::measured, 0));
   EXPECT_TRUE(near(measured.load_cell.dot(static_displacement(measured)), 1,
                    within(1e-12, "equilibrium: without K4 the frame carries the bite force whole")));
 }
 
 TEST(MillModel, ClosedFrameCarriesTheForceInItsPosts)
 {
-  auto closed             = settings("measured", 0.01);
+  auto closed             = settings(ForceMeaning::measured, 0.01);
   closed.frame            = "closed";
   const auto model        = mill_model(published_stand(), closed);
   const Eigen::VectorXd y = static_displacement(model);
@@ -93,5 +94,5 @@ TEST(MillModel, AMechanismHasNoStaticState)
 {
   auto loose       = published_stand();
   loose.K[6].value = 0;  // nothing holds the lower half
-  EXPECT_THROW(static_displacement(mill_model(loose, settings("measured", 0.01))), SolverError);
+  EXPECT_THROW(static_displacement(mill_model(loose, settings(ForceMeaning::measured, 0.01))), SolverError);
 }

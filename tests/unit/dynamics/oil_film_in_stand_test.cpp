@@ -108,7 +108,7 @@ TEST(OilFilmInStand, AFilmThatLocksGivesTheModesOfARigidBearing)
 TEST(OilFilmInStand, FrequenciesRiseFromTheSpringToTheLockedFilm)
 {
   FourHigh stand               = verify::demo_stand();
-  stand.dynamics.force_meaning = "disturbance";
+  stand.dynamics.force_meaning = ForceMeaning::disturbance;
   double before                = 0;
   for (const double damper : {0., 1e6, 1e7, 1e8, 1e9, 1e12}) {
     const auto chain = chain_with_films(stand, damper);
@@ -223,7 +223,7 @@ TEST(OilFilmInStand, FilmsOfAMillAreLockedInEveryModeAndTheirDamperIsThatOfTheGa
 TEST(OilFilmInStand, DetailedStandsHaveItsDamperInResponseAndStructure)
 {
   FourHigh stand               = verify::demo_stand();
-  stand.dynamics.force_meaning = "measured";
+  stand.dynamics.force_meaning = ForceMeaning::measured;
   const auto films             = chain_with_films(stand, 3e6);
   const StandModel beams       = reduce::beam_stand(stand, reduce::stand_springs(stand, films), 4);
   EXPECT_FALSE(dampers_of(beams).isZero(0));

@@ -86,7 +86,7 @@ TEST(Response, LoadCellRestsAtTheMeanForce)
 
 TEST(Response, CriticalDampingUsesTheMatrixExponentialAndNotesIt)
 {
-  const auto critical = mill_model(published_stand(), settings("measured", 1));
+  const auto critical = mill_model(published_stand(), settings(ForceMeaning::measured, 1));
   const auto force    = noise(972898, 979537);
   const Response fell = mill_response(critical, force, 20e3), plain = mill_response(model_of("R1"), force, 20e3);
   EXPECT_EQ(fell.form, HoldForm::matrix_exponential);

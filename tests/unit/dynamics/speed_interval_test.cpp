@@ -33,8 +33,8 @@ LumpedModel chain()
 MillModel without_strip(const LumpedModel &model, const double ratio)
 {
   DynamicsSettings settings;
-  settings.force_meaning = "measured";
-  settings.frame         = "open";
+  settings.force_meaning = ForceMeaning::measured;
+  settings.frame         = FrameForm::open;
   settings.modal_damping = ratio;
   return mill_model(model, settings);
 }
@@ -140,7 +140,7 @@ struct DrawnStand {
       all.entry_distance *= n.entry_distance ? factor : 1;
     }
     all.structure = structure_of(without_strip(other, ratio));
-    return critical_speed(all, pass, bite::Linearisation::sequential, {1, 60});
+    return critical_speed(all, pass, Linearisation::sequential, {1, 60});
   }
 };
 }  // namespace

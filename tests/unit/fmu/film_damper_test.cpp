@@ -108,7 +108,7 @@ ForceRecord short_record()
 
 TEST(FilmDampers, AUnitMovesAsTheStandThatHasThem)
 {
-  const auto stated        = settings("measured", 0.01);
+  const auto stated        = settings(ForceMeaning::measured, 0.01);
   const ForceRecord record = short_record();
   const double rate        = 1 / (record.time[1] - record.time[0]);
   const auto chain         = dynamics::mill_model(with_films(1e8), stated);
@@ -123,7 +123,7 @@ TEST(FilmDampers, AUnitMovesAsTheStandThatHasThem)
 
 TEST(FilmDampers, AFilmThatLocksIsTheRigidBearing)
 {
-  const auto stated        = settings("measured", 0.01);
+  const auto stated        = settings(ForceMeaning::measured, 0.01);
   const ForceRecord record = short_record();
   LumpedModel rigid        = published_stand();
   for (const std::size_t j : {1, 5})
@@ -139,7 +139,7 @@ TEST(FilmDampers, AStrongDamperOfTheGapHasRealPoles)
   LumpedModel model        = published_stand();
   model.C.value            = 1e9;
   model.K[3].value         = 3e8;
-  const auto chain         = dynamics::mill_model(model, settings("disturbance", 0));
+  const auto chain         = dynamics::mill_model(model, settings(ForceMeaning::disturbance, 0));
   const ForceRecord record = short_record();
   const double rate        = 1 / (record.time[1] - record.time[0]);
   fmu::ModelData data      = unit_of(chain, 0);

@@ -29,7 +29,7 @@ Unit unit_on_curves(const double gap_damper = 0, const double longest_step = 1 /
   fmu::ExportedModel &model = unit.model;
   model.identifier          = "on_curves";
   model.title               = "on curves";
-  model.force_meaning       = "disturbance";
+  model.force_meaning       = ForceMeaning::disturbance;
   model.method              = "six masses on curves";
   model.program             = "millstand test";
   model.step                = 1 / rate;

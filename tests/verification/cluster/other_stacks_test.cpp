@@ -38,7 +38,7 @@ ClusterStand six_masses_as_rolls(const LumpedModel &chain)
   const auto spring = [&](const char *pair, const double k) {
     ClusterContact c;
     c.pair      = pair;
-    c.law       = "spring";
+    c.law       = ClusterLaw::spring;
     c.stiffness = k;
     stand.contacts.push_back(c);
   };
@@ -63,7 +63,8 @@ TEST(OtherStacks, AFourHighHasTheVerticalFrequenciesOfItsChain)
   const LumpedModel chain  = published_stand();
   const ClusterStand stand = six_masses_as_rolls(chain);
   const auto state         = cluster::pass_state(stand, {}, 1e6);
-  const auto expected      = dynamics::modes(dynamics::mill_model(chain, settings("disturbance", 0))).frequency;
+  const auto expected =
+      dynamics::modes(dynamics::mill_model(chain, settings(ForceMeaning::disturbance, 0))).frequency;
   std::vector<double> vertical;
   for (const cluster::Mode &mode : state.modes) {
     double up = 0;

@@ -117,7 +117,7 @@ TEST(BearingRings, AWholeRoundBlockIsItsMeridianSection)
 {
   const auto sections   = bearing::ring_sections(mill_bearing("round", "++"));
   auto as_block         = sections;
-  as_block.housing.kind = Housing::Kind::block;
+  as_block.housing.kind = ChockForm::block;
   const Scratch lines(as_block, {0.4, 0.8}, "lines");
   EXPECT_FALSE(lines.meshes.chock_halved);
   const std::string path = folder + "/" + scratch("whole.msh");

@@ -93,7 +93,7 @@ TEST(UnitDerivatives, OutputDerivativesAreThoseInTime)
 // What an unknown does not depend on by its description has no derivative, at rest and in motion.
 TEST(UnitDerivatives, WhatIsNotADependencyHasNoDerivative)
 {
-  const SampleStand coupled = sample_stand("published", 0.02, 3e6);
+  const SampleStand coupled = sample_stand(ForceMeaning::published, 0.02, 3e6);
   for (const fmu::ExportedModel &of : {coupled.model, in_modes(coupled)}) {
     const fmu::Dependencies depends(of.data);
     const auto variables = fmu::variables_of(of.data);

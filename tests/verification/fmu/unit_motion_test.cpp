@@ -203,7 +203,7 @@ TEST(UnitMotion, ShortStepsLoseNoDigits)
 // The three ways of a step against each other where more than one is right.
 TEST(UnitMotion, ModesPolesAndExponentialAreOneSolution)
 {
-  const SampleStand stand = sample_stand("disturbance", 0.01, 2e6);
+  const SampleStand stand = sample_stand(ForceMeaning::disturbance, 0.01, 2e6);
   fmu::Tuning tuning      = fmu::start_of(stand.model.data);
   std::map<double, fmu::Motion::Form> forms;
   for (const double damper : {0.0, 2e6, 1e9}) {
@@ -231,7 +231,7 @@ TEST(UnitMotion, ModesPolesAndExponentialAreOneSolution)
 // A detailed stand comes in its modes; here those of the chain, which must move as the chain does.
 TEST(UnitMotion, GivenModesMoveAsTheirChain)
 {
-  const SampleStand stand        = sample_stand("published", 0.02, 5e6);
+  const SampleStand stand        = sample_stand(ForceMeaning::published, 0.02, 5e6);
   const fmu::ExportedModel modal = in_modes(stand);
   Client2 chain(stand.model), modes(modal);
   ASSERT_EQ(chain.start(980e3), fmi2OK) << chain.logged();
