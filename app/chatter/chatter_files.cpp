@@ -105,10 +105,11 @@ void write_maps(RunContext &run, const ChatterStudy &s)
     boundary.add(axis.name, axis.unit, axis.factor * map.value);
     boundary.add("critical_speed", "m/s", map.critical_speed).add("frequency", "Hz", map.critical_frequency);
     if (const auto empty = growth.array().isNaN().count(); empty > 0)
-      run.warn(fmt::format(
-          "{}: {} of the {} points of the map over speed and {} have no growth rate, because no steady "
-          "bite exists there; their cells are empty",
-          s.question.label, empty, n * m, axis.name));
+      run.warn({WarningId::map_has_gaps, s.question.label,
+                fmt::format("{} of the {} points of the map over speed and {} have no growth rate, because no "
+                            "steady bite exists there",
+                            empty, n * m, axis.name),
+                "their cells are empty"});
     write_curve(run, curve::chatter_map, slug(s.question.condition.name), table, axis.name);
     write_curve(run, curve::chatter_boundary, slug(s.question.condition.name), boundary, axis.name);
   }

@@ -278,42 +278,55 @@ std::string verdict_sentence(const ChatterStudy &s)
 void add_chatter_results(RunContext &run, const ChatterStudy &s)
 {
   const RollingCondition &c = s.question.condition;
+  const std::vector<std::string> concerned{result_name({family::chatter, c.name})};
   add_bite(run, s);
   add_stability(run, s);
   add_sensitivities(run, s);
   const double draft = c.entry_thickness - c.exit_thickness;
   if (2 * s.question.analysis.disturbance > 0.05 * draft)
-    run.warn(fmt::format("{}: the histories start with a gap that is open by {:.3g} um, more than a twentieth of "
-                         "the draft: linear motion of that size means little (analysis.disturbance)",
-                         s.question.label, 2e6 * s.question.analysis.disturbance));
+    run.warn({WarningId::growing_histories, s.question.label,
+              fmt::format("the histories start with a gap that is open by {:.3g} um, more than a twentieth of the "
+                          "draft",
+                          2e6 * s.question.analysis.disturbance),
+              "linear motion of that size means little (analysis.disturbance)", "", concerned,
+              "analysis.disturbance"});
   if (c.entry_tension == 0 || c.exit_tension == 0)
-    run.warn(s.question.label +
-             ": a strip without tension goes slack at the first vibration, where the linear model "
-             "lets its tension fall below zero; the critical speed is that of a strip that stays under tension");
+    run.warn({WarningId::slack_strip, s.question.label,
+              "a strip without tension goes slack at the first vibration, where the linear model lets its tension "
+              "fall below zero",
+              "the critical speed is that of a strip that stays under tension", "", concerned});
   for (const std::string &remark : s.remarks)
     run.assume(s.question.label + ": " + remark);
   if (!s.working)
-    run.warn(fmt::format("{} has no steady bite at its working speed of {:.4g} m/s: {}", s.question.label, c.speed,
-                         s.no_bite));
+    run.warn({WarningId::no_steady_bite, "",
+              fmt::format("{} has no steady bite at its working speed of {:.4g} m/s", s.question.label, c.speed),
+              s.no_bite, "", concerned});
   else if (grows(s.working_mode->root) && !s.question.speed_assumed)
-    run.warn(
-        fmt::format("{} chatters at its working speed of {:.4g} m/s: vibration of {:.4g} Hz doubles in {:.3g} s",
-                    s.question.label, c.speed, s.working_mode->frequency, std::log(2) / s.growth));
+    run.warn({WarningId::chatters, "",
+              fmt::format("{} chatters at its working speed of {:.4g} m/s", s.question.label, c.speed),
+              fmt::format("vibration of {:.4g} Hz doubles in {:.3g} s", s.working_mode->frequency,
+                          std::log(2) / s.growth),
+              "", concerned});
   if (!s.working)
     return;
-  for (const std::string &note : s.working->state.notes)
-    run.warn(s.question.label + ": " + note);
+  for (Warning note : s.working->state.notes) {
+    note.subject  = s.question.label;
+    note.concerns = concerned;
+    run.warn(std::move(note));
+  }
   const double film = s.working->state.film_thickness;
   const bool known  = !std::isnan(s.question.film_range[0]);
   const double e    = s.question.bite.strip.friction.decay;
   const std::array<double, 2> range =
       known ? s.question.film_range : std::array<double, 2>{std::log(1 / 0.95) / e, std::log(1 / 0.05) / e};
   if (!std::isnan(film) && (film < range[0] || film > range[1]))
-    run.warn(fmt::format("{}: the oil film of {:.3g} um is outside {:.3g} .. {:.3g} um, {}", s.question.label,
-                         1e6 * film, 1e6 * range[0], 1e6 * range[1],
-                         known ? "over which the friction was measured (oil.film_range)"
-                               : "where the friction law still depends on the film (5 to 95 % of mu1; give "
-                                 "oil.film_range if it was measured over other films)"));
+    run.warn({WarningId::oil_film_range, s.question.label,
+              fmt::format("the oil film of {:.3g} um is outside {:.3g} .. {:.3g} um, {}", 1e6 * film,
+                          1e6 * range[0], 1e6 * range[1],
+                          known ? "over which the friction was measured (oil.film_range)"
+                                : "where the friction law still depends on the film (5 to 95 % of mu1)"),
+              "", known ? "" : "give oil.film_range if it was measured over other films", concerned,
+              "oil.film_range"});
 }
 
 std::vector<ChatterPublished> published_rows(const ChatterStudy &s)

@@ -3,6 +3,7 @@
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_results.h"
 #include "app/cluster/cluster_bite.h"
+#include "app/run/error_warnings.h"
 #include "app/stages/stability/stability_question.h"
 #include "app/stages/stability/uncertain_numbers.h"
 #include "core/case/fields.h"
@@ -271,11 +272,11 @@ void solve_cluster_chatter(RunContext &run, const ClusterStand &stand, const std
     } catch (const InputError &e) {
       if (!failure)
         failure = std::current_exception();
-      run.warn(e.problems.front().message);
+      run.warn(warning_of(WarningId::chatter_refused, e));
     } catch (const SolverError &e) {
       if (!failure)
         failure = std::current_exception();
-      run.warn(e.report.what + ": " + e.report.cause);
+      run.warn(warning_of(WarningId::chatter_refused, e));
     }
     run.progress.at("chatter", double(pass.p + 1) / double(passes.size()));
   }
@@ -348,23 +349,13 @@ StabilityQuestion stability_question(const RunContext &run, const ClusterStand &
   q.inputs    = from.inputs;
   return q;
 }
-
-SpeedVerdict not_searched(const ClusterPassRun &pass, const std::string &missing)
-{
-  SpeedVerdict v;
-  v.pass    = pass.pass->name;
-  v.speed   = pass.pass->speed;
-  v.missing = split(missing, ", ");
-  v.remedy  = "Add them to the case to have the critical speed searched.";
-  return v;
-}
 }  // namespace
 
 void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes)
 {
   for (const ClusterPassRun &pass : passes) {
     if (const std::string missing = missing_of_chatter(stand, pass.p); !missing.empty()) {
-      run.results.speeds.push_back(not_searched(pass, missing));
+      run.results.speeds.push_back(not_searched(pass.pass->name, pass.pass->speed, split(missing, ", ")));
       continue;
     }
     try {
@@ -373,9 +364,9 @@ void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::
         run.assume(sentence);
       add_critical_speed(run, stability_question(run, stand, pass, asked));
     } catch (const InputError &e) {
-      run.warn(e.problems.front().message);
+      run.warn(warning_of(WarningId::critical_speed_not_searched, e));
     } catch (const SolverError &e) {
-      run.warn("pass \"" + pass.pass->name + "\": critical speed not searched: " + e.report.what);
+      run.warn(speed_not_searched(pass.pass->name, e));
     }
   }
 }
@@ -416,10 +407,11 @@ DrivenStand driven_cluster(RunContext &run, const std::string &wanted)
   const double other            = (damping_of(modes).array() / modal.damping - 1).abs().maxCoeff();
   if (other > 1e-9)
     driven.warnings.push_back(
-        fmt::format("the exported stand has one damping ratio for all modes, {:.3g} % of "
-                    "critical, that of the mode at {:.5g} Hz, which has the largest share in the "
-                    "compliance of the gap",
-                    100 * modal.damping, modes.frequency[leading]));
+        {WarningId::one_damping_ratio, "",
+         fmt::format("the exported stand has one damping ratio for all modes, {:.3g} % of critical",
+                     100 * modal.damping),
+         fmt::format("that of the mode at {:.5g} Hz, which has the largest share in the compliance of the gap",
+                     modes.frequency[leading])});
   return driven;
 }
 }  // namespace mill

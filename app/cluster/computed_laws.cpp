@@ -59,8 +59,8 @@ cluster::ContactLaw computed_law(RunContext &run, const ClusterStand &stand, con
                   "within {:.1e}",
                   contact.pair, load.size(), misfit));
   if (misfit > 5e-3)
-    run.warn(fmt::format("contact {}: the law of a line contact misses the computed samples by {:.2g} %",
-                         contact.pair, 100 * misfit));
+    run.warn({WarningId::contact_law, "contact " + contact.pair,
+              fmt::format("the law of a line contact misses the computed samples by {:.2g} %", 100 * misfit)});
   return law;
 }
 }  // namespace

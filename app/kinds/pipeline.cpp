@@ -104,8 +104,10 @@ PassForces forces_of(RunContext &run, FourHigh &stand, const std::string &force_
     if (has_force(pass))
       record = force_of(pass);
     forces.loads.push_back(working_load(pass, record));
-    if (record.force.size() > 0)
-      run.warn(load_against_record(pass, record.force.mean()));
+    if (record.force.size() == 0)
+      continue;
+    if (auto warning = load_against_record(pass, p, record.force.mean()))
+      run.warn(std::move(*warning));
   }
   return forces;
 }
@@ -254,7 +256,14 @@ void drive_pass(RunContext &run, const FourHigh &stand, const reduce::LumpedStan
 {
   const Pass &pass = stand.passes[p];
   if (!has_force(pass)) {
-    run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
+    run.warn({WarningId::pass_without_record,
+              "",
+              pass.name + " has a load but no force record",
+              "nothing was simulated for it",
+              "",
+              {pass.name},
+              "",
+              pass.place});
     return;
   }
   PassModel model = model_of_pass(stand, chain, models);
@@ -416,9 +425,8 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   if (!detailed) {
     if (!models)
       models = stand_models(stand, chain, made.parts.components);
-    if (const std::string sentence = six_mass_gap_error(*models, stand.dynamics.frequency_limit);
-        !sentence.empty())
-      run.warn(sentence);
+    if (auto warning = six_mass_gap_error(*models, stand.dynamics.frequency_limit))
+      run.warn(std::move(*warning));
   }
   if (stand.dynamics.contact == ContactSprings::curve)
     driven_stand.curves = std::make_shared<CurveDrive>(curve_drive(

@@ -1,4 +1,5 @@
 #include "app/python/long_call.h"
+#include "app/python/python_errors.h"
 #include "app/python/python_parts.h"
 #include "app/python/python_values.h"
 #include "app/stages/bearing/loaded_bearing.h"
@@ -53,7 +54,10 @@ void add_state(py::module_ &module)
                names.push_back(name);
              return names;
            })
-      .def_property_readonly("warnings", [](const LoadedState &s) { return s.results.warnings; })
+      .def_property_readonly("warnings", [](const LoadedState &s) { return texts_of(s.results.warnings); })
+      .def_property_readonly(
+          "warning_records", [](const LoadedState &s) { return warning_list(s.results.warnings); },
+          "The warnings by their parts.")
       .def_property_readonly("assumptions", [](const LoadedState &s) { return s.results.assumptions; });
 }
 }  // namespace

@@ -117,8 +117,12 @@ void warn_of_engines(RunContext &run, const StackNumberSets &sets)
     };
     const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
     if (apart > least && apart > share * std::max(std::abs(here), std::abs(other)))
-      run.warn(fmt::format("{}: take {:.1f} um as its error: {:.1f} um here, {:.1f} um by the other engine", name,
-                           1e6 * apart, 1e6 * here, 1e6 * other));
+      run.warn({WarningId::stack_engines,
+                name,
+                fmt::format("take {:.1f} um as its error", 1e6 * apart),
+                fmt::format("{:.1f} um here, {:.1f} um by the other engine", 1e6 * here, 1e6 * other),
+                "",
+                {name}});
   }
 }
 
@@ -129,22 +133,24 @@ void warn_of_state(RunContext &run, const SolvedStack &solved)
     const StackContact &contact = stack.contacts[c];
     const auto &pair            = solved.state.pairs[c];
     if (pair.touching < 1 - 1e-9)
-      run.warn(fmt::format("contact {} is open on {:.0f} % of its length", pair_name(stack, contact),
-                           100 * (1 - pair.touching)));
+      run.warn({WarningId::contact_partly_open, "",
+                fmt::format("contact {} is open on {:.0f} % of its length", pair_name(stack, contact),
+                            100 * (1 - pair.touching))});
     for (const std::size_t r : {contact.a, contact.b})
       if (const double yield = stack.rolls[r].material.yield_stress; pair.peak_pressure > 5 * yield)
-        run.warn(fmt::format("contact {}: the peak pressure of {:.0f} MPa is above five times the yield stress of "
-                             "roll {}",
-                             pair_name(stack, contact), 1e-6 * pair.peak_pressure, stack.rolls[r].name));
+        run.warn({WarningId::contact_yield, "contact " + pair_name(stack, contact),
+                  fmt::format("the peak pressure of {:.0f} MPa is above five times the yield stress of roll {}",
+                              1e-6 * pair.peak_pressure, stack.rolls[r].name)});
   }
   for (const std::size_t r : {stack.upper, stack.lower}) {
     const StackRoll &roll = stack.rolls[r];
     const double to_end   = roll.length / 2 - std::abs(stack.strip.offset - roll.shift) - stack.strip.width / 2;
     if (to_end < 2 * stack.strip.arc)
-      run.warn(
-          fmt::format("the edge of the strip is {:.4g} mm from the end of the barrel of roll {}, less than twice "
-                      "the length of contact: its flattening there is larger than that of the half space",
-                      1e3 * to_end, roll.name));
+      run.warn({WarningId::strip_at_barrel_end, "",
+                fmt::format("the edge of the strip is {:.4g} mm from the end of the barrel of roll {}, less than "
+                            "twice the length of contact",
+                            1e3 * to_end, roll.name),
+                "its flattening there is larger than that of the half space"});
   }
 }
 

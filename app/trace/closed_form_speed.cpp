@@ -43,15 +43,9 @@ std::vector<SpeedVerdict> closed_form_speeds(const Case &the_case, const ClosedF
   for (std::size_t p = 0; p < memory.stands.size(); ++p) {
     const FourHigh &stand = *memory.stands[p].stand;
     const Pass &pass      = stand.passes[p];
-    SpeedVerdict verdict;
-    verdict.pass    = pass.name;
-    verdict.speed   = pass.speed;
-    verdict.missing = missing_for_critical_speed(the_case, stand, p);
-    if (verdict.missing.empty())
-      verdict = speed_verdict(question_of(memory.stands[p], pass));
-    else
-      verdict.remedy = "Add them to the case to have the critical speed searched.";
-    verdicts.push_back(verdict);
+    const auto missing    = missing_for_critical_speed(the_case, stand, p);
+    verdicts.push_back(missing.empty() ? speed_verdict(question_of(memory.stands[p], pass))
+                                       : not_searched(pass.name, pass.speed, missing));
   }
   return verdicts;
 }

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/choice.h"
+#include "core/base/warning.h"
 #include "core/case/case_file.h"
 #include <array>
 #include <functional>
@@ -140,7 +141,7 @@ struct Reading {
   std::string file;    ///< the case file as the user named it
   std::string folder;  ///< of the case file; paths of the case start there
   std::vector<Problem> problems;
-  std::vector<Problem> warnings;               ///< unlikely, but not impossible: nothing is refused for these
+  std::vector<Warning> warnings;               ///< unlikely, but not impossible: nothing is refused for these
   std::map<std::string, Place> places;         ///< full key -> place of a value that was read and accepted
   std::map<std::string, std::string> written;  ///< full key -> value as written, "\"420 mm\""
   std::set<std::string> bad;                   ///< full keys whose value is missing or was refused

@@ -184,7 +184,7 @@ Monitoring read_monitoring(const Node &root, Reading &reading)
   if (const std::string key = "monitoring.baseline"; reading.usable({key}) && !monitoring.baseline.empty()) {
     std::error_code error;
     if (!std::filesystem::exists(monitoring.baseline + "/analysis.json", error))
-      doubt(reading, key, "holds no analysis.json; name the folder of an earlier millstand analyse", {});
+      doubt(reading, key, {"holds no analysis.json", "", "name the folder of an earlier millstand analyse"}, {});
   }
   return monitoring;
 }

@@ -355,8 +355,8 @@ void check_law_of_bite(const StackInput &input, Reading &reading)
       contradict(reading, "strip.law", fmt::format("needs {} of the strip", key), {});
   for (const char *key : {"modulus", "entry_modulus", "tension_modulus"})
     if (given(key))
-      doubt(reading, std::string("strip.") + key, "is not used: with law = \"bite\" it follows from the bite",
-            {"strip.law"});
+      doubt(reading, std::string("strip.") + key,
+            {"is not used", "with law = \"bite\" it follows from the bite", ""}, {"strip.law"});
 }
 
 // Pairs of ranges that make a map, and the rolls that they name.

@@ -211,10 +211,11 @@ void write_bearing(RunContext &run, const BearingStudy &s)
   write_curve(run, curve::bearing_tangent, name, tangent_table(s));
   write_curve(run, curve::bearing_cage, name, readings.table("cage", [&] { return cage_table(s); }));
   if (s.parts.roller && s.at.roller_load.maxCoeff() > largest_contact_load(s.parts))
-    run.warn(fmt::format(
-        "bearing {}: the heaviest roller carries {:.4g} kN, contact elements are meshed up to {:.4g} kN "
-        "(4.5 GPa at most); its pressure map and its tilt are left out",
-        s.question.bearing.name, s.at.roller_load.maxCoeff() / 1e3, largest_contact_load(s.parts) / 1e3));
+    run.warn({WarningId::bearing_pressure_map, "bearing " + s.question.bearing.name,
+              fmt::format("the heaviest roller carries {:.4g} kN, contact elements are meshed up to {:.4g} kN "
+                          "(4.5 GPa at most)",
+                          s.at.roller_load.maxCoeff() / 1e3, largest_contact_load(s.parts) / 1e3),
+              "its pressure map and its tilt are left out"});
   else if (s.parts.roller) {
     write_curve(run, curve::bearing_tilt, name, readings.table("tilt", [&] { return tilt_table(s); }));
     std::optional<fem::RollerContactState> heaviest;

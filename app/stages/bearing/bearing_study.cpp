@@ -321,8 +321,9 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
   s.standard_curve.states         = std::move(solved.standard_curve);
   s.rigid_curve.states            = std::move(solved.rigid_curve);
   if (s.curve.failure)
-    run.warn(fmt::format("bearing {}: {}; the curve ends at {} of {} loads", q.bearing.name, s.curve.failure->what,
-                         s.curve.states.size(), q.loads.size()));
+    run.warn({WarningId::bearing_curve_ends, "bearing " + q.bearing.name,
+              fmt::format("the curve ends at {} of {} loads", s.curve.states.size(), q.loads.size()),
+              s.curve.failure->what, s.curve.failure->remedy});
   s.at              = std::move(solved.at);
   s.standard        = std::move(solved.standard);
   s.rigid           = std::move(solved.rigid);

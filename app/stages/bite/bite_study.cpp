@@ -3,6 +3,7 @@
 #include "app/stages/bite/strip_flow_stage.h"
 #include "core/base/errors.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/result_names.h"
 #include "reduce/bite/slab/flattening.h"
 #include <algorithm>
 #include <cmath>
@@ -149,14 +150,21 @@ void refuse_impossible(const BiteStudy &study)
     throw InputError("bite of " + study.question.pass + ": " + study.slab().refused);
 }
 
+Warning no_arc_carries(const std::string &pass, const bite::Regime &regime)
+{
+  return {WarningId::bite_model_refused,
+          "bite of " + pass,
+          "no arc of these rolls carries its own force",
+          "they flatten by more than the reduction closes (" + regime.reason + ")",
+          "a smaller work roll, less reduction, less friction or more tension is needed",
+          {result_name({family::bite, pass})}};
+}
+
 // No theory has an answer: what the first one says, and how the finite elements ended.
 [[noreturn]] void refuse_pass(const BiteStudy &study)
 {
   if (std::isnan(study.regime.flattening))
-    throw InputError(
-        "bite of " + study.question.pass +
-        ": no arc of these rolls carries its own force: they flatten by more than the reduction closes (" +
-        study.regime.reason + "); a smaller work roll, less reduction, less friction or more tension is needed");
+    throw InputError(text_of(no_arc_carries(study.question.pass, study.regime)));
   std::string tried;
   for (const std::string &failure : study.failures)
     tried += (tried.empty() ? "" : "; ") + failure;
@@ -248,6 +256,21 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
   study.chosen();  // or no theory has an answer
   add_for_accuracy(study);
   return study;
+}
+
+std::optional<Warning> bite_without_theory(const BiteQuestion &question)
+{
+  BiteStudy study;
+  study.question = question;
+  study.regime   = bite::regime_of(question.bite);
+  if (!std::isnan(study.regime.flattening))
+    return {};
+  for (const auto &[key, model] : models_beside(question))
+    if (key != "karman-rigid" && key != "sims" && ask(study, key, model).refused.empty())
+      return {};
+  Warning warning = no_arc_carries(question.pass, study.regime);
+  warning.detail += "; a run ends with this unless its finite elements have an answer";
+  return warning;
 }
 
 BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime)

@@ -1,4 +1,5 @@
 #include "app/stages/bite/strip_flow_stage.h"
+#include "app/run/error_warnings.h"
 #include "app/stages/bite/strip_flow_store.h"
 #include "core/base/errors.h"
 #include "core/process/parallel.h"
@@ -16,7 +17,7 @@ namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
 constexpr const char *flow_version = "strip flow 6";
-constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
+constexpr const char *flow_kind = "millstand bite 2", *point_kind = "millstand bite point 1";
 
 // Unknowns times factorisations of both meshes of a pass: twice what the usual mesh takes, some 8 and 14 s on one
 // core.  A finer mesh may take more.
@@ -181,7 +182,7 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
   try {
     write_cache_entry(file, flow_kind, key, stored_flow(answer));
   } catch (const InputError &e) {
-    run.warn(std::string("the finite-element bite could not be kept for the next run: ") + e.what());
+    run.warn(not_kept("the finite-element bite", e));
   }
   return answer;
 }
@@ -214,7 +215,7 @@ void keep_point(RunContext &run, const PointTask &task)
   try {
     write_cache_entry(task.file, point_kind, task.key, point_text(*task.point));
   } catch (const InputError &e) {
-    run.warn(std::string("a point of the bite's curves could not be kept for the next run: ") + e.what());
+    run.warn(not_kept("a point of the bite's curves", e));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/run/curve_files.h"
+#include "app/run/error_warnings.h"
 #include "app/stages/contact/contact_details.h"
 #include "app/stages/contact/contact_files.h"
 #include "app/stages/contact/contact_model.h"
@@ -158,17 +159,23 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   add_curvature(run, s, prefix, F, fine.curvature, coarse.curvature, second ? second->curvature : not_given);
   add_held(run, s, prefix, F, held, tangent, secant);
   const double effect = held.tangent / fine.tangent - 1;
-  const std::string message =
+  const Warning warning{
+      WarningId::contact_held,
+      "",
       fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring in series with "
-                  "the bending of the backup roll; held as in the stand the same pair has {:+.1f} %",
-                  prefix, s.K, 100 * effect);
+                  "the bending of the backup roll",
+                  prefix, s.K),
+      fmt::format("held as in the stand the same pair has {:+.1f} %", 100 * effect),
+      "",
+      {prefix + s.K}};
   // Both are true, of two datums; a quarter of difference is more than any usual stand has.
   if (std::abs(effect) > 0.25)
-    run.warn(message);
+    run.warn(warning);
   else if (prefix.empty())
-    run.assume(message);
+    run.assume(text_of(warning));
   if (middle.half_width[mid] == 0)
-    run.warn(fmt::format("contact {}: at {} the rolls do not touch at mid-length", s.name, in_kN(F)));
+    run.warn(of_contact(WarningId::contact_partly_open, s.name,
+                        fmt::format("at {} the rolls do not touch at mid-length", in_kN(F)), ""));
   return {tangent, secant};
 }
 
@@ -313,7 +320,7 @@ void keep_study(RunContext &run, Study &s)
   try {
     save_study(file_of(run, s), s.key, all);
   } catch (const InputError &e) {
-    run.warn("contact " + s.name + " could not be kept for the next run: " + e.what());
+    run.warn(not_kept("contact " + s.name, e));
   }
 }
 

@@ -68,13 +68,8 @@ void add_critical_speed(RunContext &run, const FourHigh &stand, const std::size_
                         const ComponentSets &components)
 {
   const Pass &pass = stand.passes[p];
-  SpeedVerdict not_searched;
-  not_searched.pass    = pass.name;
-  not_searched.speed   = pass.speed;
-  not_searched.missing = missing_for_critical_speed(run.the_case, stand, p);
-  if (!not_searched.missing.empty()) {
-    not_searched.remedy = "Add them to the case to have the critical speed searched.";
-    run.results.speeds.push_back(not_searched);
+  if (const auto missing = missing_for_critical_speed(run.the_case, stand, p); !missing.empty()) {
+    run.results.speeds.push_back(not_searched(pass.name, pass.speed, missing));
     return;
   }
   const FourHigh open = open_stand(stand);

@@ -107,9 +107,8 @@ void say_what_differs(RunContext &run, const FourHigh &stand)
     if (stand.given.count(name))
       only += (only.empty() ? "given." : ", given.") + std::string(name);
   if (!only.empty())
-    run.warn(only +
-             " replace numbers of the six masses only; beams and finite elements keep what is drawn, so that "
-             "the models are of different stands");
+    run.warn({WarningId::given_in_chain_only, "", only + " replace numbers of the six masses only",
+              "beams and finite elements keep what is drawn, so that the models are of different stands"});
   if (stand.given.count("K_ZW"))
     run.assume(
         "given.K_ZW stiffens the backup rolls of six masses and beams; the finite elements keep what is drawn");

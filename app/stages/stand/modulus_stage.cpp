@@ -422,14 +422,17 @@ void Modulus::warn_unusual()
     return;
   const auto m = reduce::mill_modulus(with_strip);
   if (m.tangent < reduce::least_usual_modulus || m.tangent > reduce::largest_usual_modulus)
-    run.warn(fmt::format(
-        "the mill modulus of {:.3g} MN/mm is outside the usual {:g} .. {:g} MN/mm; the softest spring on the path "
-        "of "
-        "the force is {}, {:.3g} MN/mm",
-        m.tangent / 1e9, reduce::least_usual_modulus / 1e9, reduce::largest_usual_modulus / 1e9, m.softest,
-        std::find_if(with_strip.begin(), with_strip.end(), [&](const PathPart &p) { return p.name == m.softest; })
-                ->tangent /
-            1e9));
+    run.warn({WarningId::modulus_unusual,
+              "",
+              fmt::format("the mill modulus of {:.3g} MN/mm is outside the usual {:g} .. {:g} MN/mm",
+                          m.tangent / 1e9, reduce::least_usual_modulus / 1e9, reduce::largest_usual_modulus / 1e9),
+              fmt::format("the softest spring on the path of the force is {}, {:.3g} MN/mm", m.softest,
+                          std::find_if(with_strip.begin(), with_strip.end(),
+                                       [&](const PathPart &p) { return p.name == m.softest; })
+                                  ->tangent /
+                              1e9),
+              "",
+              {name_of("modulus", "tangent")}});
 }
 
 void Modulus::write()

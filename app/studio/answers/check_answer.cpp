@@ -84,8 +84,8 @@ ordered_json check_json(const CheckAnswer &answer, const std::string &text)
     out["facts"].push_back(visible(fact, true));
   for (const Problem &problem : answer.errors)
     out["problems"].push_back(problem_json(problem, "error", values));
-  for (const Problem &problem : answer.remarks)
-    out["problems"].push_back(problem_json(problem, "warning", values));
+  for (const Warning &remark : answer.remarks)
+    out["problems"].push_back(problem_json(problem_of(remark), "warning", values));
   for (const WrittenValue &value : values)
     out["values"][value.key] = value.text;
   if (!answer.checked)

@@ -138,9 +138,8 @@ twin::CaseModel analysed_stand(const Case &the_case, const bool six_masses)
     stand.source = fmt::format("rolls as beams, springs by closed forms at {:.1f} kN", chain.load / 1e3);
   } else
     add_chain(stand, chain.model, chain.dynamics);
-  if (const std::string warning = six_masses ? warning_of_six_masses(the_case, "analyse") : std::string();
-      !warning.empty())
-    stand.notes.push_back(warning);
+  if (const auto warning = six_masses ? warning_of_six_masses(the_case, "analyse") : std::nullopt)
+    stand.notes.push_back(text_of(*warning));
   stand.frequency_error = mode_errors_of_run(the_case, stand.frequency);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);

@@ -145,8 +145,8 @@ PriorChain prior_of_case(const CommandLine &command, const Case &the_case, const
   if (is_detailed(the_case))
     return detailed_prior(command, the_case, load);
   PriorChain prior = prior_chain(the_case, load);
-  if (const std::string warning = warning_of_six_masses(the_case, "calibrate"); !warning.empty())
-    prior.notes.push_back(warning);
+  if (const auto warning = warning_of_six_masses(the_case, "calibrate"))
+    prior.notes.push_back(text_of(*warning));
   return prior;
 }
 

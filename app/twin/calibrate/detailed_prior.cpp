@@ -146,8 +146,8 @@ PriorChain detailed_prior(const CommandLine &command, const Case &the_case, cons
     prior.notes.push_back(std::string("force_meaning = \"") + word_of(meaning) +
                           "\" of the case: a record's force is the whole bite force, so K4 and the gap damper are "
                           "left out, and the calibrated case says force_meaning = \"measured\"");
-  for (const std::string &warning : driven.warnings)
-    prior.notes.push_back(warning);
+  for (const Warning &warning : driven.warnings)
+    prior.notes.push_back(text_of(warning));
   return prior;
 }
 

@@ -41,11 +41,11 @@ reduce::StandWithModes closed_form_beams(const FourHigh &drawn, const CaseChain 
   return beams;
 }
 
-std::string warning_of_six_masses(const Case &the_case, const std::string &verb)
+std::optional<Warning> warning_of_six_masses(const Case &the_case, const std::string &verb)
 {
   const auto *drawn = std::get_if<FourHigh>(&the_case.spec);
   if (!drawn)
-    return "";
+    return {};
   const CaseChain chain = case_chain(the_case, verb);
   return six_mass_gap_error(closed_form_beams(*drawn, chain), chain_with_modes(chain.model, chain.dynamics),
                             chain.dynamics.frequency_limit);

@@ -32,6 +32,14 @@ std::string messages(const std::vector<Problem> &problems)
   return text;
 }
 
+std::string messages(const std::vector<Warning> &warnings)
+{
+  std::vector<Problem> problems;
+  for (const Warning &warning : warnings)
+    problems.push_back(problem_of(warning));
+  return messages(problems);
+}
+
 class Reviewed : public testing::Test {
 protected:
   fs::path folder = fs::path(testing::TempDir()) / "millstand_review_test";
@@ -77,14 +85,14 @@ TEST_F(Reviewed, ARecordMustOutlastTheLowestMode)
   const std::string brief = record("brief.csv", 2001, 4000, 976);
   const CaseReview r      = review({"pass.0.force=" + brief});
   ASSERT_EQ(r.warnings.size(), 1u);
-  EXPECT_EQ(
-      r.warnings[0].message.rfind("pass 1: the force record lasts 0.5 s; the lowest mode to be expected, at ", 0),
-      0u)
-      << r.warnings[0].message;
-  EXPECT_NE(
-      r.warnings[0].message.find(" to build up (five decay times at 1 % damping): peaks and rms are those of a "
-                                 "start, give a longer record"),
-      std::string::npos);
+  const Warning &brevity = r.warnings[0];
+  EXPECT_EQ(brevity.id, WarningId::record_short);
+  EXPECT_EQ(brevity.subject, "pass 1");
+  EXPECT_EQ(brevity.fact.rfind("the force record lasts 0.5 s; the lowest mode to be expected, at ", 0), 0u)
+      << brevity.fact;
+  EXPECT_NE(brevity.fact.find(" to build up (five decay times at 1 % damping)"), std::string::npos);
+  EXPECT_EQ(brevity.detail, "peaks and rms are those of a start");
+  EXPECT_EQ(brevity.remedy, "give a longer record");
   EXPECT_EQ(r.facts.at(0), "pass 1: the force record lasts 0.5 s, 2001 samples at 4000 Hz, mean 976.0 kN");
 }
 
@@ -116,7 +124,7 @@ TEST_F(Reviewed, SamplingAndGapsOfARecordAreChecked)
   const std::string slow = record("slow.csv", 2001, 200, 976, "time [s],force [kN]", 640, 664);
   const CaseReview r     = review({"pass.0.force=" + slow});
   EXPECT_EQ(messages(r.warnings),
-            "pass 1: the force record has a gap, the longest of 0.125 s at 3.195 s; straight lines fill it");
+            "pass 1: the force record has a gap, the longest of 0.125 s at 3.195 s: straight lines fill it");
   EXPECT_NE(messages(r.said_by_run).find("pass 1: the rolling force is sampled at "), std::string::npos);
   EXPECT_NE(messages(r.said_by_run).find(" (mode by closed forms)"), std::string::npos);
 }
@@ -129,7 +137,7 @@ TEST_F(Reviewed, AMeasuredRecordIsCheckedToo)
   const CaseReview r       = review({"pass.0.force=" + force, "pass.0.measured=" + slow});
   EXPECT_NE(messages(r.warnings)
                 .find("pass 1: the measured record is sampled at 200 Hz and shows nothing above 100 "
-                      "Hz; the highest mode to be expected is at "),
+                      "Hz: the highest mode to be expected is at "),
             std::string::npos)
       << messages(r.warnings);
   std::string late = read_text(slow);
@@ -167,7 +175,7 @@ TEST_F(Reviewed, ALoadOfAnotherOrderIsRefused)
       "in another unit");
   EXPECT_EQ(
       messages(with("pass.0.load=900 kN", chain).said_by_run)
-          .find("pass 1: pass.load is 900.0 kN, the mean of its force record 976.0 kN; stiffnesses belong to "
+          .find("pass 1: pass.load is 900.0 kN, the mean of its force record 976.0 kN: stiffnesses belong to "
                 "the first, accelerations to the second"),
       0u);
   EXPECT_EQ(
@@ -296,7 +304,8 @@ TEST(RunSummary, HasAtMostTwentyFiveLines)
     add("K3.reading" + std::to_string(i), 4e10, "N/m");
     add("mode.bending_" + std::to_string(i) + ".frequency", 100. * i, "Hz");
     results.values.back().second.method = "bending " + std::to_string(i) + ", roll: 60 % of it; six masses";
-    results.warnings.push_back("warning number " + std::to_string(i) + " " + std::string(300, 'x'));
+    results.warnings.push_back(
+        warning_of_text("warning number " + std::to_string(i) + " " + std::string(300, 'x')));
   }
   std::string limits;
   for (int i = 0; i < 20; ++i)

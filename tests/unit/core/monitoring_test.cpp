@@ -58,8 +58,8 @@ TEST_F(MonitoringSection, NamesZonesAndBands)
   EXPECT_NE(the_case.resolved.find("channels = { \"AI_07\" = \"upper_work_roll\", \"Kraft 1\" = \"force\" }"),
             std::string::npos);
   ASSERT_EQ(the_case.warnings.size(), 1u);
-  EXPECT_EQ(the_case.warnings[0].message.find("monitoring.baseline = \"before\" holds no analysis.json"), 0u)
-      << the_case.warnings[0].message;
+  EXPECT_EQ(the_case.warnings[0].key, "monitoring.baseline");
+  EXPECT_EQ(the_case.warnings[0].fact, "monitoring.baseline = \"before\" holds no analysis.json");
   EXPECT_TRUE(monitoring_of(with("severity = [\"2.3 mm/s\"]\n")).channels().empty());
 }
 

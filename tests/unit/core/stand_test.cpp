@@ -156,7 +156,8 @@ TEST_F(Cases, AnOldNameOfAKeyIsAcceptedWithAWarning)
   const Case old         = read_case(file, {"bearing.trb.row_hands=-+-+"});
   EXPECT_EQ(std::get<BearingCase>(old.spec).bearings.at(0).arrangement, "-+-+");
   ASSERT_EQ(old.warnings.size(), 1u);
-  EXPECT_EQ(old.warnings[0].message,
+  EXPECT_EQ(old.warnings[0].id, WarningId::old_key);
+  EXPECT_EQ(text_of(old.warnings[0]),
             "bearing.trb.row_hands is the old name of the key arrangement; write arrangement");
   EXPECT_NE(old.resolved.find("\narrangement = \"-+-+\"\n"), std::string::npos) << "the present name";
   EXPECT_EQ(refusal([&] {
