@@ -1,5 +1,6 @@
 #include "app/review/case_review.h"
 #include "app/run/run_kind.h"
+#include "app/stack/stack_bearings.h"
 #include "app/stack/stack_bite.h"
 #include "app/stack/stack_motion.h"
 #include "app/stack/stack_stage.h"
@@ -18,7 +19,8 @@ std::vector<ClosedFormResult> traced(const Case &the_case)
   const auto &spec   = std::get<StackCase>(the_case.spec);
   const KeyList keys = keys_of_stack(the_case);
   std::vector<ClosedFormResult> all;
-  for (const StackNumber &number : traced_stack(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack))) {
+  const Stack stack = with_rigid_bearings(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack));
+  for (const StackNumber &number : traced_stack(*spec.input, stack)) {
     ClosedFormResult result;
     result.name             = number.name;
     result.parameter.value  = number.value;
@@ -65,7 +67,8 @@ const RunKind &run_kind(const StackCase &)
     };
     k.driven = [](RunContext &run, const std::string &pass) {
       const auto &spec = std::get<StackCase>(run.the_case.spec);
-      return driven_stack(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack), pass);
+      const Stack held = with_bearing_curves(*spec.stack, solve_stack_bearings(run, *spec.input, *spec.stack));
+      return driven_stack(run, *spec.input, with_slopes_of_bite(*spec.input, held), pass);
     };
     k.mark_sources = [](const Case &the_case) {
       dynamics::MarkSources sources;

@@ -149,7 +149,8 @@ void write_shapes(RunContext &run, const reduce::StandWithModes &stand)
 }
 }  // namespace
 
-MovingPass moving_pass(const StackInput &input, const Stack &stack, const Pass &pass, const int elements_per_width)
+MovingPass moving_pass(const StackInput &input, const Stack &stack, const Pass &pass, const int elements_per_width,
+                       const int threads)
 {
   MovingPass made;
   made.pass = pass;
@@ -158,32 +159,31 @@ MovingPass moving_pass(const StackInput &input, const Stack &stack, const Pass &
   made.force             = force_of_pass(pass, made.record, stack);
   made.stack             = stack;
   made.stack.strip.force = made.force;
-  reduce::BeamStackSettings settings;
-  settings.elements_per_width = elements_per_width;
-  settings.flattening         = input.engine.flattening == StackFlattening::local ? reduce::Flattening::local
-                                                                                  : reduce::Flattening::half_space;
-  made.engine                 = std::make_shared<reduce::BeamStack>(made.stack, settings);
-  made.state                  = made.engine->solve();
-  made.moving                 = reduce::moving_stack(*made.engine);
-  made.lumped                 = reduce::lumped_stack(*made.engine, made.state);
-  const double limit          = 2 * input.dynamics.frequency_limit;
-  made.open                   = named_stand(made, made.moving, made.moving.model, limit);
+  made.engine = std::make_shared<reduce::BeamStack>(made.stack, beam_settings(input, elements_per_width, threads));
+  made.state  = made.engine->solve();
+  made.moving = reduce::moving_stack(*made.engine);
+  made.lumped = reduce::lumped_stack(*made.engine, made.state);
+  const double limit = 2 * input.dynamics.frequency_limit;
+  made.open          = named_stand(made, made.moving, made.moving.model, limit);
   if (made.moving.strip_stiffness > 0)
     made.rolling = named_stand(made, made.moving, reduce::with_strip(made.moving), limit);
   made.lumped_open = named_stand(made, made.lumped, made.lumped.model, INFINITY);
   return made;
 }
 
-std::vector<MovingPass> moving_passes(const StackInput &input, const Stack &stack, const std::string &wanted)
+std::vector<MovingPass> moving_passes(const RunContext &run, const StackInput &input, const Stack &stack,
+                                      const std::string &wanted)
 {
   std::vector<MovingPass> passes;
+  const auto add = [&](const Pass &pass) {
+    passes.push_back(moving_pass(input, stack, pass, elements_in_motion, run.threads));
+  };
   if (!wanted.empty())
-    passes.push_back(
-        moving_pass(input, stack, input.passes[place_of_pass(input.passes, wanted)], elements_in_motion));
+    add(input.passes[place_of_pass(input.passes, wanted)]);
   else if (input.passes.empty())
-    passes.push_back(moving_pass(input, stack, Pass{}, elements_in_motion));
+    add(Pass{});
   for (std::size_t p = 0; wanted.empty() && p < input.passes.size(); ++p)
-    passes.push_back(moving_pass(input, stack, input.passes[p], elements_in_motion));
+    add(input.passes[p]);
   return passes;
 }
 

@@ -49,13 +49,13 @@ VectorXd influences(const StackInput &input, const SolvedStack &solved, const Ma
 {
   VectorXd sum = VectorXd::Zero(Index(targets.size()));
   if (actuator.kind == StackActuatorKind::shift) {
+    SolvedStack moved;
     for (const double side : {-1., 1.}) {
       StackActuator from = actuator;
       from.present       = value;
-      const auto state =
-          solve_stack(input, with_actuator(input, solved.stack, from, value + side * shift_step), make).state;
+      solve_from(moved, input, with_actuator(input, solved.stack, from, value + side * shift_step), make);
       for (Index t = 0; t < sum.size(); ++t)
-        sum[t] += side * value_of(targets[std::size_t(t)].name, state.strip) / (2 * shift_step);
+        sum[t] += side * value_of(targets[std::size_t(t)].name, moved.state.strip) / (2 * shift_step);
     }
     return sum;
   }
@@ -161,11 +161,12 @@ StackOptimum optimise_stack(const StackInput &input, const Stack &stack, const M
   const VectorXd range = high - low;
   VectorXd x           = present.cwiseMax(low).cwiseMin(high);
   StackOptimum optimum;
-  const auto solved_at = [&](const VectorXd &values) {
+  SolvedStack solved;
+  const auto solve_at = [&](const VectorXd &values) {
     ++optimum.steps;
-    return solve_stack(input, stack_at(input, stack, actuators, values), make);
+    solve_from(solved, input, stack_at(input, stack, actuators, values), make);
   };
-  SolvedStack solved = solved_at(x);
+  solve_at(x);
   for (StackTarget &target : targets)
     target.present = value_of(target.name, solved.state.strip);
   MatrixXd J(m, n);
@@ -185,8 +186,8 @@ StackOptimum optimise_stack(const StackInput &input, const Stack &stack, const M
     for (int halving = 0;; ++halving)
       try {  // a step that parts the rolls is too long
         const VectorXd next = (x + range.cwiseProduct(move)).cwiseMax(low).cwiseMin(high);
-        solved              = solved_at(next);
-        x                   = next;
+        solve_at(next);
+        x = next;
         break;
       } catch (const SolverError &) {
         if (halving == most_halvings)

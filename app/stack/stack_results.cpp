@@ -1,6 +1,6 @@
 #include "app/stack/stack_optimise.h"
 #include "app/stack/stack_stage.h"
-#include "core/model/stack_statics.h"
+#include "core/model/stack_supports.h"
 #include "core/records/stack_names.h"
 #include "reduce/stack/line_law.h"
 #include "reduce/stack/section_forces.h"
@@ -87,29 +87,6 @@ void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
       {{"uniform load (51.3)", resultant.force / reduce::approach_of(law, even), uneven}});
 }
 
-// Of two bearings of a roll: what balances the forces of its contacts.  Along y, drive side first.
-std::array<double, 2> reactions_by_statics(const Stack &stack, const std::size_t roll,
-                                           const std::vector<StackResultant> &resultants)
-{
-  const StackRoll &of = stack.rolls[roll];
-  double force = 0, moment = 0;
-  const auto add = [&](const double f, const double z) {
-    force += f;
-    moment += f * z;
-  };
-  for (std::size_t c = 0; c < stack.contacts.size(); ++c)
-    if (stack.contacts[c].b == roll)
-      add(resultants[c].force * reduce::direction_of(stack, stack.contacts[c])[1], resultants[c].centre);
-  for (const StackLoad &load : of.loads)
-    add(load.force[1], load.z + of.shift);
-  for (const auto &[work_roll, sign] : {std::pair(stack.upper, 1.), std::pair(stack.lower, -1.)})
-    if (work_roll == roll)
-      add(sign * stack.strip.force, stack.strip.offset);
-  const double z1 = of.supports[1].z + of.shift, z2 = of.supports[0].z + of.shift;
-  const double drive = -(moment - force * z2) / (z1 - z2);
-  return {drive, -force - drive};
-}
-
 void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t r,
                       const std::vector<StackResultant> &resultants, const char *by_newton)
 {
@@ -124,12 +101,10 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
     reactions.emplace_back(roll.supports[s].z, state.reactions[s]);
   std::sort(reactions.begin(), reactions.end());
   if (reactions.size() == 2) {
-    Stack sorted = solved.stack;
-    std::sort(sorted.rolls[r].supports.begin(), sorted.rolls[r].supports.end(),
-              [](const StackSupport &one, const StackSupport &other) { return one.z < other.z; });
-    const auto [drive, other] = reactions_by_statics(sorted, r, resultants);
-    add("reaction_drive", reactions[1].second, "N", {{by_statics, drive, ""}});
-    add("reaction_operator", reactions[0].second, "N", {{by_statics, other, ""}});
+    const Eigen::RowVector2d balance = support_forces(solved.stack, r, resultants).row(1);
+    const Eigen::Index drive         = roll.supports[1].z > roll.supports[0].z ? 1 : 0;
+    add("reaction_drive", reactions[1].second, "N", {{by_statics, balance[drive], ""}});
+    add("reaction_operator", reactions[0].second, "N", {{by_statics, balance[1 - drive], ""}});
   } else {
     for (std::size_t s = 0; s < reactions.size(); ++s)
       add(fmt::format("reaction_saddle{}", s + 1), reactions[s].second, "N", {});

@@ -1,9 +1,11 @@
 #include "app/stack/stack_stage.h"
 #include "app/command/linked_subjects.h"
 #include "app/run/curve_files.h"
+#include "app/stack/stack_bearings.h"
 #include "app/stack/stack_bite.h"
 #include "app/stack/stack_curves.h"
 #include "app/stack/stack_motion.h"
+#include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/stack_names.h"
@@ -27,15 +29,6 @@ const char *const by_beams        = "Timoshenko beams and line contacts, equilib
 const char *const by_condensed = "condensed rolls whose contacts feel each other, equilibrium by Newton's method "
                                  "(51.16)";
 
-reduce::BeamStackSettings settings_of(const StackInput &input, const int elements_per_width)
-{
-  reduce::BeamStackSettings settings;
-  settings.elements_per_width = elements_per_width;
-  settings.flattening         = input.engine.flattening == StackFlattening::local ? reduce::Flattening::local
-                                                                                  : reduce::Flattening::half_space;
-  return settings;
-}
-
 double mean_opening(const reduce::StripState &strip)
 {
   const Eigen::VectorXd length =
@@ -49,14 +42,17 @@ SolvedStack solve_for_gap(const StackInput &input, Stack stack, const MakeStackE
   const double wanted      = input.strip.exit_thickness - input.strip.gap;
   constexpr int most_steps = 20;
   stack.strip.force        = 1e3 * stack.strip.width * 1e3;  // N, 1 kN per mm of width to begin with
+  SolvedStack solved;
   for (int step = 0; step < most_steps; ++step) {
-    auto engine              = make(stack);
-    reduce::StackState state = engine->solve();
-    const double missing     = wanted - mean_opening(state.strip);
+    solved.stack = stack;
+    if (!solved.engine || !solved.engine->change(stack))
+      solved.engine = make(stack);
+    solved.state         = solved.engine->solve();
+    const double missing = wanted - mean_opening(solved.state.strip);
     if (std::abs(missing) < 1e-9 * wanted)
-      return {stack, std::move(engine), std::move(state)};
+      return solved;
     // Contacts are softer under less load: no step goes below a tenth of the force.
-    stack.strip.force = std::max(0.1 * stack.strip.force, stack.strip.force + state.modulus.mean * missing);
+    stack.strip.force = std::max(0.1 * stack.strip.force, stack.strip.force + solved.state.modulus.mean * missing);
   }
   throw SolverError({fmt::format("the rolling force at a gap of {:.6g} mm was not found within {} steps",
                                  1e3 * input.strip.gap, most_steps),
@@ -157,33 +153,45 @@ void warn_of_state(RunContext &run, const SolvedStack &solved)
 void say_what_is_assumed_of(RunContext &run, const StackInput &input)
 {
   for (const StackRollInput &roll : input.rolls)
-    if (roll.on.empty() && !roll.saddles.given && roll.bearing_stiffness.empty())
-      run.assume(fmt::format(
-          "the bearings and the housing of roll {} are rigid, since bearing_stiffness is not given", roll.name));
+    if (roll.on.empty() && !roll.saddles.given && roll.bearing_stiffness.empty() && roll.bearing.empty())
+      run.assume(fmt::format("the bearings and the housing of roll {} are rigid, since neither bearing_stiffness "
+                             "nor bearing is given",
+                             roll.name));
   run.assume(
       "the strip does not flow across the width: its flatness is the difference of elongations that nothing "
       "evens out");
 }
 }  // namespace
 
-MakeStackEngine beams_of(const StackInput &input, const int elements_per_width)
+reduce::BeamStackSettings beam_settings(const StackInput &input, const int elements_per_width, const int threads)
 {
-  return [settings = settings_of(input, elements_per_width)](const Stack &stack) {
+  reduce::BeamStackSettings settings;
+  settings.elements_per_width = elements_per_width;
+  settings.flattening         = input.engine.flattening == StackFlattening::local ? reduce::Flattening::local
+                                                                                  : reduce::Flattening::half_space;
+  settings.threads            = threads;
+  return settings;
+}
+
+MakeStackEngine beams_of(const StackInput &input, const int elements_per_width, const int threads)
+{
+  return [settings = beam_settings(input, elements_per_width, threads)](const Stack &stack) {
     return std::make_unique<reduce::BeamStack>(stack, settings);
   };
 }
 
-MakeStackEngine condensed_of(const StackKernels &kernels, const int stations_per_width)
+MakeStackEngine condensed_of(const StackKernels &kernels, const int stations_per_width, const int threads)
 {
-  return [kernels, stations_per_width](const Stack &stack) {
-    return std::make_unique<fem::CondensedStack>(stack, kernels, fem::CondensedStackSettings{stations_per_width});
+  return [kernels, settings = fem::CondensedStackSettings{stations_per_width, threads}](const Stack &stack) {
+    return std::make_unique<fem::CondensedStack>(stack, kernels, settings);
   };
 }
 
 MakeStackEngine leading_engine(RunContext &run, const StackInput &input, const Stack &stack)
 {
-  return input.engine.model == StackModel::condensed ? condensed_of(stack_kernels(run, stack), stations_over_width)
-                                                     : beams_of(input, elements_over_width);
+  return input.engine.model == StackModel::condensed
+             ? condensed_of(stack_kernels(run, stack), stations_over_width, run.threads)
+             : beams_of(input, elements_over_width, run.threads);
 }
 
 SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeStackEngine &make)
@@ -197,6 +205,19 @@ SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeS
     solved.state  = solved.engine->solve();
   }
   return solved;
+}
+
+void solve_from(SolvedStack &solved, const StackInput &input, const Stack &stack, const MakeStackEngine &make)
+{
+  if (std::isnan(input.strip.gap) && solved.engine && solved.engine->change(stack))
+    try {
+      solved.stack = stack;
+      solved.state = solved.engine->solve();
+      return;
+    } catch (const SolverError &) {
+      solved.engine.reset();  // the last state was no start for this one
+    }
+  solved = solve_stack(input, stack, make);
 }
 
 double unloaded_gap(const SolvedStack &solved)
@@ -241,11 +262,17 @@ std::vector<std::string> all_keys_of_stack(const Case &the_case)
 
 std::vector<std::string> keys_of_stack(const Case &the_case)
 {
-  const bool of_bite = std::get<StackCase>(the_case.spec).input->strip.law == StackStripLaw::bite;
-  std::vector<std::string> keys;
+  const StackInput &input = *std::get<StackCase>(the_case.spec).input;
+  const bool of_bite      = input.strip.law == StackStripLaw::bite;
+  KeyList keys;
+  for (const RollerBearing &bearing : input.bearings)
+    if (std::any_of(input.rolls.begin(), input.rolls.end(),
+                    [&](const StackRollInput &roll) { return roll.bearing == bearing.name; }))
+      keys = joined(std::move(keys), bearing_keys(bearing));
   for (const std::string &key : all_keys_of_stack(the_case)) {
-    const auto in    = [&](const char *start) { return key.rfind(start, 0) == 0; };
-    const bool moves = in("pass.") || in("dynamics.") || in("stand.") || in("analysis.") || in("window.");
+    const auto in = [&](const char *start) { return key.rfind(start, 0) == 0; };
+    const bool moves =
+        in("pass.") || in("dynamics.") || in("stand.") || in("analysis.") || in("window.") || in("bearing.");
     const bool bites = in("strip.friction") || in("strip.flow_stress") || in("strip.entry_tension") ||
                        in("strip.exit_tension") || in("strip.initial_thickness") || in("strip.youngs_modulus") ||
                        in("strip.poisson_ratio");
@@ -260,13 +287,13 @@ namespace {
 void move_stack(RunContext &run, const StackInput &input, const Stack &stack, const Goal goal)
 {
   StageTimer timer(run, "modes");
-  const std::vector<MovingPass> passes = moving_passes(input, stack);
+  const std::vector<MovingPass> passes = moving_passes(run, input, stack);
   const MovingPass &first              = passes.front();
   if (goal == Goal::chatter) {
     linked_subjects.stack_chatter(run, input, passes);
     return;
   }
-  add_stack_modes(run, input, first, moving_pass(input, stack, first.pass, elements_over_width / 2));
+  add_stack_modes(run, input, first, moving_pass(input, stack, first.pass, elements_over_width / 2, run.threads));
   run.assume(fmt::format("modal damping of {:g} % in every mode", 100 * input.dynamics.modal_damping));
   if (goal < Goal::simulate)
     return;
@@ -274,28 +301,32 @@ void move_stack(RunContext &run, const StackInput &input, const Stack &stack, co
   add_stack_speeds(run, input, passes);
 }
 
-void solve_state(RunContext &run, const StackInput &input, const Stack &stack, double &force);
+void solve_state(RunContext &run, const StackInput &input, const Stack &stack, const StackBearings &bearings,
+                 double &force);
 }  // namespace
 
 void run_stack(RunContext &run, const StackInput &input, const Stack &drawn, const Goal goal)
 {
-  Stack stack = with_slopes_of_bite(input, drawn);
+  const StackBearings bearings = solve_stack_bearings(run, input, drawn);
+  Stack stack                  = with_slopes_of_bite(input, with_bearing_curves(drawn, bearings));
   if (goal >= Goal::simulate && goal != Goal::chatter)
-    solve_state(run, input, stack, stack.strip.force);
+    solve_state(run, input, stack, bearings, stack.strip.force);
   else if (!std::isnan(input.strip.gap))
-    stack.strip.force = solve_stack(input, stack, beams_of(input, elements_over_width)).stack.strip.force;
+    stack.strip.force =
+        solve_stack(input, stack, beams_of(input, elements_over_width, run.threads)).stack.strip.force;
   move_stack(run, input, stack, goal);
 }
 
 namespace {
-void solve_state(RunContext &run, const StackInput &input, const Stack &stack, double &force_found)
+void solve_state(RunContext &run, const StackInput &input, const Stack &stack, const StackBearings &bearings,
+                 double &force_found)
 {
   StageTimer timer(run, "stack");
   const StackKernels kernels = stack_kernels(run, stack);
   const bool is_condensed    = input.engine.model == StackModel::condensed;
   const auto engine          = [&](const bool condensed, const int coarser) {
-    return condensed ? condensed_of(kernels, stations_over_width / coarser)
-                              : beams_of(input, elements_over_width / coarser);
+    return condensed ? condensed_of(kernels, stations_over_width / coarser, run.threads)
+                              : beams_of(input, elements_over_width / coarser, run.threads);
   };
   SolvedStack fine         = solve_stack(input, stack, engine(is_condensed, 1)),
               coarse       = solve_stack(input, stack, engine(is_condensed, 2));
@@ -314,6 +345,7 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, d
     numbers->insert(numbers->end(), influences.begin(), influences.end());
   }
   add_results(run, sets, force);
+  add_stack_bearings(run, input, fine.stack, bearings);
   write_stack_curves(run, input, fine);
   write_stack_maps(run, input, stack);
   warn_of_state(run, fine);

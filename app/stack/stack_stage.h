@@ -3,7 +3,7 @@
 #include "app/run/run_context.h"
 #include "app/stack/stack_kernels.h"
 #include "core/model/stack_input.h"
-#include "reduce/stack/stack_engine.h"
+#include "reduce/stack/beam_stack.h"
 #include <functional>
 #include <memory>
 #include <string>
@@ -30,8 +30,9 @@ struct SolvedStack {
   reduce::StackState state;
 };
 using MakeStackEngine = std::function<std::unique_ptr<reduce::StackEngine>(const Stack &)>;
-MakeStackEngine beams_of(const StackInput &input, int elements_per_width);
-MakeStackEngine condensed_of(const StackKernels &kernels, int stations_per_width);
+reduce::BeamStackSettings beam_settings(const StackInput &input, int elements_per_width, int threads);
+MakeStackEngine beams_of(const StackInput &input, int elements_per_width, int threads = 1);
+MakeStackEngine condensed_of(const StackKernels &kernels, int stations_per_width, int threads = 1);
 
 /// The engine of the case's [engine] on its finer mesh.
 MakeStackEngine leading_engine(RunContext &run, const StackInput &input, const Stack &stack);
@@ -39,6 +40,9 @@ MakeStackEngine leading_engine(RunContext &run, const StackInput &input, const S
 /// With the rolling force, or with that at which the unloaded gap is the given one.
 /// @throws SolverError  no equilibrium
 SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeStackEngine &make);
+/// The same stack under other settings, from a state that is solved where its engine can.
+/// @throws SolverError  no equilibrium; `solved` has no engine then
+void solve_from(SolvedStack &solved, const StackInput &input, const Stack &stack, const MakeStackEngine &make);
 
 /// S, the gap of the unloaded work rolls; NaN without an exit thickness.
 double unloaded_gap(const SolvedStack &solved);

@@ -13,15 +13,6 @@
 // Bearings between rigid rings, for the closed-form model.
 namespace mill {
 namespace {
-// The bearing that has a closed form: laminae between rigid rings.
-RollerBearing closed_bearing(RollerBearing b)
-{
-  if (b.roller_law == OneRollerLaw::fe)
-    b.roller_law = OneRollerLaw::iso;
-  b.rings = RingBodies::rigid;
-  return with_row_places(std::move(b));
-}
-
 bool by_elements(const RollerBearing &b)
 {
   return b.roller_law == OneRollerLaw::fe || b.rings == RingBodies::elastic;
@@ -65,7 +56,7 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
 bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingLoading &loading,
                               const double cage_angle = 0, const double centrifugal = 0)
 {
-  auto model              = bearing::rigid_model(closed_bearing(b));
+  auto model              = bearing::rigid_model(between_rigid_rings(b));
   model.cage_angle        = cage_angle;
   model.centrifugal_force = centrifugal;
   return bearing::BearingAssembly(model).solve(loading);

@@ -1,5 +1,6 @@
 #include "app/verbs/stack_command.h"
 #include "app/process/console.h"
+#include "app/stack/stack_bearings.h"
 #include "app/stack/stack_bite.h"
 #include "app/stack/stack_optimise.h"
 #include "app/verbs/driven_case.h"
@@ -100,7 +101,8 @@ int stack_command(const CommandLine &command, const Case &the_case)
   const auto actuators = actuators_of(options, *spec->input, *spec->stack);
   StackOptimum optimum;
   run_in_scratch(command, the_case, {{"stack", 1}}, [&](RunContext &run) {
-    const Stack stack = with_slopes_of_bite(*spec->input, *spec->stack);
+    const Stack held  = with_bearing_curves(*spec->stack, solve_stack_bearings(run, *spec->input, *spec->stack));
+    const Stack stack = with_slopes_of_bite(*spec->input, held);
     optimum = optimise_stack(*spec->input, stack, leading_engine(run, *spec->input, stack), actuators, targets);
   });
   console::print(text_of(optimum));

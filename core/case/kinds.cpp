@@ -1,5 +1,6 @@
 #include "core/case/kinds.h"
 #include "core/base/require.h"
+#include "core/model/stack_input.h"
 #include <algorithm>
 #include <type_traits>
 
@@ -40,6 +41,8 @@ const std::vector<RollerBearing> &all_bearings(const Case &the_case)
       [](const auto &spec) -> const std::vector<RollerBearing> & {
         if constexpr (HasBearings<std::decay_t<decltype(spec)>>::value)
           return spec.bearings;
+        else if constexpr (std::is_same_v<std::decay_t<decltype(spec)>, StackCase>)
+          return spec.input->bearings;
         else
           return none;
       },

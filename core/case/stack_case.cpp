@@ -1,4 +1,5 @@
 #include "core/model/stack_case.h"
+#include "core/case/kinds.h"
 #include "core/case/section_list.h"
 #include "core/case/stack_half.h"
 #include "core/case/stack_resolution.h"
@@ -144,7 +145,7 @@ void check_holding(const StackRollInput &roll, const std::size_t r, const bool l
   const auto given              = [&](const char *k) { return is_in_case(reading, key(k)); };
   const std::string span_remedy = "; add for example bearing_span = \"2000 mm\"";
   if (!given("bearing_span") && reading.usable({key("bearing_span")}))
-    for (const char *needing : {"bending_force", "bearing_stiffness", "chock_mass"})
+    for (const char *needing : {"bending_force", "bearing_stiffness", "bearing", "chock_mass"})
       if (given(needing)) {
         contradict(reading, key(needing), "needs the place where it acts" + span_remedy, {});
         return;
@@ -175,16 +176,58 @@ void check_holding(const StackRollInput &roll, const std::size_t r, const bool l
     contradict(reading, key("bearing_stiffness"),
                "belongs to a roll that leans on none; a roll that leans on others is carried by them, remove it",
                {key("on")});
-  if (roll.bearing_stiffness.size() > (listed ? 1 : 2))
-    contradict(reading, key("bearing_stiffness"),
-               listed ? "has more than one value; with lower = \"listed\" each roll has its own"
-                      : "has more than two values; give one, or that of the upper and of the lower roll",
+  for (const auto &[name, values] : {std::pair{"bearing_stiffness", &roll.bearing_stiffness},
+                                     {"housing_stiffness", &roll.housing_stiffness},
+                                     {"chock_mass", &roll.chock_mass}})
+    if (values->size() > (listed ? 1 : 2))
+      contradict(reading, key(name),
+                 listed ? "has more than one value; with lower = \"listed\" each roll has its own"
+                        : "has more than two values; give one, or that of the upper and of the lower roll",
+                 {});
+}
+
+std::vector<std::string> oil_films_of(const Node &root)
+{
+  std::vector<std::string> names;
+  if (const Node::Entry *all = root.find("bearing"))
+    for (const Node::Entry &entry : all->value.entries)
+      if (is_oil_film(entry))
+        names.push_back(entry.key);
+  return names;
+}
+
+// A bearing of the case in place of the stiffness of the whole support.
+void check_own_bearing(const StackRollInput &roll, const std::size_t r, const StackInput &input, const Node &root,
+                       Reading &reading)
+{
+  const auto key   = [&](const char *k) { return roll_key(r, k); };
+  const auto given = [&](const char *k) { return is_in_case(reading, key(k)); };
+  if (given("housing_stiffness") && !given("bearing"))
+    contradict(reading, key("housing_stiffness"),
+               "belongs to a bearing; add for example bearing = \"crb\" with a section [bearing.crb], or give "
+               "bearing_stiffness of bearing, chock and housing together",
                {});
-  if (roll.chock_mass.size() > (listed ? 1 : 2))
-    contradict(reading, key("chock_mass"),
-               listed ? "has more than one value; with lower = \"listed\" each roll has its own"
-                      : "has more than two values; give one, or that of the upper and of the lower roll",
-               {});
+  if (!given("bearing"))
+    return;
+  if (given("bearing_stiffness"))
+    contradict(reading, key("bearing"), "is given together with bearing_stiffness; give one of the two",
+               {key("bearing_stiffness")});
+  if (roll.saddles.given)
+    contradict(reading, key("bearing"), "is given together with saddles; give one of the two",
+               {key("saddles.positions")});
+  if (!roll.on.empty())
+    contradict(reading, key("bearing"),
+               "belongs to a roll that leans on none; a roll that leans on others is carried by them, remove it",
+               {key("on")});
+  const std::vector<std::string> films = oil_films_of(root);
+  if (std::find(films.begin(), films.end(), roll.bearing) != films.end())
+    contradict(
+        reading, key("bearing"),
+        "names an oil-film bearing; rolls of a stack take roller bearings. Give the stiffness of its film with "
+        "chock and housing as bearing_stiffness, and remove the key",
+        {});
+  else
+    check_bearing_name(key("bearing"), roll.bearing, names_in(input.bearings), reading);
 }
 
 void check_saddles(const StackRollInput &roll, const std::size_t r, Reading &reading)
@@ -231,7 +274,7 @@ void check_saddles(const StackRollInput &roll, const std::size_t r, Reading &rea
   }
 }
 
-void check_stack_rolls(const StackInput &input, Reading &reading)
+void check_stack_rolls(const StackInput &input, const Node &root, Reading &reading)
 {
   check_roll_names(input, reading);
   std::vector<std::string> materials;
@@ -245,6 +288,7 @@ void check_stack_rolls(const StackInput &input, Reading &reading)
     check_table_length(roll, r, reading);
     check_shaft(roll, r, reading);
     check_holding(roll, r, input.settings.lower == LowerHalf::listed, reading);
+    check_own_bearing(roll, r, input, root, reading);
     check_saddles(roll, r, reading);
     if (roll.on.size() > 2)
       contradict(reading, roll_key(r, "on"), "names more than two rolls; a roll leans on one or two", {});
@@ -420,6 +464,10 @@ StackCase read_stack(const Node &root, Reading &reading)
   read_once("stack", stack_settings_rows(), input->settings);
   input->materials = read_materials(root, reading);
   input->rolls     = read_stack_rolls(root, reading);
+  std::string carries;  // of a roll whose chock carries the force: its support is that of a backup roll
+  for (const StackRollInput &roll : input->rolls)
+    carries = carries.empty() ? roll.bearing : carries;
+  input->bearings = read_bearings(root, carries, reading);
   read_stack_strip(root, *input, reading);
   read_once("engine", stack_engine_rows(), input->engine);
   read_once("window", stack_window_rows(), input->window);
@@ -427,7 +475,7 @@ StackCase read_stack(const Node &root, Reading &reading)
   input->dynamics = read_dynamics(root, stack_dynamics_rows(), reading);
   input->span     = read_stand_span(root, reading);
   input->analysis = read_chatter_analysis(root, reading);
-  check_stack_rolls(*input, reading);
+  check_stack_rolls(*input, root, reading);
   check_stack_strip(input->strip, reading);
   check_law_of_bite(*input, reading);
   check_window(*input, reading);

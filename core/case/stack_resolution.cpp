@@ -50,10 +50,16 @@ std::vector<StackSupport> supports_of(const StackRollInput &roll, const Origin &
       supports.push_back({saddles.positions[i], {k, k}, {0, motion}});
     }
   } else if (roll.on.empty()) {
-    const auto &given = roll.bearing_stiffness;
-    const double k    = given.empty() ? rigid : given[origin.made && given.size() > 1 ? 1 : 0];
+    const auto of_half = [&](const std::vector<double> &given, const double absent_one) {
+      return given.empty() ? absent_one : given[origin.made && given.size() > 1 ? 1 : 0];
+    };
+    const double k = of_half(roll.bearing_stiffness, rigid);  // with a bearing of the case until that is solved
     for (const double side : {-0.5, 0.5})
-      supports.push_back({side * roll.bearing_span, {inclined ? k : 0, k}, {0, 0}});
+      supports.push_back({side * roll.bearing_span,
+                          {inclined ? k : 0, k},
+                          {0, 0},
+                          roll.bearing,
+                          of_half(roll.housing_stiffness, not_given)});
   }
   return supports;
 }

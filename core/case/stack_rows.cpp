@@ -103,6 +103,16 @@ const std::vector<Field<StackRollInput>> &stack_roll_rows()
          R"(["2070 kN/mm", "3030 kN/mm"])",
          "of bearing, chock and housing of one side, from the axis to the ground; two: of the roll and of the "
          "roll that is made of it; absent: rigid"},
+        {"bearing", &T::bearing, "text", any, absent, "crb",
+         "name of a [bearing.NAME] on either side, whose stiffness under its load replaces bearing_stiffness"},
+        {"housing_stiffness",
+         &T::housing_stiffness,
+         "kN/mm",
+         {1, 1e7},
+         absent,
+         R"(["2500 kN/mm"])",
+         "of what carries the bearing on one side, from its outer ring to the ground, with the chock unless the "
+         "bearing is solved in its chock; two: of the roll and of the roll that is made of it; absent: rigid"},
         {"chock_mass",
          &T::chock_mass,
          "kg",

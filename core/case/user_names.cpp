@@ -9,13 +9,13 @@ namespace {
 struct NamedKey {
   std::string_view section, key;
 };
-constexpr NamedKey named_keys[] = {{"pass", "name"},         {"condition", "name"},      {"condition", "after"},
-                                   {"work_roll", "bearing"}, {"backup_roll", "bearing"}, {"load", "bearing"},
-                                   {"advice", "condition"},  {"stack", "strip"},         {"roll", "name"},
-                                   {"roll", "on"},           {"roll", "material"},       {"contact", "pair"},
-                                   {"contact", "like"},      {"support", "roll"},        {"support", "name"},
-                                   {"support", "like"},      {"support", "against"},     {"mode", "name"},
-                                   {"variant", "name"},      {"variant", "pass"},        {"variant", "modes"}};
+constexpr NamedKey named_keys[] = {
+    {"pass", "name"},           {"condition", "name"},  {"condition", "after"},  {"work_roll", "bearing"},
+    {"backup_roll", "bearing"}, {"load", "bearing"},    {"advice", "condition"}, {"stack", "strip"},
+    {"roll", "name"},           {"roll", "on"},         {"roll", "material"},    {"roll", "bearing"},
+    {"contact", "pair"},        {"contact", "like"},    {"support", "roll"},     {"support", "name"},
+    {"support", "like"},        {"support", "against"}, {"mode", "name"},        {"variant", "name"},
+    {"variant", "pass"},        {"variant", "modes"}};
 constexpr std::string_view named_sections[] = {"bearing", "variant", "material"};
 
 void make_part(Node &value)

@@ -2,17 +2,28 @@
 #include "core/model/material.h"
 #include "core/model/roll.h"
 #include <array>
+#include <memory>
 #include <string>
 #include <vector>
 
 // A roll stack as its engines see it: resolved, SI.  x in the rolling direction, y up, z along the barrels with
 // the drive side positive.  theory.md 51
 namespace mill {
+/// Approach of a roller bearing over its radial load.
+struct BearingCurve {
+  std::vector<double> load;      ///< (n) N, ascending
+  std::vector<double> approach;  ///< (n) m
+  std::vector<double> tangent;   ///< (n) N/m, d(load)/d(approach)
+};
+
 /// Spring from the axis of a roll to the ground.
 struct StackSupport {
-  double z                        = 0;       ///< m, in the roll's own frame
-  std::array<double, 2> stiffness = {0, 0};  ///< N/m, along x and y
-  std::array<double, 2> motion    = {0, 0};  ///< m, of its foot (eccentrics of saddles)
+  double z                        = 0;                    ///< m, in the roll's own frame
+  std::array<double, 2> stiffness = {0, 0};               ///< N/m, along x and y
+  std::array<double, 2> motion    = {0, 0};               ///< m, of its foot (eccentrics of saddles)
+  std::string bearing;                                    ///< name of the bearing that the spring is; empty: none
+  double housing                            = not_given;  ///< N/m, in series with the bearing; absent: rigid
+  std::shared_ptr<const BearingCurve> curve = nullptr;    ///< of the bearing, once it is solved
 };
 
 /// Force on the axis of a roll.

@@ -5,6 +5,7 @@
 #include "core/model/chatter.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/pass.h"
+#include "core/model/roller_bearing.h"
 #include "core/model/stack.h"
 #include "core/model/strip.h"
 
@@ -38,7 +39,7 @@ struct StackSaddles {
   bool given            = false;
 };
 
-/// [[roll]]; of Roll the barrel, the profile, neck diameter, bearing span and bending forces.
+/// [[roll]]; of Roll the barrel, the profile, neck diameter, bearing, its span and bending forces.
 struct StackRollInput : Roll {
   std::string name;
   double total_length = not_given;                          ///< m
@@ -46,8 +47,9 @@ struct StackRollInput : Roll {
   std::vector<std::string> on;                              ///< rolls that it leans on, away from the strip
   std::array<double, 2> position = {not_given, not_given};  ///< m, x and y of the axis
   std::vector<double> bearing_stiffness;                    ///< N/m, a side; two: upper, lower
-  std::vector<double> chock_mass;                           ///< kg, a side; two: upper, lower; empty: none
-  std::string material;                                     ///< of a [material.NAME]; empty: [steel]
+  std::vector<double> housing_stiffness;  ///< N/m, in series with `bearing`; as bearing_stiffness
+  std::vector<double> chock_mass;         ///< kg, a side; two: upper, lower; empty: none
+  std::string material;                   ///< of a [material.NAME]; empty: [steel]
   StackSaddles saddles;
   Place place;  ///< of the [[roll]] header
   StackRollInput()
@@ -114,6 +116,7 @@ struct StackInput {
   Material steel;
   StackSettings settings;
   std::vector<StackMaterial> materials;
+  std::vector<RollerBearing> bearings;
   std::vector<StackRollInput> rolls;
   StackStripInput strip;
   StackEngine engine;

@@ -1,5 +1,6 @@
 #include "fem/stack/condensed_stack.h"
 #include "core/base/errors.h"
+#include "core/model/stack_supports.h"
 #include "core/process/parallel.h"
 #include "fem/stack/half_stack.h"
 #include "reduce/stack/stations.h"
@@ -80,6 +81,23 @@ GapShape shape_of(VectorXd opening, const VectorXd &h)
   return s;
 }
 
+// Whether one set of kernels and stations of the strip serves both.
+bool differ_in_settings_only(const Stack &one, const Stack &other)
+{
+  const StackStrip &a = one.strip, &b = other.strip;
+  if (one.rolls.size() != other.rolls.size() || one.contacts.size() != other.contacts.size() ||
+      one.upper != other.upper || one.lower != other.lower || a.width != b.width || a.offset != b.offset ||
+      a.arc != b.arc || a.crown_at != b.crown_at || a.edge_drop != b.edge_drop)
+    return false;
+  for (std::size_t r = 0; r < one.rolls.size(); ++r) {
+    const StackRoll &c = one.rolls[r], &d = other.rolls[r];
+    if (c.diameter != d.diameter || c.length != d.length || c.axis != d.axis || c.turned != d.turned ||
+        c.supports.size() != d.supports.size())
+      return false;
+  }
+  return true;
+}
+
 PairState pair_state(const StationedContact &contact, const VectorXd &force, const VectorXd &open)
 {
   PairState pair;
@@ -108,6 +126,7 @@ PairState pair_state(const StationedContact &contact, const VectorXd &force, con
 struct CondensedStack::Implementation {
   Stack stack;
   std::vector<std::shared_ptr<const RollKernel>> kernels;
+  int threads;
   double longest;
   ContactStations at_strip, read;
   std::vector<HalfStack> halves;    // upper, lower
@@ -116,10 +135,12 @@ struct CondensedStack::Implementation {
   VectorXd length, entry, ground, ground_read, force;
   double level = 0;
   std::vector<char> pressed;
+  bool has_factors = false;
+  double since     = 0;  // change of the forces since the factors
 
   Implementation(Stack s, std::vector<std::shared_ptr<const RollKernel>> its_kernels,
                  const CondensedStackSettings &settings)
-      : stack(std::move(s)), kernels(std::move(its_kernels)),
+      : stack(with_bearing_springs(std::move(s))), kernels(std::move(its_kernels)), threads(settings.threads),
         longest(longest_station(stack, kernels, settings.stations_per_width)),
         at_strip(stations_of_strip(stack.strip, longest)), read(stations_read(stack.strip, longest))
   {
@@ -130,22 +151,44 @@ struct CondensedStack::Implementation {
         if (std::find(rolls.begin(), rolls.end(), roll) != rolls.end())
           halves.emplace_back(stack, rolls, kernels, roll, planes, at_strip, read, longest);
     length = at_strip.length();
-    entry  = means_of([&](const double z) { return reduce::entry_departure(stack.strip, z - stack.strip.offset); },
+    force  = stack.strip.force / stack.strip.width * length;
+    pressed.assign(std::size_t(force.size()), 1);
+    take_profiles();
+    for (std::size_t i = 0; i < 2; ++i)
+      state[i] = halves[i].zero();
+  }
+
+  // What stands on the right sides.
+  void take_profiles()
+  {
+    entry = means_of([&](const double z) { return reduce::entry_departure(stack.strip, z - stack.strip.offset); },
                      at_strip);
     entry.array() -= entry.dot(length) / length.sum();
-    ground = ground_read = VectorXd();
     const auto departure = [&](const double z) {
       return reduce::radius_departure(stack.rolls[stack.upper], z) +
              reduce::radius_departure(stack.rolls[stack.lower], z);
     };
     ground      = means_of(departure, at_strip);
     ground_read = means_of(departure, read);
-    force       = stack.strip.force / stack.strip.width * length;
-    pressed.assign(std::size_t(force.size()), 1);
-    for (std::size_t i = 0; i < 2; ++i) {
+    for (std::size_t i = 0; i < 2; ++i)
       right[i] = halves[i].unloaded();
-      state[i] = halves[i].zero();
-    }
+  }
+
+  bool change(const Stack &drawn)
+  {
+    if (!differ_in_settings_only(stack, drawn))
+      return false;
+    const Stack before = stack, next = with_bearing_springs(drawn);
+    for (std::size_t r = 0; r < stack.rolls.size(); ++r)  // in place: the halves refer to the rolls
+      stack.rolls[r] = next.rolls[r];
+    stack.strip  = next.strip;
+    bool changed = false;
+    for (HalfStack &half : halves)
+      changed = half.follow(before) || changed;
+    has_factors = has_factors && !changed;
+    force *= stack.strip.force / before.strip.force;
+    take_profiles();
+    return true;
   }
 
   double k_open() const
@@ -198,7 +241,10 @@ struct CondensedStack::Implementation {
 
   void factorise()
   {
-    share_tasks(2, 2, [&](const long i) { halves[std::size_t(i)].factorise(); });
+    has_factors = false;
+    share_tasks(2, threads, [&](const long i) { halves[std::size_t(i)].factorise(); });
+    has_factors = true;
+    since       = 0;
   }
 
   // Next forces of a half; stations that would pull open, those that overlap touch.  Returns the largest change.
@@ -255,13 +301,10 @@ struct CondensedStack::Implementation {
   int solve()
   {
     const VectorXd constant = law_constant();
-    bool outdated           = true;
-    double since            = 0;  // change of the forces since the factors
+    bool outdated           = !has_factors;
     for (int step = 1; step <= most_steps; ++step) {
-      if (outdated) {
+      if (outdated)
         factorise();
-        since = 0;
-      }
       const Change next = linear(linearised(), constant, stack.strip.force);
       bool exchanged    = false;
       double change     = (next.force - force).cwiseAbs().maxCoeff() / next.force.cwiseAbs().maxCoeff();
@@ -402,6 +445,11 @@ StackState CondensedStack::solve()
   out.modulus.mid     = 1 / my.influence_of_force().middle;
   out.modulus.mean    = my.mean_modulus();
   return out;
+}
+
+bool CondensedStack::change(const Stack &stack)
+{
+  return self->change(stack);
 }
 
 GapShape CondensedStack::influence_of_force() const

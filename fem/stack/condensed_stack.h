@@ -6,10 +6,11 @@
 namespace mill::fem {
 struct CondensedStackSettings {
   int stations_per_width = 40;  ///< of the strip; contacts in stations as long
+  int threads            = 1;   ///< at most two have work: one for each half
 };
 
 /// The stack as condensed rolls whose contact lines feel each other, with the strip between the work rolls.
-/// theory.md 51.4.  Cost of a step, 20-high: LU of two times 280 + 200 + 100 unknowns.
+/// theory.md 51.4.  Cost of the factors of a half of a 20-high: 125 n^3 operations, n stations of a contact.
 class CondensedStack : public reduce::StackEngine {
 public:
   /// @param kernels  of each roll, with its points
@@ -19,6 +20,7 @@ public:
   CondensedStack(CondensedStack &&) noexcept;
 
   reduce::StackState solve() override;
+  bool change(const Stack &stack) override;
   reduce::GapShape influence_of_force() const override;
   reduce::GapShape influence_of_loads(std::size_t roll, const std::vector<StackLoad> &unit) const override;
   reduce::GapShape influence_of_radius(std::size_t roll,

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <set>
 #include <utility>
 
 namespace mill::fem {
@@ -52,21 +53,20 @@ double StationedContact::slope_of(const double line_load) const
 HalfStack::HalfStack(const Stack &s, std::vector<std::size_t> rolls,
                      const std::vector<std::shared_ptr<const RollKernel>> &kernels, const std::size_t at_the_strip,
                      const int planes, const ContactStations &at_strip, const ContactStations &read,
-                     const double longest)
-    : stack(s), names(std::move(rolls)), work_roll(0)
+                     const double longest_station)
+    : stack(s), names(std::move(rolls)), work_roll(0), at_strip_line(at_strip), at_read_line(read),
+      longest(longest_station)
 {
   for (const std::size_t r : names) {
     place[r] = stacked.size();
     stacked.emplace_back(stack.rolls[r], kernels[r], planes);
   }
   work_roll = place.at(at_the_strip);
-  make_contacts(longest);
-  strip_line = stacked[work_roll].add_line({0, at_the_strip == stack.upper ? -1. : 1.}, at_strip,
-                                           {stack.strip.arc / 2, PatchPressure::uniform});
-  read_line  = stacked[work_roll].watch_line(strip_line, read);
+  make_contacts();
+  add_lines(std::vector<char>(stacked.size(), 1));
   for (StackedRoll &roll : stacked)
     roll.finish();
-  make_blocks();
+  make_nodes();
   double sum = 0;
   for (const StationedContact &c : contacts)
     sum += stacked[c.a].flexibility(c.line_a, c.line_a).diagonal().mean();
@@ -74,7 +74,20 @@ HalfStack::HalfStack(const Stack &s, std::vector<std::size_t> rolls,
                            : sum / double(contacts.size());
 }
 
-void HalfStack::make_contacts(const double longest)
+// Zones, and an even load to begin with.
+void HalfStack::place_stations(StationedContact &contact, const double force) const
+{
+  const StackContact &drawn = stack.contacts[contact.contact];
+  const Index before        = contact.stations.size();
+  contact.stations          = stations_in(reduce::contact_zones(stack, drawn), stack.strip, longest);
+  if (contact.stations.size() == before)
+    return;  // moved a little: the load of before is the better guess
+  const VectorXd length = contact.stations.length();
+  contact.force         = std::max(force, 1e-3 * stack.strip.force) / length.sum() * length;
+  contact.touching.assign(std::size_t(length.size()), 1);
+}
+
+void HalfStack::make_contacts()
 {
   const auto resultants = stack_resultants(stack, stack.strip.force);
   for (std::size_t c = 0; c < stack.contacts.size(); ++c) {
@@ -83,77 +96,185 @@ void HalfStack::make_contacts(const double longest)
       continue;
     const StackRoll &a = stack.rolls[drawn.a], &b = stack.rolls[drawn.b];
     StationedContact contact;
-    contact.contact  = c;
-    contact.a        = place.at(drawn.a);
-    contact.b        = place.at(drawn.b);
-    contact.stations = stations_in(reduce::contact_zones(stack, drawn), stack.strip, longest);
+    contact.contact = c;
+    contact.a       = place.at(drawn.a);
+    contact.b       = place.at(drawn.b);
     contact.law = reduce::line_law(a.diameter / 2, a.material, b.diameter / 2, b.material, drawn.ring_stiffness);
-    const VectorXd length = contact.stations.length();
-    const double even     = std::max(resultants[c].force, 1e-3 * stack.strip.force) / length.sum();
     // The same whatever the load: the flexibility of the rolls is then one matrix for all settings of a stand.
-    const double width  = least_radius_share * std::min(a.diameter, b.diameter) / 2;
-    contact.least_width = width / 50;
-    contact.gap         = -mean_departure(a, contact.stations) - mean_departure(b, contact.stations);
-    contact.force       = even * length;
-    contact.touching.assign(std::size_t(length.size()), 1);
-    const auto outward = reduce::direction_of(stack, drawn);
-    const LinePatch patch{width, PatchPressure::semi_ellipse};
-    contact.line_a = stacked[contact.a].add_line(outward, contact.stations, patch);
-    contact.line_b = stacked[contact.b].add_line({-outward[0], -outward[1]}, contact.stations, patch);
+    contact.width       = least_radius_share * std::min(a.diameter, b.diameter) / 2;
+    contact.least_width = contact.width / 50;
     // A body without orders of its own flattens by the whole of Johnson's law, the parabola's part of it included.
     const std::array<const StackedRoll *, 2> bodies = {&stacked[contact.a], &stacked[contact.b]};
     for (std::size_t i = 0; i < 2; ++i)
       contact.reach[i] =
-          bodies[i]->has_surface() ? width * std::exp(0.25) : 4 * contact.law.radius[i] * std::exp(-0.5);
+          bodies[i]->has_surface() ? contact.width * std::exp(0.25) : 4 * contact.law.radius[i] * std::exp(-0.5);
+    place_stations(contact, resultants[c].force);
+    contact.gap = -mean_departure(a, contact.stations) - mean_departure(b, contact.stations);
     contacts.push_back(std::move(contact));
   }
 }
 
-void HalfStack::make_blocks()
+// Of each roll in the order of its contacts, then the strip.
+void HalfStack::add_lines(const std::vector<char> &of_roll)
+{
+  for (StationedContact &contact : contacts) {
+    const auto outward = reduce::direction_of(stack, stack.contacts[contact.contact]);
+    const LinePatch patch{contact.width, PatchPressure::semi_ellipse};
+    if (of_roll[contact.a])
+      contact.line_a = stacked[contact.a].add_line(outward, contact.stations, patch);
+    if (of_roll[contact.b])
+      contact.line_b = stacked[contact.b].add_line({-outward[0], -outward[1]}, contact.stations, patch);
+  }
+  if (!of_roll[work_roll])
+    return;
+  strip_line = stacked[work_roll].add_line({0, names[work_roll] == stack.upper ? -1. : 1.}, at_strip_line,
+                                           {stack.strip.arc / 2, PatchPressure::uniform});
+  read_line  = stacked[work_roll].watch_line(strip_line, at_read_line);
+}
+
+bool HalfStack::follow(const Stack &before)
+{
+  std::vector<char> again(stacked.size(), 0);
+  const auto shifted = [&](const std::size_t r) {
+    return stack.rolls[names[r]].shift != before.rolls[names[r]].shift;
+  };
+  for (std::size_t r = 0; r < stacked.size(); ++r) {
+    const auto &now = stack.rolls[names[r]].supports, &was = before.rolls[names[r]].supports;
+    again[r] = shifted(r) || !std::equal(now.begin(), now.end(), was.begin(), was.end(),
+                                         [](const StackSupport &one, const StackSupport &other) {
+                                           return one.z == other.z && one.stiffness == other.stiffness;
+                                         });
+  }
+  const auto resultants = stack_resultants(stack, stack.strip.force);
+  for (StationedContact &c : contacts) {
+    if (shifted(c.a) || shifted(c.b)) {
+      again[c.a] = again[c.b] = 1;
+      place_stations(c, resultants[c.contact].force);
+    }
+    c.gap =
+        -mean_departure(stack.rolls[names[c.a]], c.stations) - mean_departure(stack.rolls[names[c.b]], c.stations);
+  }
+  for (std::size_t r = 0; r < stacked.size(); ++r)
+    if (again[r])
+      stacked[r].forget_lines();
+  add_lines(again);
+  for (std::size_t r = 0; r < stacked.size(); ++r)
+    if (again[r])
+      stacked[r].finish();
+    else
+      stacked[r].take_loads();
+  return std::find(again.begin(), again.end(), 1) != again.end();
+}
+
+void HalfStack::make_nodes()
+{
+  for (std::size_t c = 0; c < contacts.size(); ++c)
+    nodes.push_back({true, c, {}});
+  for (std::size_t r = 0; r < stacked.size(); ++r) {
+    const Index motions = stacked[r].motions();
+    if (motions == 0)
+      continue;
+    if (std::none_of(contacts.begin(), contacts.end(), [&](const StationedContact &c) { return c.a == r; }))
+      not_held(stack.rolls[names[r]].name);
+    Unknowns of_roll{false, r, {}};
+    for (Index m = 0; m < motions; ++m)
+      of_roll.entry.push_back(m);
+    nodes.push_back(std::move(of_roll));
+  }
+  std::vector<char> positive;
+  for (const Unknowns &node : nodes)
+    positive.push_back(node.is_force);
+  positive.push_back(1);
+  factors = BlockFactors(graph(), std::move(positive), order_of_elimination());
+}
+
+bool HalfStack::is_coupled(const Unknowns &one, const Unknowns &other) const
+{
+  if (!one.is_force)
+    return other.is_force && is_coupled(other, one);
+  const StationedContact &c = contacts[one.item];
+  if (!other.is_force)
+    return other.item == c.a || other.item == c.b;
+  const StationedContact &d = contacts[other.item];
+  return c.a == d.a || c.a == d.b || c.b == d.a || c.b == d.b;
+}
+
+bool HalfStack::is_at_strip(const Unknowns &one) const
+{
+  if (!one.is_force)
+    return one.item == work_roll;
+  return contacts[one.item].a == work_roll || contacts[one.item].b == work_roll;
+}
+
+std::vector<std::vector<std::size_t>> HalfStack::graph() const
+{
+  const std::size_t strip = nodes.size();
+  std::vector<std::vector<std::size_t>> neighbours(strip + 1);
+  for (std::size_t i = 0; i < strip; ++i) {
+    for (std::size_t j = 0; j < strip; ++j)
+      if (i != j && is_coupled(nodes[i], nodes[j]))
+        neighbours[i].push_back(j);
+    if (is_at_strip(nodes[i])) {
+      neighbours[i].push_back(strip);
+      neighbours[strip].push_back(i);
+    }
+  }
+  return neighbours;
+}
+
+// Level by level; within one the node with the fewest neighbours, motions of a roll after all contacts on which it
+// leans.
+std::vector<std::size_t> HalfStack::order_of_elimination() const
 {
   std::vector<int> level(stacked.size(), 0);
   for (std::size_t round = 0; round < stacked.size(); ++round)
     for (const StationedContact &c : contacts)
       level[c.b] = std::max(level[c.b], level[c.a] + 1);
-  const bool graded = std::all_of(contacts.begin(), contacts.end(),
-                                  [&](const StationedContact &c) { return level[c.b] == level[c.a] + 1; });
-  int levels        = 0;
-  for (const StationedContact &c : contacts)
-    levels = std::max(levels, level[c.b]);
-  blocks.resize(std::size_t(graded ? levels : std::min(levels, 1)));
-  const auto block_of = [&](const std::size_t roll) { return graded ? std::size_t(levels - 1 - level[roll]) : 0; };
-  for (std::size_t c = 0; c < contacts.size(); ++c)
-    blocks[block_of(contacts[c].a)].contacts.push_back(c);
-  for (std::size_t r = 0; r < stacked.size(); ++r)
-    if (stacked[r].motions() > 0) {
-      if (level[r] >= levels)
-        not_held(stack.rolls[names[r]].name);
-      blocks[block_of(r)].rolls.push_back(r);
+  const auto level_of = [&](const Unknowns &node) {
+    return level[node.is_force ? contacts[node.item].a : node.item];
+  };
+  std::vector<std::set<std::size_t>> left;
+  for (const auto &list : graph())
+    left.emplace_back(list.begin(), list.end());
+  std::vector<char> done(nodes.size(), 0);
+  std::vector<std::size_t> order;
+  const auto may_follow = [&](const std::size_t i) {
+    return nodes[i].is_force || std::none_of(left[i].begin(), left[i].end(), [&](const std::size_t j) {
+             return j < nodes.size() && nodes[j].is_force && contacts[nodes[j].item].a == nodes[i].item;
+           });
+  };
+  while (order.size() < nodes.size()) {
+    std::size_t best = nodes.size();
+    const auto rank  = [&](const std::size_t i) { return std::pair(-level_of(nodes[i]), left[i].size()); };
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      if (!done[i] && may_follow(i) && (best == nodes.size() || rank(i) < rank(best)))
+        best = i;
+    done[best] = 1;
+    order.push_back(best);
+    for (const std::size_t j : left[best]) {
+      left[j].insert(left[best].begin(), left[best].end());
+      left[j].erase(j);
+      left[j].erase(best);
     }
+  }
+  return order;
 }
 
-void HalfStack::list_unknowns(Block &block) const
+void HalfStack::list_touching()
 {
-  block.unknowns.clear();
-  block.size     = 0;
-  const auto add = [&](Unknowns unknowns) {
-    unknowns.first = block.size;
-    block.size += unknowns.size();
-    block.unknowns.push_back(std::move(unknowns));
-  };
-  for (const std::size_t c : block.contacts) {
-    Unknowns forces{true, c, {}, 0};
-    for (std::size_t k = 0; k < contacts[c].touching.size(); ++k)
-      if (contacts[c].touching[k])
-        forces.entry.push_back(Index(k));
-    add(std::move(forces));
+  std::vector<Index> sizes;
+  for (Unknowns &node : nodes) {
+    if (node.is_force) {
+      const auto &touching = contacts[node.item].touching;
+      node.entry.clear();
+      for (std::size_t k = 0; k < touching.size(); ++k)
+        if (touching[k])
+          node.entry.push_back(Index(k));
+    }
+    sizes.push_back(node.size());
   }
-  for (const std::size_t r : block.rolls) {
-    Unknowns motions{false, r, {}, 0};
-    for (Index m = 0; m < stacked[r].motions(); ++m)
-      motions.entry.push_back(m);
-    add(std::move(motions));
-  }
+  sizes.push_back(by_strip.rows());
+  factors.resize(sizes);
 }
 
 // Factors of some unknowns in the equations of others, over the scale; empty where there are none.  (51.16)
@@ -184,81 +305,58 @@ MatrixXd HalfStack::coupling(const Unknowns &one, const Unknowns &other) const
   return sum;
 }
 
-MatrixXd HalfStack::coupling_with(const Block &block, const Block &other) const
-{
-  MatrixXd A = MatrixXd::Zero(block.size, other.size);
-  for (const Unknowns &one : block.unknowns)
-    for (const Unknowns &with : other.unknowns)
-      if (const MatrixXd part = coupling(one, with); part.size() > 0)
-        A.block(one.first, with.first, one.size(), with.size()) = part;
-  return A;
-}
-
-MatrixXd HalfStack::coupling_with_strip(const Block &block) const
+MatrixXd HalfStack::coupling_with_strip(const Unknowns &one) const
 {
   const StackedRoll &work = stacked[work_roll];
-  MatrixXd A              = MatrixXd::Zero(block.size, by_strip.cols());
-  for (const Unknowns &one : block.unknowns) {
-    auto rows = A.middleRows(one.first, one.size());
-    if (!one.is_force) {
-      if (one.item == work_roll)
-        rows = -work.motion(strip_line).transpose();
-      continue;
-    }
-    const StationedContact &c = contacts[one.item];
-    for (const auto &[roll, line] : {std::pair(c.a, c.line_a), std::pair(c.b, c.line_b)})
-      if (roll == work_roll)
-        rows += work.flexibility(line, strip_line)(one.entry, Eigen::all) / scale;
-  }
-  return A;
+  if (!one.is_force)
+    return -work.motion(strip_line).transpose();
+  const StationedContact &c = contacts[one.item];
+  return work.flexibility(c.a == work_roll ? c.line_a : c.line_b, strip_line)(one.entry, Eigen::all) / scale;
 }
 
 void HalfStack::factorise()
 {
-  by_strip = stacked[work_roll].flexibility(strip_line, strip_line) / scale;
+  by_strip = stacked[work_roll].flexibility(strip_line, strip_line);
   for (StationedContact &c : contacts) {
     const VectorXd length = c.stations.length();
     c.slope =
         VectorXd::NullaryExpr(length.size(), [&](const Index k) { return c.slope_of(c.force[k] / length[k]); });
   }
-  for (Block &block : blocks)
-    list_unknowns(block);
-  MatrixXd carried;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    Block &block = blocks[b];
-    MatrixXd D   = coupling_with(block, block);
-    if (b > 0)
-      D -= carried;
-    block.next = b + 1 < blocks.size() ? coupling_with(block, blocks[b + 1]) : coupling_with_strip(block);
-    block.factor.compute(D);
-    if (!(block.factor.rcond() > 1e-13))
-      not_held(stack.rolls[names[block.rolls.empty() ? work_roll : block.rolls.front()]].name);
-    block.by_next = block.factor.solve(block.next);
-    carried       = block.next.transpose() * block.by_next;
+  list_touching();
+  const std::size_t strip = nodes.size();
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t j = i; j < nodes.size(); ++j)
+      if (is_coupled(nodes[i], nodes[j])) {
+        auto [values, turned] = factors.block(i, j);
+        values                = turned ? coupling(nodes[j], nodes[i]) : coupling(nodes[i], nodes[j]);
+      }
+    if (is_at_strip(nodes[i]))
+      factors.block(i, strip).values = coupling_with_strip(nodes[i]);
   }
-  if (!blocks.empty())
-    by_strip -= carried;
-  by_strip *= scale;
+  if (const std::size_t loose = factors.factorise(); loose < strip) {
+    const Unknowns &node = nodes[loose];
+    not_held(stack.rolls[names[node.is_force ? contacts[node.item].a : node.item]].name);
+  }
+  // Of the strip's own flexibility, which a half space need not make symmetric, the rest is what is eliminated.
+  by_strip += scale * MatrixXd(factors.block(strip, strip).values.selfadjointView<Eigen::Lower>());
 }
 
-VectorXd HalfStack::taken(const Block &block, const HalfVector &from) const
+std::vector<VectorXd> HalfStack::nothing() const
 {
-  VectorXd r(block.size);
-  for (const Unknowns &u : block.unknowns)
-    if (u.is_force)
-      r.segment(u.first, u.size()) = -from.contact[u.item](u.entry) / scale;
-    else
-      r.segment(u.first, u.size()) = -from.motion[u.item];
-  return r;
+  std::vector<VectorXd> x;
+  for (const Unknowns &node : nodes)
+    x.push_back(VectorXd::Zero(node.size()));
+  x.push_back(VectorXd::Zero(by_strip.rows()));
+  return x;
 }
 
-void HalfStack::put(const Block &block, const VectorXd &x, HalfVector &to) const
+void HalfStack::put(const std::vector<VectorXd> &x, HalfVector &to) const
 {
-  for (const Unknowns &u : block.unknowns)
-    if (u.is_force)
-      to.contact[u.item](u.entry) += x.segment(u.first, u.size());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].is_force)
+      to.contact[nodes[i].item](nodes[i].entry) += x[i];
     else
-      to.motion[u.item] += scale * x.segment(u.first, u.size());
+      to.motion[nodes[i].item] += scale * x[i];
 }
 
 HalfVector HalfStack::zero() const
@@ -274,33 +372,26 @@ HalfVector HalfStack::zero() const
 
 HalfVector HalfStack::without_strip(const HalfVector &right) const
 {
+  std::vector<VectorXd> x = nothing();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    x[i] = nodes[i].is_force ? VectorXd(-right.contact[nodes[i].item](nodes[i].entry) / scale)
+                             : VectorXd(-right.motion[nodes[i].item]);
+  factors.forward(x);
   HalfVector solution = zero();
-  solution.strip      = right.strip;
-  std::vector<VectorXd> x;
-  for (std::size_t b = 0; b < blocks.size(); ++b) {
-    VectorXd r = taken(blocks[b], right);
-    if (b > 0)
-      r -= blocks[b - 1].next.transpose() * x.back();
-    x.push_back(blocks[b].factor.solve(r));
-  }
-  if (!blocks.empty())
-    solution.strip += scale * (blocks.back().next.transpose() * x.back());
-  for (std::size_t b = blocks.size(); b-- > 0;) {
-    if (b + 1 < blocks.size())
-      x[b] -= blocks[b].by_next * x[b + 1];
-    put(blocks[b], x[b], solution);
-  }
+  solution.strip      = right.strip - scale * x.back();
+  x.back().setZero();
+  factors.backward(x);
+  put(x, solution);
   return solution;
 }
 
 void HalfStack::add_strip(HalfVector &solution, const VectorXd &strip_force) const
 {
+  std::vector<VectorXd> x = nothing();
+  x.back()                = strip_force;
+  factors.backward(x);
+  put(x, solution);
   solution.strip += by_strip * strip_force;
-  VectorXd x;
-  for (std::size_t b = blocks.size(); b-- > 0;) {
-    x = -(blocks[b].by_next * (b + 1 < blocks.size() ? x : strip_force));
-    put(blocks[b], x, solution);
-  }
 }
 
 HalfVector HalfStack::right_of(const std::function<RollAnswer(std::size_t)> &answer_of) const

@@ -1,7 +1,7 @@
 #pragma once
+#include "fem/stack/block_factors.h"
 #include "fem/stack/stacked_roll.h"
 #include "reduce/stack/line_law.h"
-#include <Eigen/LU>
 #include <functional>
 #include <map>
 
@@ -15,6 +15,7 @@ struct StationedContact {
   Eigen::VectorXd gap;  ///< (N) m, of the undeformed profiles
   reduce::LineLaw law;
   std::array<double, 2> reach = {0, 0};  ///< m, c_i of (51.17)
+  double width                = 0;       ///< m, b_0 of (51.17)
   double least_width          = 0;       ///< m, of a station with hardly any load
   Eigen::VectorXd force;                 ///< (N) N
   Eigen::VectorXd slope;                 ///< (N) 1/Pa, of closing_of() at the last factors
@@ -31,16 +32,22 @@ struct HalfVector {
   Eigen::VectorXd strip;                 ///< (n) m, displacement of the work roll's surface towards its axis
 };
 
-/// The rolls on one side of the strip.  Contacts are eliminated level by level from the backing rolls to the
-/// strip: they couple only through the rolls that they share.  theory.md (51.16)
+/// The rolls on one side of the strip.  Contacts couple only through the rolls that they share: they are
+/// eliminated one by one, level by level from the backing rolls to the strip, and a roll's motions after the
+/// contacts on which it leans.  theory.md (51.16), (51.18)
 class HalfStack {
 public:
   /// @param at_strip  stations of the strip; read  places where the opening is read
   HalfStack(const Stack &stack, std::vector<std::size_t> rolls,
             const std::vector<std::shared_ptr<const RollKernel>> &kernels, std::size_t work_roll, int planes,
-            const ContactStations &at_strip, const ContactStations &read, double longest);
+            const ContactStations &at_strip, const ContactStations &read, double longest_station);
 
   std::vector<StationedContact> contacts;
+
+  /// Settings of the stack as they are now: shifts, supports, loads, profiles.  What stays is kept.
+  /// @param before  the stack as it was
+  /// @return        whether a flexibility changed, so that factorise() has to follow
+  bool follow(const Stack &before);
 
   /// At the present forces of the contacts.  @throws SolverError  a roll is not held
   void factorise();
@@ -78,34 +85,31 @@ public:
   }
 
 private:
-  // The forces of a contact's touching stations, or the motions of a roll, one after another from `first` on.
+  // The forces of a contact's touching stations, or the motions of a roll.
   struct Unknowns {
     bool is_force;
     std::size_t item;                 // contact, or roll of the half
     std::vector<Eigen::Index> entry;  // stations or motions
-    Eigen::Index first;
     Eigen::Index size() const
     {
       return Eigen::Index(entry.size());
     }
   };
-  struct Block {
-    std::vector<std::size_t> contacts, rolls;
-    std::vector<Unknowns> unknowns;
-    Eigen::Index size = 0;
-    Eigen::MatrixXd next, by_next;  // coupling with the following block or the strip, and its solution
-    Eigen::PartialPivLU<Eigen::MatrixXd> factor;
-  };
   HalfVector right_of(const std::function<RollAnswer(std::size_t)> &answer_of) const;
-  void make_contacts(double longest);
-  void make_blocks();
-  void list_unknowns(Block &block) const;
+  void make_contacts();
+  void place_stations(StationedContact &contact, double force) const;
+  void add_lines(const std::vector<char> &of_roll);
+  void make_nodes();
+  std::vector<std::vector<std::size_t>> graph() const;
+  std::vector<std::size_t> order_of_elimination() const;
+  void list_touching();
   Eigen::MatrixXd coupling(const Unknowns &one, const Unknowns &other) const;
-  Eigen::MatrixXd coupling_with(const Block &block, const Block &other) const;
-  Eigen::MatrixXd coupling_with_strip(const Block &block) const;
+  Eigen::MatrixXd coupling_with_strip(const Unknowns &one) const;
+  bool is_coupled(const Unknowns &one, const Unknowns &other) const;
+  bool is_at_strip(const Unknowns &one) const;
+  std::vector<Eigen::VectorXd> nothing() const;
   std::vector<std::pair<std::size_t, std::size_t>> lines_on(std::size_t roll) const;  // contact, line
-  Eigen::VectorXd taken(const Block &block, const HalfVector &from) const;
-  void put(const Block &block, const Eigen::VectorXd &x, HalfVector &to) const;
+  void put(const std::vector<Eigen::VectorXd> &x, HalfVector &to) const;
   std::vector<Eigen::VectorXd> forces_on(std::size_t roll, const HalfVector &state,
                                          const Eigen::VectorXd &strip_force) const;
 
@@ -114,7 +118,10 @@ private:
   std::map<std::size_t, std::size_t> place;
   std::vector<StackedRoll> stacked;
   std::size_t work_roll, strip_line = 0, read_line = 0;
-  std::vector<Block> blocks;
+  ContactStations at_strip_line, at_read_line;
+  double longest;
+  std::vector<Unknowns> nodes;  // contacts, then rolls with motions; the strip is the node after them
+  BlockFactors factors;
   Eigen::MatrixXd by_strip;
   double scale = 1;
 };

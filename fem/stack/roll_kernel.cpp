@@ -121,14 +121,26 @@ MatrixXd RollKernel::summed(const VectorXd &weights) const
   return whole_roll(even, odd);
 }
 
-MatrixXd RollKernel::around(const double angle) const
+const MatrixXd &RollKernel::remembered(const std::array<double, 3> &key,
+                                       const std::function<VectorXd()> &weights) const
 {
-  return summed(roll ? angle_weights(roll->order, angle) : VectorXd());
+  const std::lock_guard<std::mutex> lock(sums->access);
+  const auto known = sums->known.find(key);
+  return known != sums->known.end() ? known->second : sums->known.emplace(key, summed(weights())).first->second;
 }
 
-MatrixXd RollKernel::under_itself(const double half_width, const PatchPressure pressure) const
+const MatrixXd &RollKernel::around(const double angle) const
 {
-  return summed(roll ? own_weights(roll->order, roll->geometry.radius, half_width, pressure) : VectorXd());
+  constexpr double same_angle = 1e-12;  // rad, rounding of the places of rolls
+  return remembered({0, std::round(angle / same_angle), 0},
+                    [&] { return roll ? angle_weights(roll->order, angle) : VectorXd(); });
+}
+
+const MatrixXd &RollKernel::under_itself(const double half_width, const PatchPressure pressure) const
+{
+  return remembered({1, half_width, double(pressure)}, [&] {
+    return roll ? own_weights(roll->order, roll->geometry.radius, half_width, pressure) : VectorXd();
+  });
 }
 
 Index RollKernel::place_of(const double z) const

@@ -3,7 +3,11 @@
 #include "fem/roll/fourier_roll.h"
 #include "fem/roll/fourier_series.h"
 #include <Eigen/Core>
+#include <array>
+#include <functional>
+#include <map>
 #include <memory>
+#include <mutex>
 #include <optional>
 
 namespace mill::fem {
@@ -19,10 +23,11 @@ public:
   Eigen::MatrixXd bending;  ///< (M + P, M + P) m/N, order 1: means over the stations, then the points
   Eigen::MatrixXd axis;     ///< (M, M + P) m/N, the same of the axis
 
-  /// (M, M) m/N, towards the axis, of the surface at an angle (rad) from the load; zero for a beam.
-  Eigen::MatrixXd around(double angle) const;
+  /// (M, M) m/N, towards the axis, of the surface at an angle (rad) from the load; zero for a beam.  Each angle is
+  /// summed once: the stands of a run, and the halves of a stand, share their kernels.
+  const Eigen::MatrixXd &around(double angle) const;
   /// (M, M) m/N, of a patch under its own pressure.
-  Eigen::MatrixXd under_itself(double half_width, PatchPressure pressure) const;
+  const Eigen::MatrixXd &under_itself(double half_width, PatchPressure pressure) const;
   bool has_surface() const
   {
     return roll != nullptr;
@@ -33,7 +38,15 @@ public:
   std::shared_ptr<const FourierRoll> roll;  ///< absent: a beam
 
 private:
+  struct Sums {
+    std::mutex access;
+    std::map<std::array<double, 3>, Eigen::MatrixXd> known;
+  };
+  const Eigen::MatrixXd &remembered(const std::array<double, 3> &key,
+                                    const std::function<Eigen::VectorXd()> &weights) const;
   Eigen::MatrixXd summed(const Eigen::VectorXd &weights) const;
+
+  std::shared_ptr<Sums> sums = std::make_shared<Sums>();
 };
 
 /// Of a roll that is symmetric about mid-length, condensed for both sides.

@@ -43,6 +43,12 @@ std::size_t StackedRoll::watch_line(const std::size_t next_to, const ContactStat
   return added;
 }
 
+void StackedRoll::forget_lines()
+{
+  lines.clear();
+  pairs.clear();
+}
+
 MatrixXd StackedRoll::lever_columns() const
 {
   const Index M = stations(), P = kernel->point.size();
@@ -61,27 +67,34 @@ void StackedRoll::hold(Plane &plane, const std::size_t axis) const
   const MatrixXd &F  = kernel->bending;
   const double scale = F.diagonal().mean();
   const MatrixXd B   = lever_columns();
-  MatrixXd G(F.rows(), n + 2), K = MatrixXd::Zero(n + 2, n + 2);
-  VectorXd foot = VectorXd::Zero(n + 2);
+  MatrixXd K         = MatrixXd::Zero(n + 2, n + 2);
+  plane.G.resize(F.rows(), n + 2);
   std::vector<Index> row;
   for (const std::size_t s : plane.support)
     row.push_back(M + kernel->place_of(roll.supports[s].z));
   for (Index i = 0; i < n; ++i) {
     const StackSupport &support = roll.supports[plane.support[std::size_t(i)]];
-    G.col(i)                    = F.col(row[std::size_t(i)]) / scale;
+    plane.G.col(i)              = F.col(row[std::size_t(i)]) / scale;
     for (Index j = 0; j < n; ++j)
       K(i, j) = F(row[std::size_t(i)], row[std::size_t(j)]) / scale;
     K(i, i) += 1 / (support.stiffness[axis] * scale);
     K.block(i, n, 1, 2) = B.row(row[std::size_t(i)]);
     K.block(n, i, 2, 1) = B.row(row[std::size_t(i)]).transpose();
-    foot[i]             = support.motion[axis] / scale;
   }
-  G.rightCols(2) = B;
-  const Eigen::PartialPivLU<MatrixXd> factor(K);
-  plane.by_force    = -factor.solve(G.transpose());
-  plane.by_supports = factor.solve(foot);
-  plane.flexibility = F + scale * G * plane.by_force;
-  plane.moved       = scale * G * plane.by_supports;
+  plane.G.rightCols(2) = B;
+  plane.factor.compute(K);
+  plane.by_force    = -plane.factor.solve(plane.G.transpose());
+  plane.flexibility = F + scale * plane.G * plane.by_force;
+}
+
+void StackedRoll::move_feet(Plane &plane, const std::size_t axis) const
+{
+  const double scale = kernel->bending.diagonal().mean();
+  VectorXd foot      = VectorXd::Zero(plane.G.cols());
+  for (std::size_t i = 0; i < plane.support.size(); ++i)
+    foot[Index(i)] = roll.supports[plane.support[i]].motion[axis] / scale;
+  plane.by_supports = plane.factor.solve(foot);
+  plane.moved       = scale * plane.G * plane.by_supports;
 }
 
 // A beam at the strip flattens as a half space, (51.7).
@@ -134,12 +147,20 @@ void StackedRoll::finish()
       if (!has_surface() && lines[i].next_to == j && lines[j].patch.pressure == PatchPressure::uniform)
         pair += half_space(lines[i], lines[j]);
     }
+  take_loads();
+}
+
+void StackedRoll::take_loads()
+{
   by_loads = answer_to(roll.loads);
-  if (held)
-    for (std::size_t i = 0; i < lines.size(); ++i)
-      for (int p = 0; p < planes; ++p)
-        by_loads.offset[i] -=
-            lines[i].outward[axis_of(p)] * (lines[i].spread.transpose() * in_plane[std::size_t(p)].moved.head(M));
+  if (!held)
+    return;
+  for (int p = 0; p < planes; ++p)
+    move_feet(in_plane[std::size_t(p)], axis_of(p));
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    for (int p = 0; p < planes; ++p)
+      by_loads.offset[i] -= lines[i].outward[axis_of(p)] *
+                            (lines[i].spread.transpose() * in_plane[std::size_t(p)].moved.head(stations()));
 }
 
 RollAnswer StackedRoll::answer_to(const std::vector<StackLoad> &loads) const

@@ -32,7 +32,10 @@ public:
   std::size_t add_line(const std::array<double, 2> &outward, const ContactStations &stations,
                        const LinePatch &patch);
   std::size_t watch_line(std::size_t next_to, const ContactStations &stations);
+  void forget_lines();
   void finish();
+  /// Loads and motions of the supports as they are now in the roll; finish() takes them too.
+  void take_loads();
 
   bool has_surface() const
   {
@@ -85,6 +88,8 @@ private:
     Eigen::MatrixXd by_force;     // (supports + 2, M + P)
     Eigen::VectorXd by_supports;  // (supports + 2), by their own motions
     Eigen::VectorXd moved;        // (M + P) m, by these
+    Eigen::MatrixXd G;            // (M + P, supports + 2), what the unknowns do
+    Eigen::PartialPivLU<Eigen::MatrixXd> factor;
     std::vector<std::size_t> support;
   };
   std::size_t axis_of(const int plane) const
@@ -96,6 +101,7 @@ private:
     return kernel->edge.size() - 1;
   }
   void hold(Plane &plane, std::size_t axis) const;
+  void move_feet(Plane &plane, std::size_t axis) const;
   Eigen::MatrixXd half_space(const Line &line, const Line &loaded) const;
   Eigen::MatrixXd lever_columns() const;  // (M + P, 2): 1, z
 

@@ -1,5 +1,6 @@
 #include "reduce/stack/beam_stack.h"
 #include "core/base/errors.h"
+#include "core/model/stack_supports.h"
 #include "core/process/parallel.h"
 #include "reduce/stack/group_modes.h"
 #include "reduce/stack/strip_side.h"
@@ -78,6 +79,7 @@ PairState pair_state(const RollGroup &group, const std::size_t contact, const Li
 struct BeamStack::Implementation {
   Stack stack;
   Stations stations;
+  int threads;
   std::vector<RollGroup> groups;
   std::vector<StripSide> sides;   // upper, lower
   VectorXd edges, length, entry;  // m; entry: H minus its mean
@@ -89,7 +91,8 @@ struct BeamStack::Implementation {
   bool solved = false;
 
   Implementation(Stack s, const BeamStackSettings &settings)
-      : stack(std::move(s)), stations(stations_of(stack, stack.strip.width / settings.elements_per_width))
+      : stack(with_bearing_springs(std::move(s))),
+        stations(stations_of(stack, stack.strip.width / settings.elements_per_width)), threads(settings.threads)
   {
     const bool both_planes = has_inclined_contact(stack);
     for (auto &rolls : touching_groups(stack))
@@ -138,7 +141,7 @@ struct BeamStack::Implementation {
   {
     std::array<bool, 2> held = {true, true};
     std::array<MatrixXd, 2> by_axis;
-    share_tasks(2, 2, [&](const long i) {
+    share_tasks(2, threads, [&](const long i) {
       StripSide &side = sides[std::size_t(i)];
       held[std::size_t(i)] =
           touching > 0 ? side.group.factorise_touching(touching) : side.group.factorise(least_tangent);
@@ -201,7 +204,7 @@ struct BeamStack::Implementation {
 
   void update()
   {
-    share_tasks(2, 2, [&](const long i) { sides[std::size_t(i)].group.update(); });
+    share_tasks(2, threads, [&](const long i) { sides[std::size_t(i)].group.update(); });
   }
 
   void step(const std::array<VectorXd, 2> &residual)

@@ -9,6 +9,7 @@ namespace mill::reduce {
 struct BeamStackSettings {
   int elements_per_width = 60;  ///< of the strip; the rest of the rolls in elements as long
   Flattening flattening  = Flattening::half_space;
+  int threads            = 1;  ///< at most two have work: one for each half
 };
 
 class RollGroup;

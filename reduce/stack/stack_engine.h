@@ -23,6 +23,14 @@ public:
   /// @throws SolverError  no equilibrium: a roll is not held, or Newton's method does not settle
   virtual StackState solve() = 0;
 
+  /// The same rolls and strip under other settings: force, loads, shifts, profiles, feet of supports.  The next
+  /// solve() then starts from the last state and keeps what does not follow the settings.
+  /// @return  false: this stack needs an engine of its own; nothing is changed
+  virtual bool change(const Stack &)
+  {
+    return false;
+  }
+
   // Exact derivatives at the solved state, by its factors.
   virtual GapShape influence_of_force() const = 0;  ///< per N of rolling force
   /// Per unit of forces on the axis of a roll, at places of its supports and loads.

@@ -28,6 +28,7 @@ const std::map<std::string, std::string> stack_words{
     {"pair.secant", "force over the approach that the line load weighs"},
     {"roll.reaction_drive", "force of the bearing on the drive side, upwards on the roll"},
     {"roll.reaction_operator", "force of the bearing on the operator side, upwards on the roll"},
+    {"roll.bearing_stiffness", "radial stiffness of the heavier of its bearings under its load"},
     {"roll.bending_stress", "largest bending stress"},
     {"roll.deflection", "deflection upwards of the middle against the ends of the barrel"}};
 

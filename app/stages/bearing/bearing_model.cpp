@@ -151,6 +151,14 @@ RollerBearing with_row_places(RollerBearing b)
   return b;
 }
 
+RollerBearing between_rigid_rings(RollerBearing b)
+{
+  if (b.roller_law == OneRollerLaw::fe)
+    b.roller_law = OneRollerLaw::iso;
+  b.rings = RingBodies::rigid;
+  return with_row_places(std::move(b));
+}
+
 double roller_load_bound(const RollerBearing &b, const double radial_load, const double tilt)
 {
   // Stribeck's number raised to 5 for clearance; tilted by 0.5 mrad one row of four carries two thirds of 1 MN and

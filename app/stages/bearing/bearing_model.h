@@ -40,6 +40,9 @@ double roller_load_bound(const RollerBearing &bearing, double radial_load, doubl
 /// under a radial load without tilt their places do not matter.
 RollerBearing with_row_places(RollerBearing bearing);
 
+/// The same without finite elements: laminae of ISO/TS 16281, or the law of the case, between rigid rings.
+RollerBearing between_rigid_rings(RollerBearing bearing);
+
 /// Everything that the kept parts of a bearing depend on, as text; its hash is the key of the cache.  Empty: the
 /// bearing has no such part.
 std::string roller_inputs(const RollerBearing &bearing, double largest_load);

@@ -21,6 +21,7 @@ std::vector<TemplateNote> stack_notes()
       {"roll", "", {}, {"neck_diameter", "total_length", "bearing_span", "on", "bending_force", "chock_mass"}},
       {"roll", "", backup, {"neck_diameter", "total_length", "bearing_span", "bearing_stiffness", "chock_mass"}},
       {"roll.saddles", "", {}, {}, true},
+      {"bearing", "[bearing.crb]", {}, {}, true},
       {"material", "[material.carbide]", {}, {}, true},
       {"strip", "", {}, {"force", "modulus", "contact_length", "entry_thickness", "exit_thickness"}},
       {"strip.flow_stress", "", {}, {}, true},
@@ -46,6 +47,8 @@ const CaseKind &case_kind(const StackCase *)
           {"roll", Repeat::list, true, "one roll", rows_of(stack_roll_rows())},
           {"roll.saddles", Repeat::once, false, "backing shaft of the roll above, in place of its bearings",
            rows_of(stack_saddle_rows())},
+          {"bearing", Repeat::named, false, "a roller bearing, named by the rolls that it holds",
+           rows_of(bearing_rows())},
           {"strip", Repeat::once, true, "the strip between the work rolls", rows_of(stack_strip_rows())},
     };
     for (const SectionRows &section : strip_sections())
@@ -68,6 +71,8 @@ const CaseKind &case_kind(const StackCase *)
       const StackInput &input = *std::get<StackCase>(spec).input;
       if (section == "material")
         return names_in(input.materials);
+      if (section == "bearing")
+        return names_in(input.bearings);
       if (section == "pass")
         return numbers_to(input.passes.size());
       return section == "roll" ? numbers_to(input.rolls.size()) : std::vector<std::string>();

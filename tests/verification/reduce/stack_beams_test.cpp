@@ -1,4 +1,6 @@
 #include "core/base/errors.h"
+#include "core/model/roller_bearing.h"
+#include "reduce/bearing/rigid_rings.h"
 #include "reduce/stack/beam_stack.h"
 #include "tests/support/near.h"
 #include "tests/support/reference_stack.h"
@@ -258,4 +260,40 @@ TEST(StackBeams, SolveBarrelsWhoseEndsDifferByMicrometres)
         << more;
     EXPECT_TRUE(near(state.pairs[0].force, stack.strip.force, within(1e-9, "statics"))) << more;
   }
+}
+
+// Both chocks of a column move together: the gap opens by what its bearings and their housings give way.
+TEST(StackBeams, ABearingIsASpringThatTouchesItsCurveAtItsLoad)
+{
+  RollerBearing crb;
+  crb.type            = "four-row cylindrical";
+  crb.rollers_per_row = 32;
+  crb.roller_length   = 0.11;
+  crb.roller_law      = "palmgren";
+  BearingCurve curve;
+  for (double load = 50 * kN; load < 3000 * kN; load *= 1.25) {
+    const bearing::BearingState state = bearing::solve_bearing(crb, load);
+    curve.load.push_back(load);
+    curve.approach.push_back(state.displacement);
+    curve.tangent.push_back(state.tangent);
+  }
+  const double housing = 2500 * kN / mm;
+  Stack rigid          = stack_of("four-high");
+  for (StackRoll &roll : rigid.rolls)
+    for (StackSupport &support : roll.supports)
+      support.stiffness = {0, 1e15};
+  Stack held = rigid;
+  for (StackRoll &roll : held.rolls)
+    for (StackSupport &support : roll.supports) {
+      support.bearing = "crb";
+      support.housing = housing;
+      support.curve   = std::make_shared<const BearingCurve>(curve);
+    }
+  const bearing::BearingState at = bearing::solve_bearing(crb, rigid.strip.force / 2);
+  const StackState stiff = BeamStack(rigid).solve(), soft = BeamStack(held).solve();
+  EXPECT_TRUE(near(soft.strip.middle - stiff.strip.middle, 2 * (at.displacement + rigid.strip.force / 2 / housing),
+                   within(1e-5, "cubic between loads that are 1.25 times apart; 1 nm of the rigid supports")));
+  EXPECT_TRUE(near(1 / soft.modulus.mid - 1 / stiff.modulus.mid, 1 / at.tangent + 1 / housing,
+                   within(1e-4, "slope of that cubic")));
+  EXPECT_TRUE(near(soft.strip.crown, stiff.strip.crown, within(1e-8, "even motion", 10 * um)));
 }
