@@ -11,6 +11,10 @@
 
 namespace mill {
 namespace {
+// A twenty-high mill with saddles has some thirty bodies; forty held by guides take 5 s, and the time grows with the
+// fifth power and more.
+constexpr std::size_t most_rolls = 40;
+
 bool is_given(const Reading &reading, const std::string &key)
 {
   return reading.places.count(key) > 0;
@@ -91,6 +95,10 @@ void check_known(const std::string &key, const std::string &name, const std::str
 
 void check_rolls(const ClusterStand &stand, Reading &reading)
 {
+  if (stand.rolls.size() > most_rolls)
+    reading.add(stand.rolls[most_rolls].place,
+                fmt::format("{} sections [[roll]] are given; a cluster has at most {} rolls", stand.rolls.size(),
+                            most_rolls));
   for (std::size_t i = 0; i < stand.rolls.size(); ++i)
     check_word(numbered("roll", i, "name"), stand.rolls[i].name, reading);
   check_unique(
