@@ -20,8 +20,6 @@ struct ModeWalk {
   const std::vector<Unknown> &stand_unknowns;
   const FitProblem &problem;
   const Fit &fit;
-  LikelihoodOf groups;
-  double above;  // cost of all bins over that of the groups, at the fit
   Eigen::Index mode;
   double step;  // ln w
   int steps;
@@ -33,47 +31,58 @@ struct Place {
   Eigen::VectorXd theta;
 };
 
-StandAt stand_of(const ModeWalk &walk, const Eigen::VectorXd &theta)
+/// ln w of the mode, and (p) its slope; zero for what does not move the stand.
+struct LogFrequency {
+  double value;
+  Eigen::VectorXd slope;
+};
+
+LogFrequency log_frequency(const ModeWalk &walk, const Eigen::VectorXd &theta)
 {
-  return stand_at(walk.stand, walk.stand_unknowns, theta.head(Eigen::Index(walk.stand_unknowns.size())));
+  const auto p        = Eigen::Index(walk.stand_unknowns.size());
+  const StandAt there = stand_at(walk.stand, walk.stand_unknowns, theta.head(p));
+  LogFrequency at_mode{std::log(there.frequency[walk.mode]), Eigen::VectorXd::Zero(theta.size())};
+  at_mode.slope.head(p) = frequency_slopes(there).row(walk.mode).transpose();
+  return at_mode;
 }
 
-/// (p) d ln w / d theta of the mode; zero for what does not move the stand.
-Eigen::VectorXd slope_of_mode(const ModeWalk &walk, const StandAt &there)
-{
-  Eigen::VectorXd slope                                = Eigen::VectorXd::Zero(walk.fit.estimate.size());
-  slope.head(Eigen::Index(walk.stand_unknowns.size())) = frequency_slopes(there).row(walk.mode).transpose();
-  return slope;
-}
-
-/// The likelihood with ln w held at the place that `slope` gives `target`.
-Objective held_at(const ModeWalk &walk, const Eigen::VectorXd &slope, const double target)
+/// The likelihood with ln w held at a place.
+Objective held_at(const ModeWalk &walk, const double place)
 {
   const double weight = 1 / std::pow(hold * walk.step, 2);
-  return [&walk, slope, target, weight](const Eigen::VectorXd &theta, const Wanted wanted) {
-    Likelihood sum    = walk.groups(theta, walk.fit.noise, wanted, 1);
-    const double away = slope.dot(theta) - target;
+  return [&walk, place, weight](const Eigen::VectorXd &theta, const Wanted wanted) {
+    Likelihood sum          = walk.problem.likelihood(theta, walk.fit.noise, wanted, 1);
+    const LogFrequency here = log_frequency(walk, theta);
+    const double away       = here.value - place;
     sum.cost += 0.5 * weight * away * away;
     if (sum.slope.size() > 0) {
-      sum.slope += weight * away * slope;
-      sum.information += weight * slope * slope.transpose();
+      sum.slope += weight * away * here.slope;
+      sum.information += weight * here.slope * here.slope.transpose();
     }
     return sum;
   };
 }
 
+/// Step by step away from the fit, each from the place before.
 std::vector<Place> walked_places(const ModeWalk &walk, const double side)
 {
   std::vector<Place> places;
-  Eigen::VectorXd theta = walk.fit.estimate;
+  Eigen::VectorXd theta       = walk.fit.estimate;
+  Eigen::MatrixXd information = walk.fit.information;
   for (int k = 0; k < walk.steps; ++k) {
-    const Eigen::VectorXd slope = slope_of_mode(walk, stand_of(walk, theta));
-    const Eigen::VectorXd cheap = walk.fit.covariance * slope;  // the least change that moves the mode
-    const Eigen::VectorXd start = theta + side * walk.step / slope.dot(cheap) * cheap;
-    const Descent end = descend(held_at(walk, slope, slope.dot(start)), walk.problem.unknowns, start, 25, 5e-3);
-    theta             = end.theta;
-    const double cost = walk.groups(theta, walk.fit.noise, Wanted::cost, 1).cost + walk.above;
-    places.push_back({stand_of(walk, theta).frequency[walk.mode], 2 * (cost - walk.fit.cost), theta});
+    const LogFrequency here     = log_frequency(walk, theta);
+    const Eigen::VectorXd cheap = posterior_covariance(information, walk.problem.unknowns) * here.slope;
+    const Eigen::VectorXd start = theta + side * walk.step / here.slope.dot(cheap) * cheap;  // least change
+    const double target         = here.value + side * walk.step;
+    const Descent end           = descend(held_at(walk, target), walk.problem.unknowns, start, 40, 5e-3);
+    theta                       = end.theta;
+    const LogFrequency reached  = log_frequency(walk, theta);
+    const double weight = 1 / std::pow(hold * walk.step, 2), away = reached.value - target;
+    information = end.at.information - weight * reached.slope * reached.slope.transpose();
+    if (std::abs(away) > 0.5 * walk.step)  // a crossing of modes
+      break;
+    const double cost = end.at.cost - 0.5 * weight * away * away;
+    places.push_back({std::exp(reached.value), 2 * (cost - walk.fit.cost), theta});
     if (places.back().deviance > given_up)
       break;
   }
@@ -149,10 +158,9 @@ std::vector<ModeScan> scanned_modes(const FittedStand &stand, const FitProblem &
                                     const FitSettings &settings, std::optional<Eigen::VectorXd> &lower)
 {
   std::vector<ModeScan> scans;
-  const auto p          = Eigen::Index(stand_unknowns.size());
-  const StandAt centre  = stand_at(stand, stand_unknowns, fit.estimate.head(p));
-  const auto slopes     = frequency_slopes(centre);
-  const LikelihoodOf by = problem.grouped ? problem.grouped(fit.estimate, fit.noise) : problem.likelihood;
+  const auto p         = Eigen::Index(stand_unknowns.size());
+  const StandAt centre = stand_at(stand, stand_unknowns, fit.estimate.head(p));
+  const auto slopes    = frequency_slopes(centre);
   for (Eigen::Index i = 0; i < centre.frequency.size() && centre.frequency[i] < 2 * M_PI * highest; ++i) {
     const Eigen::VectorXd slope = slopes.row(i).transpose();
     const double sd             = std::sqrt(std::max(0.0, slope.dot(fit.covariance.topLeftCorner(p, p) * slope)));
@@ -163,13 +171,10 @@ std::vector<ModeScan> scanned_modes(const FittedStand &stand, const FitProblem &
     const double step = centre.damping[i];
     if (!(sd > weak_share * step) || !std::isfinite(prior))
       continue;
-    const double above = fit.cost - by(fit.estimate, fit.noise, Wanted::cost, 1).cost;
     const ModeWalk walk{stand,
                         stand_unknowns,
                         problem,
                         fit,
-                        by,
-                        above,
                         i,
                         step,
                         std::min(most_steps, int(std::ceil(prior_reach * prior / step)))};
