@@ -150,7 +150,7 @@ TEST(UnitMotion, InputDerivativesAreOfSecondOrder)
 TEST(UnitMotion, OneMassAnswersAStepInClosedForm)
 {
   fmu::ModelData data;
-  data.kind           = "modal";
+  data.kind           = fmu::StandKind::modal;
   data.points         = {"mass"};
   data.frequency      = {40};
   data.shape          = {0.01};
@@ -183,7 +183,7 @@ TEST(UnitMotion, OneMassAnswersAStepInClosedForm)
 TEST(UnitMotion, ShortStepsLoseNoDigits)
 {
   fmu::ModelData data;
-  data.kind           = "modal";
+  data.kind           = fmu::StandKind::modal;
   data.points         = {"mass"};
   data.frequency      = {5};
   data.shape          = {1};
