@@ -123,9 +123,15 @@ void export_unit(const CommandLine &command, const Case &the_case)
         fmt::format("{}: {}, FMI {}.0 co-simulation, {}\n", path, model.method, command.fmi, platforms()));
 }
 
+// The command line takes no other word.
+ExportFormat format_of(const CommandLine &command)
+{
+  return choice_named<ExportFormat>(command.format).value();
+}
+
 void export_matrices(const CommandLine &command, const Case &the_case)
 {
-  const std::string &format = command.format;
+  const ExportFormat format = format_of(command);
   const std::string path    = command.output.empty() ? usual_output(format, the_case.name) : command.output;
   const std::string name    = exchange_name(format, path);
   if (!command.force_overwrite)
@@ -140,17 +146,18 @@ void export_matrices(const CommandLine &command, const Case &the_case)
   std::string names;
   for (const ExportedFile &file : files)
     names += (names.empty() ? "" : ", ") + file.path;
-  write_together(files, format == "statespace" ? path : command.output.empty() ? "out" : "");
+  write_together(files, format == ExportFormat::statespace ? path : command.output.empty() ? "out" : "");
   if (command.output.empty())
     say_name(the_case, name);
   if (!command.quiet)
-    console::print(fmt::format("{}: {}, {}\n", format == "statespace" ? path : names, stand.method, stand.origin));
+    console::print(fmt::format("{}: {}, {}\n", format == ExportFormat::statespace ? path : names, stand.method,
+                               stand.origin));
 }
 }  // namespace
 
 int export_command(const CommandLine &command, const Case &the_case)
 {
-  const bool unit = !is_exchange_format(command.format);
+  const bool unit = format_of(command) == ExportFormat::fmu;
   if (!run_kind(the_case).driven && !(unit && std::holds_alternative<ChatterCase>(the_case.spec)))
     throw InputError("millstand export " + command.format + ": kind = \"" + the_case.kind +
                      "\" has no stand that a force can drive (" + the_case.path + "); it exports cases of kind " +

@@ -161,7 +161,7 @@ fmu::ExportedModel exported_chatter(const ChatterCase &spec, const std::string &
   model.source["viscosity"]          = "oil.viscosity";
   model.source["start_displacement"] = "analysis.disturbance";
   fmu::ModelData &data               = model.data;
-  data.kind                          = "chatter";
+  data.kind                          = fmu::StandKind::chatter;
   data.runtime                       = fmu::runtime_version;
   for (std::string label : q.stand.structure.labels) {
     label = slug(label);

@@ -64,7 +64,7 @@ fmu::ExportedModel exported_curves(const DrivenStand &stand, const Case &of)
   const int parts                = steps_between_outputs(drive.stand, rate);
   fmu::ModelData &data           = model.data;
   data                           = modal_data(drive.modal);
-  data.kind                      = "curves";
+  data.kind                      = fmu::StandKind::curves;
   data.runtime                   = unit_data.runtime;
   data.has_series                = unit_data.has_series;
   data.mean_force                = unit_data.mean_force;

@@ -32,7 +32,7 @@ std::vector<std::string> variable_names(std::vector<std::string> labels)
 fmu::ModelData chain_data(const dynamics::MillModel &chain, const DrivenStand &stand)
 {
   fmu::ModelData data;
-  data.kind               = "chain";
+  data.kind               = fmu::StandKind::chain;
   data.points             = variable_names(chain.labels);
   data.mass               = entries(chain.M);
   data.bite_row           = entries(chain.b);
@@ -64,7 +64,7 @@ std::vector<double> rows_of(const Eigen::MatrixXd &matrix)
 fmu::ModelData modal_data(const dynamics::ModalModel &modes)
 {
   fmu::ModelData data;
-  data.kind            = "modal";
+  data.kind            = fmu::StandKind::modal;
   data.points          = variable_names(modes.labels);
   data.frequency       = entries(modes.frequency);
   data.bite_mode       = entries(modes.force);

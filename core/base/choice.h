@@ -5,6 +5,7 @@
 #include <string>
 #include <string_view>
 #include <type_traits>
+#include <vector>
 
 // A choice is an enumeration with its words, one for each enumerator in their order:
 //   enum class Frame { open, closed };
@@ -57,6 +58,13 @@ template <class E, if_choice<E> = 0> constexpr auto every()
   for (std::size_t i = 0; i < all.size(); ++i)
     all[i] = E(i);
   return all;
+}
+
+/// The words as texts, for a suggestion or a list of what is known.
+template <class E, if_choice<E> = 0> std::vector<std::string> word_list()
+{
+  const auto words = words_of(E());
+  return {words.begin(), words.end()};
 }
 
 /// "open | closed"

@@ -7,6 +7,7 @@
 #include "core/model/material.h"
 #include "core/model/pass.h"
 #include "core/model/strip.h"
+#include "core/model/support_type.h"
 #include <array>
 #include <string>
 #include <vector>
@@ -57,17 +58,6 @@ struct ClusterContact {
   double damping_depth = 0;          ///< m, approach at which the damping is in full
   Place place;
 };
-
-enum class SupportType {
-  radial,     ///< force along the displacement, the same law in every direction
-  isotropic,  ///< the law in y, its tangent at the force of the pass in x
-  guide,      ///< a spring along one direction
-  rollers     ///< two one-sided rollers with preload behind a roll
-};
-constexpr auto words_of(SupportType)
-{
-  return choice_words<SupportType>("radial", "isotropic", "guide", "rollers");
-}
 
 /// [[support]] of one roll on the ground.
 struct ClusterSupport {

@@ -1,5 +1,5 @@
 #pragma once
-#include "core/model/cluster.h"
+#include "core/model/support_type.h"
 #include "dynamics/cluster/contact_law.h"
 #include <Eigen/Core>
 #include <array>

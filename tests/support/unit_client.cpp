@@ -27,7 +27,7 @@ SampleStand sample_stand(const ForceMeaning force_meaning, const double damping,
   model.step                = 5e-5;
   fmu::ModelData &data      = model.data;
   data.runtime              = fmu::runtime_version;
-  data.kind                 = "chain";
+  data.kind                 = fmu::StandKind::chain;
   data.points               = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
                                "lower_work_roll", "lower_backup_roll", "lower_frame"};
   data.modal_damping        = damping;
@@ -52,7 +52,7 @@ fmu::ExportedModel in_modes(const SampleStand &stand)
   const auto modes           = dynamics::modes(stand.chain);
   const Eigen::VectorXd bite = modes.shape.transpose() * stand.chain.b;
   const Eigen::VectorXd cell = modes.shape.transpose() * stand.chain.load_cell;
-  data.kind                  = "modal";
+  data.kind                  = fmu::StandKind::modal;
   data.mass.clear(), data.springs.clear(), data.bite_row.clear();
   for (Eigen::Index k = 0; k < 6; ++k) {
     data.frequency.push_back(modes.frequency[k]);

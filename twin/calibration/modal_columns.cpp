@@ -91,9 +91,9 @@ void add_derivatives(ModalColumns &c, const StandAt &stand, const std::vector<Un
   }
   for (std::size_t p = 0; p < unknowns.size(); ++p) {
     Eigen::ArrayXXcd d;
-    if (unknowns[p].name == "gain")
+    if (moves(unknowns[p]) == Moves::gain)
       d = c.driven;
-    else if (unknowns[p].name == "delay") {
+    else if (moves(unknowns[p]) == Moves::delay) {
       d = c.driven;
       for (Eigen::Index b = 0; b < block.size; ++b)
         d.row(b) *= std::complex<double>(0, -w[b]);

@@ -138,7 +138,7 @@ PriorChain detailed_prior(const CommandLine &command, const Case &the_case, cons
   for (const Connection &connection : model.connections)
     prior.springs.push_back(
         {connection.name, prior_of_spring(connection.name, connection.error_estimate, true), 0});
-  prior.springs.push_back({"zeta", std::log(2.0), 0});
+  prior.springs.push_back({twin::ratios_name, std::log(2.0), 0});
   add_masses(prior, the_case);
   Case given         = the_case;
   const auto meaning = dynamics_of(given).force_meaning;

@@ -28,7 +28,7 @@ std::string levels_text(const PriorChain &chain, const RecordSet &set)
     places.push_back(place - chain.places.begin());
   }
   std::vector<std::string> contacts;
-  std::vector<twin::Unknown> unknowns{{"zeta", factor_2, 0}, {"bandwidth", factor_2, 0}};
+  std::vector<twin::Unknown> unknowns{{twin::ratios_name, factor_2, 0}, {"bandwidth", factor_2, 0}};
   for (const twin::Unknown &spring : chain.springs)
     if (spring.name == "K3" || spring.name == "K5") {
       contacts.push_back(spring.name);

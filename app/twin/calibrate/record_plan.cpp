@@ -43,14 +43,14 @@ void add_ratios(RecordPlan &plan, const PriorChain &prior)
 {
   std::vector<twin::Unknown> each;
   for (const twin::Unknown &unknown : plan.unknowns)
-    if (unknown.name != "zeta")
+    if (twin::moves(unknown) != twin::Moves::ratios)
       each.push_back(unknown);
   if (each.size() == plan.unknowns.size())
     return;
   const std::size_t first         = each.size();
   const Eigen::VectorXd frequency = twin::mode_frequencies(prior.stand);
   for (Eigen::Index i = 0; i < frequency.size() && frequency[i] < plan.record.high; ++i)
-    each.push_back({fmt::format("zeta{}", i + 1), std::log(2.0), 0});
+    each.push_back({twin::ratio_name(i), std::log(2.0), 0});
   const twin::Identification identified = planned(prior.stand, each, plan.record);
   plan.ratios.assign(each.begin() + long(first), each.end());
   plan.ratio_frequency = frequency.head(Eigen::Index(plan.ratios.size()));

@@ -77,7 +77,7 @@ double Instance::bite_number(const BiteNumber number) const
 // @return  empty, or why there is no steady bite: the last working point is kept then
 std::string Instance::solve_pass()
 {
-  if (model_.kind != "chatter")
+  if (model_.kind != StandKind::chatter)
     return "";
   const PassData pass     = pass_of(now_.values);
   std::vector<double> key = key_of(pass);

@@ -185,7 +185,7 @@ Status Instance::set(const char *function, const Reference *references, const st
     only_force = only_force && references[i] == bite_force;
   }
   if (!only_force) {
-    if (model_.kind == "chain") {
+    if (model_.kind == StandKind::chain) {
       std::vector<double> wanted = now_.values;
       for (std::size_t i = 0; i < n; ++i)
         wanted[references[i]] = values[i];

@@ -198,7 +198,7 @@ std::vector<Check> roller_on_ring()
 
   RollerBearing ring;
   ring.name             = "ring";
-  ring.type             = "four-row cylindrical";
+  ring.type             = BearingType::four_row_cylindrical;
   ring.rows             = 1;
   ring.rollers_per_row  = 39;
   ring.bore             = 2 * (thin.inner_radius - thick.outer_depth);

@@ -155,7 +155,7 @@ std::vector<Check> demo_masses()
 
   RollerBearing bearing;
   bearing.name            = "backup";
-  bearing.type            = "four-row cylindrical";
+  bearing.type            = BearingType::four_row_cylindrical;
   bearing.rollers_per_row = 32;
   bearing.roller_length   = 0.11;
   bearing.roller_diameter = 0.075;

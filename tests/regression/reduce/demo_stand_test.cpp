@@ -75,7 +75,7 @@ RollerBearing backup_bearing()
 {
   RollerBearing b;
   b.name            = "crb";
-  b.type            = "four-row cylindrical";
+  b.type            = BearingType::four_row_cylindrical;
   b.rollers_per_row = 32;
   b.roller_length   = 0.110;
   b.roller_diameter = 0.075;
@@ -227,7 +227,7 @@ TEST(DemoStand, LoadDependentSprings)
 {
   RollerBearing work;
   work.name              = "trb";
-  work.type              = "four-row tapered";
+  work.type              = BearingType::four_row_tapered;
   work.rollers_per_row   = 39;
   work.roller_length     = 0.0334;
   work.cup_angle         = 19.66 * M_PI / 180;

@@ -126,7 +126,6 @@ TEST(RingSections, RefusesAChockThatDoesNotHoldTheBearing)
   expect_says(message([](auto &b) { b.chock_support_gap = 300 * mm; }),
               {"chock_support_gap = 300 mm", "leaves nothing"});
   expect_says(message([](auto &b) { b.chock_length = not_given; }), {"elastic rings need chock_length"});
-  expect_says(message([](auto &b) { b.chock = "soft"; }), {"\"soft\"", "block, round, rigid"});
 }
 
 TEST(RingSections, ARigidChockNeedsNoDimensions)

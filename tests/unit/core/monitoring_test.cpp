@@ -96,7 +96,7 @@ TEST_F(MonitoringSection, BallBearings)
   const Monitoring m = monitoring_of(with(whole));
   ASSERT_EQ(m.ball_bearings.size(), 1u);
   EXPECT_EQ(m.ball_bearings[0].name, "axial");
-  EXPECT_EQ(m.ball_bearings[0].roll, "backup roll");
+  EXPECT_EQ(m.ball_bearings[0].roll, RollKind::backup_roll);
   EXPECT_EQ(m.ball_bearings[0].balls, 14);
   EXPECT_DOUBLE_EQ(m.ball_bearings[0].ball_diameter, 0.0381);
   EXPECT_DOUBLE_EQ(m.ball_bearings[0].pitch_diameter, 0.24);

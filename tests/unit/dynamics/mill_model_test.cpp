@@ -32,29 +32,32 @@ TEST(MillModel, TheMeaningOfTheForceDecidesTheSpringInTheBite)
 {
   auto stand                = published_stand();
   stand.C.value             = 1e6;
-  const auto bite_stiffness = [&](const char *meaning) {
+  const auto bite_stiffness = [&](const ForceMeaning meaning) {
     return -mill_model(stand, settings(meaning, 0)).K(2, 3);
   };
-  const auto bite_damping = [&](const char *meaning) { return -mill_model(stand, settings(meaning, 0)).C(2, 3); };
-  EXPECT_EQ(bite_stiffness("measured"), 0);
-  EXPECT_EQ(bite_stiffness("disturbance"), 1.91141e11);
-  EXPECT_EQ(bite_stiffness("published"), 1.91141e11);
-  EXPECT_EQ(bite_damping("measured"), 0);
-  EXPECT_EQ(bite_damping("disturbance"), 1e6);
-  EXPECT_EQ(bite_damping("published"), 1e6);
+  const auto bite_damping = [&](const ForceMeaning meaning) {
+    return -mill_model(stand, settings(meaning, 0)).C(2, 3);
+  };
+  EXPECT_EQ(bite_stiffness(ForceMeaning::measured), 0);
+  EXPECT_EQ(bite_stiffness(ForceMeaning::disturbance), 1.91141e11);
+  EXPECT_EQ(bite_stiffness(ForceMeaning::published), 1.91141e11);
+  EXPECT_EQ(bite_damping(ForceMeaning::measured), 0);
+  EXPECT_EQ(bite_damping(ForceMeaning::disturbance), 1e6);
+  EXPECT_EQ(bite_damping(ForceMeaning::published), 1e6);
   stand.C.value = not_given;
-  EXPECT_EQ(bite_damping("disturbance"), 0) << "no damper given";
+  EXPECT_EQ(bite_damping(ForceMeaning::disturbance), 0) << "no damper given";
 }
 
 TEST(MillModel, LoadCellShowsTheMeanForceUnlessTheBiteTakesItsShare)
 {
-  const auto share = [](const char *meaning) {
+  const auto share = [](const ForceMeaning meaning) {
     return mill_model(published_stand(), settings(meaning, 0)).load_cell_share;
   };
-  EXPECT_EQ(share("measured"), 1);
-  EXPECT_EQ(share("disturbance"), 1);
+  EXPECT_EQ(share(ForceMeaning::measured), 1);
+  EXPECT_EQ(share(ForceMeaning::disturbance), 1);
   const double K7 = 6.8789e9;
-  EXPECT_TRUE(near(share("published"), -K7 * reference_vector("static.K4_on")[lower_frame], one_solve));
+  EXPECT_TRUE(
+      near(share(ForceMeaning::published), -K7 * reference_vector("static.K4_on")[lower_frame], one_solve));
   const auto measured = mill_model(published_stand(), settings(ForceMeaning::measured, 0));
   EXPECT_TRUE(near(measured.load_cell.dot(static_displacement(measured)), 1,
                    within(1e-12, "equilibrium: without K4 the frame carries the bite force whole")));
@@ -63,7 +66,7 @@ TEST(MillModel, LoadCellShowsTheMeanForceUnlessTheBiteTakesItsShare)
 TEST(MillModel, ClosedFrameCarriesTheForceInItsPosts)
 {
   auto closed             = settings(ForceMeaning::measured, 0.01);
-  closed.frame            = "closed";
+  closed.frame            = FrameForm::closed;
   const auto model        = mill_model(published_stand(), closed);
   const Eigen::VectorXd y = static_displacement(model);
   EXPECT_TRUE(near(y[lower_frame], 0, within(1e-20, "m: no force on the foundation, rounding of 1e-11 m", 1)));

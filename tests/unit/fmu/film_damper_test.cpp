@@ -24,7 +24,7 @@ LumpedModel with_films(const double damper)
 fmu::ModelData unit_of(const dynamics::MillModel &chain, const double damping)
 {
   fmu::ModelData data;
-  data.kind             = "chain";
+  data.kind             = fmu::StandKind::chain;
   data.modal_damping    = damping;
   data.load_cell_spring = 6;
   data.points           = chain.labels;
@@ -52,7 +52,7 @@ fmu::ModelData modal_unit_of(const dynamics::MillModel &chain, const double damp
   EXPECT_LE(rows.rows(), 2) << "one for each roll";
   const Eigen::VectorXd bite = modes.shape.transpose() * chain.b;
   fmu::ModelData data;
-  data.kind          = "modal";
+  data.kind          = fmu::StandKind::modal;
   data.modal_damping = damping;
   data.points        = chain.labels;
   data.frequency.assign(modes.frequency.begin(), modes.frequency.end());
