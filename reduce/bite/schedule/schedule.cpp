@@ -258,7 +258,7 @@ ScheduleRecord schedule_of(const std::vector<ScheduledPass> &passes)
     if (points_of(record, flattened, passes.size()).size() > 0)
       attempt(why, [&] { add_law(record, passes, flattened); });
     if (!why.empty() && flattened)
-      record.notes.push_back({WarningId::fit_refused, "schedule", why});
+      record.notes.push_back({WarningId::fit_refused, "schedule", "no hardening law was fitted", why});
     why      = "";
     bool any = false;
     for (const ScheduledPass &pass : passes)
@@ -266,7 +266,7 @@ ScheduleRecord schedule_of(const std::vector<ScheduledPass> &passes)
     if (any)
       attempt(why, [&] { add_dynamics(record, passes, flattened); });
     if (!why.empty() && flattened)
-      record.notes.push_back({WarningId::fit_refused, "schedule", why});
+      record.notes.push_back({WarningId::fit_refused, "schedule", "the dynamic forces were not fitted", why});
   }
   return record;
 }

@@ -457,7 +457,8 @@ TEST(Schedule, ReportsWhatCannotBeFitted)
   const ScheduleRecord one = schedule_of(passes);
   EXPECT_TRUE(one.laws.empty());
   ASSERT_EQ(one.notes.size(), 1u);
-  EXPECT_NE(one.notes[0].fact.find("more unknowns than data"), std::string::npos) << one.notes[0].fact;
+  EXPECT_EQ(one.notes[0].id, WarningId::fit_refused);
+  EXPECT_NE(one.notes[0].detail.find("more unknowns than data"), std::string::npos) << one.notes[0].detail;
   EXPECT_EQ(one.dynamics.size(), 2u) << "one unknown, one force";
 
   passes                                    = schedule();
