@@ -57,7 +57,7 @@ std::vector<PredictedMode> predicted_modes(const FittedStand &stand, const Scann
   std::vector<PredictedMode> modes;
   for (Eigen::Index i = 0; i < value.size() && centre[i] < highest; ++i) {
     PredictedMode mode{before[i], value[i], low[i], high[i], {}};
-    if (std::log(mode.high / mode.low) > 2 * determined_within)
+    if (std::log(std::max(mode.high / mode.frequency, mode.frequency / mode.low)) > determined_within)
       mode.rests_on =
           largest_parts(unknowns, slope.row(i).transpose().array().abs() * scan.best.sd().array().eval());
     modes.push_back(std::move(mode));
