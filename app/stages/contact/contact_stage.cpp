@@ -11,6 +11,7 @@
 #include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
+#include "core/records/record_text.h"
 #include "fem/body/on_mesh.h"
 #include <algorithm>
 #include <cmath>
@@ -381,12 +382,8 @@ Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, 
 // Upper and lower rolls are the same pair under the same load: solved once.
 bool same_contact(const FourHigh &stand)
 {
-  const auto &a = stand.upper_contact, &b = stand.lower_contact;
-  const auto equal = [](const double x, const double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-  return !is_one_sided(stand, a) && equal(a.loads[0], b.loads[0]) && equal(a.loads[1], b.loads[1]) &&
-         a.samples == b.samples && a.elements_per_half_width == b.elements_per_half_width &&
-         equal(a.tilt, b.tilt) && equal(a.load_offset, b.load_offset) && a.cross_angle == b.cross_angle &&
-         a.axis_offset == b.axis_offset && equal(a.friction, b.friction);
+  return !is_one_sided(stand, stand.upper_contact) &&
+         record_text(stand.upper_contact) == record_text(stand.lower_contact);
 }
 
 Study renamed(Study s, const std::string &name, const std::string &K)
