@@ -39,6 +39,7 @@ StackRollInput rolled(const char *name, const Roll &drawn)
   static_cast<Roll &>(roll) = drawn;
   roll.name                 = name;
   roll.total_length         = drawn.barrel_length + 2 * drawn.neck_length;
+  roll.bearing.clear();  // its spring is in bearing_stiffness
   roll.chock_mass = {drawn.chock_mass_upper + drawn.bearing_mass, drawn.chock_mass_lower + drawn.bearing_mass};
   return roll;
 }

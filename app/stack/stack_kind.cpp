@@ -68,7 +68,7 @@ const RunKind &run_kind(const StackCase &)
     k.driven = [](RunContext &run, const std::string &pass) {
       const auto &spec = std::get<StackCase>(run.the_case.spec);
       const Stack held = with_bearing_curves(*spec.stack, solve_stack_bearings(run, *spec.input, *spec.stack));
-      return driven_stack(run, *spec.input, with_slopes_of_bite(*spec.input, held), pass);
+      return driven_stack(*spec.input, with_slopes_of_bite(*spec.input, held), pass, run.threads);
     };
     k.mark_sources = [](const Case &the_case) {
       dynamics::MarkSources sources;

@@ -171,12 +171,12 @@ MovingPass moving_pass(const StackInput &input, const Stack &stack, const Pass &
   return made;
 }
 
-std::vector<MovingPass> moving_passes(const RunContext &run, const StackInput &input, const Stack &stack,
+std::vector<MovingPass> moving_passes(const StackInput &input, const Stack &stack, const int threads,
                                       const std::string &wanted)
 {
   std::vector<MovingPass> passes;
   const auto add = [&](const Pass &pass) {
-    passes.push_back(moving_pass(input, stack, pass, elements_in_motion, run.threads));
+    passes.push_back(moving_pass(input, stack, pass, elements_in_motion, threads));
   };
   if (!wanted.empty())
     add(input.passes[place_of_pass(input.passes, wanted)]);

@@ -40,7 +40,7 @@ inline constexpr int frequencies_listed = 8;  ///< stack.f1..
 /// Passes of the case; without one a pass without name under the force of [strip].
 /// @param wanted  name of the only one that is asked for; empty: all
 /// @throws InputError  no such pass; SolverError  no equilibrium
-std::vector<MovingPass> moving_passes(const RunContext &run, const StackInput &input, const Stack &stack,
+std::vector<MovingPass> moving_passes(const StackInput &input, const Stack &stack, int threads,
                                       const std::string &wanted = "");
 
 /// One of them.  @param elements_per_width  of the beams
@@ -68,8 +68,7 @@ struct StackSpeedInputs {
 StackSpeedInputs stack_speed_inputs(RunContext &run, const StackInput &input, const MovingPass &pass);
 
 /// What a pass drives, for export.
-DrivenStand driven_stack(const RunContext &run, const StackInput &input, const Stack &stack,
-                         const std::string &pass);
+DrivenStand driven_stack(const StackInput &input, const Stack &stack, const std::string &pass, int threads = 1);
 
 /// A stand in its modes as chatter has it, open.
 dynamics::StandStructure structure_of(const StackInput &input, const reduce::StandWithModes &stand);

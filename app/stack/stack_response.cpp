@@ -139,11 +139,10 @@ void add_stack_speeds(RunContext &run, const StackInput &input, const std::vecto
   }
 }
 
-DrivenStand driven_stack(const RunContext &run, const StackInput &input, const Stack &stack,
-                         const std::string &wanted)
+DrivenStand driven_stack(const StackInput &input, const Stack &stack, const std::string &wanted, const int threads)
 {
   const std::string name = wanted.empty() && !input.passes.empty() ? input.passes.front().name : wanted;
-  MovingPass pass        = std::move(moving_passes(run, input, stack, name).front());
+  MovingPass pass        = std::move(moving_passes(input, stack, threads, name).front());
   DrivenStand driven;
   driven.chain    = no_chain();
   driven.dynamics = input.dynamics;

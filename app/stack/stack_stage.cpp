@@ -287,7 +287,7 @@ namespace {
 void move_stack(RunContext &run, const StackInput &input, const Stack &stack, const Goal goal)
 {
   StageTimer timer(run, "modes");
-  const std::vector<MovingPass> passes = moving_passes(run, input, stack);
+  const std::vector<MovingPass> passes = moving_passes(input, stack, run.threads);
   const MovingPass &first              = passes.front();
   if (goal == Goal::chatter) {
     linked_subjects.stack_chatter(run, input, passes);
