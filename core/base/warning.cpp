@@ -37,7 +37,7 @@ const std::vector<WarningRow> &warning_rows()
       {Id::one_damping_ratio, "one-damping-ratio", "an exported stand has one damping ratio for all modes"},
       {Id::curve_slope, "curve-slope", "a stiffness differs from the slope of its curve at the load"},
       {Id::given_off_curve, "given-off-curve", "a given stiffness differs from the slope of the given curve"},
-      {Id::curve_left, "curve-left", "a force leaves the samples of the curve of its contact"},
+      {Id::curve_left, "curve-left", "a force leaves the samples of the curve of its contact or bearing"},
       {Id::springs_not_linear, "springs-not-linear", "linear springs were not enough at this load"},
       {Id::time_integration, "time-integration", "the response was integrated in another way than by modes"},
       {Id::marks_incomplete, "marks-incomplete", "a part of the comparison of marks could not be determined"},

@@ -57,7 +57,7 @@ void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &
 void check_theory(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass,
                   std::vector<Problem> &problems)
 {
-  if (setup.method != "slab" || setup.arc == "elastic" || !setup.fit.empty())
+  if (setup.method != BiteMethod::slab || setup.arc == BiteArc::elastic || !setup.fit.empty())
     return;
   const auto refuse = [&](const std::string &why) {
     problems.push_back({pass.place, "pass \"" + pass.name + "\": " + why, {}});
@@ -136,7 +136,7 @@ void check_bites(const Case &the_case)
 
 std::optional<Warning> bite_without_theory(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass)
 {
-  if (setup.method == "slab" || !setup.fit.empty())
+  if (setup.method == BiteMethod::slab || !setup.fit.empty())
     return {};
   BiteQuestion q;
   q.bite  = bite;

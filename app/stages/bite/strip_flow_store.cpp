@@ -107,7 +107,9 @@ struct Writer {
       for (Eigen::Index i = 0; i < value.size(); ++i)
         numbers.push_back(number(value.data()[i]));
       out[name] = {{"rows", value.rows()}, {"numbers", numbers}};
-    } else
+    } else if constexpr (has_words<T>)
+      out[name] = word_of(value);
+    else
       out[name] = value;
   }
 };
@@ -131,7 +133,9 @@ struct Reader {
         throw std::out_of_range(name);
       for (Eigen::Index i = 0; i < size; ++i)
         value.data()[i] = number(numbers[std::size_t(i)]);
-    } else
+    } else if constexpr (has_words<T>)
+      value = choice_named<T>(entry.get<std::string>()).value();
+    else
       entry.get_to(value);
   }
 };

@@ -58,8 +58,8 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
   open_page();
   sources_ = std::make_unique<LiveSources>(input_, options, rules(), skip_to_, queue_);
   print(fmt::format("twin:   {} ({})\nsource: {}\n", the_case.name, model_.source, sources_->description()));
-  if (const std::string warning = model_.detailed ? "" : warning_of_six_masses(the_case, "live"); !warning.empty())
-    console::say("warning: " + warning + "\n");
+  if (const auto warning = model_.detailed ? std::nullopt : warning_of_six_masses(the_case, "live"))
+    console::say("warning: " + text_of(*warning) + "\n");
   if (const std::string notice = sources_->notice(); !notice.empty())
     console::say("warning: " + notice + "\n");
   console::flush();
