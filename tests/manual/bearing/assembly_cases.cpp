@@ -186,7 +186,7 @@ std::vector<Check> kumar_convention()
 {
   RollerBearing b;
   b.name            = "kumar";
-  b.type            = BearingType::tapered;
+  b.type            = BearingType::four_row_tapered;
   b.rows            = 1;
   b.rollers_per_row = 20;
   b.pitch_diameter  = 2 * 40.5 * mm;
