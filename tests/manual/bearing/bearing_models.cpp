@@ -28,7 +28,7 @@ bearing::BearingModel bearing_hh926700()
   bearing::BearingModel model;
   RollerBearing &b    = model.bearing;
   b.name              = "HH926700";
-  b.type              = BearingType::two_row_tapered;
+  b.type              = BearingType::four_row_tapered;
   b.rows              = 2;
   b.arrangement       = "+-";
   b.width             = 4 * 37.98 * mm;  // rows at -37.98 and +37.98 mm
