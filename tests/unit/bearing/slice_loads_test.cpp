@@ -63,7 +63,7 @@ TEST(SliceLoads, ElasticSlicesAreTheClosedForm)
 // What the law promises: d = influence q + local where q > 0, nothing missing where q = 0.
 TEST(SliceLoads, SatisfyTheContactConditions)
 {
-  for (const char *profile : {"none", "iso", "log"})
+  for (const RollerProfile profile : {RollerProfile::none, RollerProfile::iso, RollerProfile::log})
     for (const double tilt : {0.0, 1e-3, -5e-3})
       for (const double middle : {1e-7, 5e-6, 4e-5}) {
         const RollerLaw law = connected(with_profile(profile), 50e3);
@@ -123,7 +123,8 @@ TEST(SliceLoads, AlwaysConverge)
 {
   int solved = 0, most = 0;
   for (const double reference : {10e3, 50e3, 200e3})
-    for (const char *profile : {"none", "iso", "log", "lundberg"}) {
+    for (const RollerProfile profile :
+         {RollerProfile::none, RollerProfile::iso, RollerProfile::log, RollerProfile::lundberg}) {
       const RollerLaw law = connected(with_profile(profile), reference);
       const MatrixXd none(law.position.size(), 0);
       for (const double tilt : {0.0, 1e-4, 1e-3, -3e-3, 5e-3}) {
