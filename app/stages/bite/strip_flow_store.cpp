@@ -1,4 +1,6 @@
 #include "app/stages/bite/strip_flow_store.h"
+#include "core/base/warning.h"
+#include "core/records/json_archive.h"
 #include <nlohmann/json.hpp>
 
 namespace mill {
@@ -107,9 +109,11 @@ struct Writer {
       for (Eigen::Index i = 0; i < value.size(); ++i)
         numbers.push_back(number(value.data()[i]));
       out[name] = {{"rows", value.rows()}, {"numbers", numbers}};
-    } else if constexpr (has_words<T>)
-      out[name] = word_of(value);
-    else
+    } else if constexpr (std::is_same_v<T, std::vector<Warning>>) {
+      json::Node node;
+      json::Writer(node).write(value);
+      out[name] = node;
+    } else
       out[name] = value;
   }
 };
@@ -133,9 +137,10 @@ struct Reader {
         throw std::out_of_range(name);
       for (Eigen::Index i = 0; i < size; ++i)
         value.data()[i] = number(numbers[std::size_t(i)]);
-    } else if constexpr (has_words<T>)
-      value = choice_named<T>(entry.get<std::string>()).value();
-    else
+    } else if constexpr (std::is_same_v<T, std::vector<Warning>>) {
+      const json::Node node(entry);
+      json::Reader(node).read(value);
+    } else
       entry.get_to(value);
   }
 };

@@ -80,11 +80,11 @@ TEST_F(RollCache, NoDamagedFileIsTrusted)
   }
 }
 
-// An entry with a checksum that fits, but counts that are no counts: bytes 0 of what is kept of a component are the length of its
-// name.
+// An entry with a checksum that fits, but counts that are no counts: the first bytes of what is kept of a component
+// are the length of its name.
 TEST_F(RollCache, CountsThatAreNoCountsAreRefused)
 {
-  fem::Component component;
+  Component component;
   component.name = "barrel";
   fem::save_component(folder + "/a", "key", component);
   ASSERT_TRUE(fem::load_component(folder + "/a", "key"));

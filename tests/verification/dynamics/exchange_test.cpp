@@ -136,7 +136,7 @@ TEST(Exchange, EquationsOfModelicaAreThoseOfTheChain)
     modelica::Values values = parameters_of(model);
     values["y"] = m.y, values["v"] = values["der(y)"] = m.v, values["der(v)"] = m.a;
     add_outputs(s, m, values);
-    EXPECT_LT(residual(model, values), 1e-9) << meaning << ": rounding of K y, whose terms cancel";
+    EXPECT_LT(residual(model, values), 1e-9) << word_of(meaning) << ": rounding of K y, whose terms cancel";
     // As many equations as unknowns: whatever is changed is noticed.
     for (const char *unknown :
          {"der(y)", "der(v)", "y_upper_frame", "a_upper_frame", "a_lower_work_roll", "F_cell", "y_lower_frame"}) {
