@@ -15,7 +15,7 @@ public:
   BlockFactors(const std::vector<std::vector<std::size_t>> &neighbours, std::vector<char> positive,
                std::vector<std::size_t> order);
 
-  /// Zero blocks of these sizes.
+  /// Blocks of these sizes; those of positive nodes and of neighbours have no value yet, all others are zero.
   void resize(const std::vector<Eigen::Index> &sizes);
   /// Block (i, j) of a node and one of its neighbours or itself, to be filled before factorise(); of two nodes
   /// that remain, afterwards what remains for them.  Of a node itself the lower triangle is read and written.
@@ -37,8 +37,9 @@ public:
 private:
   struct Node {
     std::vector<std::size_t> later;    // neighbours when its turn comes, in the order of elimination
+    std::vector<char> fills;           // of each of them: it becomes one by the elimination of others
     std::vector<Eigen::Index> column;  // of each of them in `beside`; then their sum
-    Eigen::MatrixXd own, beside;       // (n, n) lower; (n, sum of later)
+    Eigen::MatrixXd own, beside;       // (n, n) lower; (n, sum of later): L^-1 of the block, L^-1 times the others
   };
   std::vector<Node> nodes;
   std::vector<char> is_positive;

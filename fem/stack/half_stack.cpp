@@ -290,13 +290,19 @@ MatrixXd HalfStack::coupling(const Unknowns &one, const Unknowns &other) const
   }
   const StationedContact &d = contacts[other.item];
   MatrixXd sum;
+  const bool whole = one.size() == Index(c.touching.size()) && other.size() == Index(d.touching.size());
   for (const auto &[roll, line] : {std::pair(c.a, c.line_a), std::pair(c.b, c.line_b)})
-    for (const auto &[with, its] : {std::pair(d.a, d.line_a), std::pair(d.b, d.line_b)})
-      if (roll == with) {
-        if (sum.size() == 0)
-          sum = MatrixXd::Zero(one.size(), other.size());
-        sum += stacked[roll].flexibility(line, its)(one.entry, other.entry) / scale;
-      }
+    for (const auto &[with, its] : {std::pair(d.a, d.line_a), std::pair(d.b, d.line_b)}) {
+      if (roll != with)
+        continue;
+      const MatrixXd &part = stacked[roll].flexibility(line, its);
+      if (sum.size() > 0)
+        sum += whole ? MatrixXd(part / scale) : MatrixXd(part(one.entry, other.entry) / scale);
+      else if (whole)
+        sum = part / scale;
+      else
+        sum = part(one.entry, other.entry) / scale;
+    }
   if (one.item == other.item)
     for (Index i = 0; i < one.size(); ++i) {
       const Index k = one.entry[std::size_t(i)];
@@ -440,7 +446,12 @@ std::vector<VectorXd> HalfStack::openings(const HalfVector &state, const VectorX
                                           const HalfVector &right) const
 {
   std::vector<VectorXd> open = right.contact;
-  for (std::size_t c = 0; c < contacts.size(); ++c)
+  for (std::size_t c = 0; c < contacts.size(); ++c) {
+    const auto &touching = contacts[c].touching;
+    if (std::find(touching.begin(), touching.end(), 0) == touching.end()) {
+      open[c].setZero();
+      continue;
+    }
     for (const auto &[roll, line] :
          {std::pair(contacts[c].a, contacts[c].line_a), std::pair(contacts[c].b, contacts[c].line_b)}) {
       for (const auto &[d, its] : lines_on(roll))
@@ -450,6 +461,7 @@ std::vector<VectorXd> HalfStack::openings(const HalfVector &state, const VectorX
       if (stacked[roll].motions() > 0)
         open[c] -= stacked[roll].motion(line) * state.motion[roll];
     }
+  }
   return open;
 }
 

@@ -64,7 +64,8 @@ public:
   HalfVector zero() const;
   HalfVector unloaded() const;  ///< gaps and offsets, resultants of the loads
   HalfVector of_loads(std::size_t roll, const std::vector<StackLoad> &loads) const;
-  /// Closing of every contact by the displacements that these forces and motions cause, without closing_of().
+  /// Opening of every contact by the displacements that these forces and motions cause, without closing_of(); zero
+  /// of one that touches everywhere.
   std::vector<Eigen::VectorXd> openings(const HalfVector &state, const Eigen::VectorXd &strip_force,
                                         const HalfVector &right) const;
   /// (7) m, displacement of the work roll where it is read, without that by loads and supports.
