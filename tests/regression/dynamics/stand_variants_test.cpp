@@ -65,7 +65,7 @@ TEST(StandVariants, SixFrequenciesOfEachChangeAreThoseOfTheReference)
 TEST(StandVariants, AClosedFrameHasTheFrequenciesOfTheReference)
 {
   auto closed  = settings(ForceMeaning::published, 0);
-  closed.frame = "closed";
+  closed.frame = FrameForm::closed;
   EXPECT_TRUE(near(modes(mill_model(published_stand(), closed)).frequency,
                    reference_vector("modes.closed_frame.frequencies"), eigenvalues));
 }
