@@ -105,10 +105,11 @@ void write_maps(RunContext &run, const ChatterStudy &s)
     boundary.add(axis.name, axis.unit, axis.factor * map.value);
     boundary.add("critical_speed", "m/s", map.critical_speed).add("frequency", "Hz", map.critical_frequency);
     if (const auto empty = growth.array().isNaN().count(); empty > 0)
-      run.warn(fmt::format(
-          "{}: {} of the {} points of the map over speed and {} have no growth rate, because no steady "
-          "bite exists there; their cells are empty",
-          s.question.label, empty, n * m, axis.name));
+      run.warn({WarningId::map_has_gaps, s.question.label,
+                fmt::format("{} of the {} points of the map over speed and {} have no growth rate, because no "
+                            "steady bite exists there",
+                            empty, n * m, axis.name),
+                "their cells are empty"});
     write_curve(run, curve::chatter_map, slug(s.question.condition.name), table, axis.name);
     write_curve(run, curve::chatter_boundary, slug(s.question.condition.name), boundary, axis.name);
   }
@@ -206,7 +207,7 @@ ChatterCondition condition_record(const ChatterStudy &s)
   record.name      = c.name;
   record.slug      = slug(c.name);
   record.speed     = s.question.speed_assumed ? not_given : c.speed;
-  record.scheme    = s.question.analysis.linearisation;
+  record.scheme    = word_of(s.question.analysis.linearisation);
   record.reduction = 100 * (1 - c.exit_thickness / c.entry_thickness);
   record.viscosity = has_film(friction) ? 1e3 * friction.viscosity : not_given;
   record.structure = s.question.structure;

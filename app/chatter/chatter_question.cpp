@@ -29,11 +29,11 @@ bite::RollBite bite_of(const ChatterCase &spec, const RollingCondition &c)
 }
 
 // The chain without strip between the rolls: the bite is what chatter adds.
-DynamicsSettings chain_settings(const double modal_damping, const std::string &frame)
+DynamicsSettings chain_settings(const double modal_damping, const FrameForm frame)
 {
   DynamicsSettings settings;
   settings.modal_damping = modal_damping;
-  settings.force_meaning = "measured";
+  settings.force_meaning = ForceMeaning::measured;
   settings.frame         = frame;
   return settings;
 }
@@ -72,7 +72,7 @@ ChatterStandModel stand_of(const ChatterCase &spec, const ChatterStand &stand)
   if (spec.files)
     model.structure = dynamics::structure_of(modes_of(spec));
   else if (spec.model && !own_dampers)
-    model.structure = chain_structure(*spec.model, chain_settings(spec.modal_damping, "open"));
+    model.structure = chain_structure(*spec.model, chain_settings(spec.modal_damping, FrameForm::open));
   else if (spec.model)
     model.structure =
         dynamics::six_mass_structure(masses_of(*spec.model), springs_of(*spec.model), stand.dampings);
@@ -92,7 +92,7 @@ std::vector<dynamics::StructureNumber> numbers_of(const ChatterCase &spec)
     return dynamics::six_mass_numbers(spec.stand.masses, spec.stand.stiffnesses, spec.stand.dampings);
   if (!std::isnan(spec.stand.dampings[0]))
     return dynamics::six_mass_numbers(masses_of(*spec.model), springs_of(*spec.model), spec.stand.dampings);
-  return dynamics::chain_numbers(*spec.model, chain_settings(spec.modal_damping, "open"));
+  return dynamics::chain_numbers(*spec.model, chain_settings(spec.modal_damping, FrameForm::open));
 }
 
 std::vector<std::string> keys_of(const ChatterCase &spec, const std::size_t condition)
@@ -114,7 +114,7 @@ ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t cond
   q.structure  = spec.files   ? "model " + spec.files->name + " of " + spec.stand.from
                  : spec.model ? "six masses of " + spec.stand.from
                               : "six masses as given";
-  q.scheme     = linearisation_of(spec.analysis);
+  q.scheme     = spec.analysis.linearisation;
   q.analysis   = spec.analysis;
   q.film_range = spec.film_range;
   for (const ChatterVariant &variant : spec.variants)
@@ -150,7 +150,7 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   c                   = condition_of(pass, strip);
   q.label             = pass.name;
   q.analysis          = stand.analysis;
-  q.scheme            = linearisation_of(stand.analysis);
+  q.scheme            = stand.analysis.linearisation;
   if (std::isnan(c.speed)) {
     q.speed_assumed = true;
     c.speed         = 0.5 * (stand.analysis.speeds[0] + stand.analysis.speeds[1]);

@@ -104,7 +104,8 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   by_karman("arc_length", "m", state.arc_length, other(k.arc_length), not_given, not_given);
   by_karman("torque", "N m", state.torque, other(k.torque), not_given, not_given);
   const ChatterAdder slope{run, s, "bite",
-                           "exact derivative, " + s.question.analysis.linearisation + " linearisation",
+                           std::string("exact derivative, ") + word_of(s.question.analysis.linearisation) +
+                               " linearisation",
                            at_speed(c.speed)};
   const auto &[P, Q, F, mu, xn] = s.working->by;
   const char *by[]              = {"gap", "gap_rate", "entry_tension", "exit_tension", "entry_thickness"};
@@ -125,7 +126,7 @@ void add_searches(RunContext &run, const ChatterStudy &s, const std::string &gro
     if (other.found.verdict != Verdict::crossing)
       continue;  // its verdict stands in the file of the condition
     const std::string stand  = schemes ? s.question.structure : group + " " + other.name;
-    const std::string scheme = schemes ? other.name : s.question.analysis.linearisation;
+    const std::string scheme = schemes ? other.name : word_of(s.question.analysis.linearisation);
     const ChatterAdder add{run, s, "chatter",
                            "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
                            at_speed(other.found.speed)};
@@ -168,13 +169,14 @@ void add_growth(RunContext &run, const ChatterStudy &s, const std::string &metho
 void add_stability(RunContext &run, const ChatterStudy &s)
 {
   const RollingCondition &c = s.question.condition;
-  const std::string system  = s.question.structure + ", " + s.question.analysis.linearisation + " linearisation";
+  const std::string system =
+      s.question.structure + ", " + word_of(s.question.analysis.linearisation) + " linearisation";
   const ChatterAdder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
                               s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
   std::vector<Check> checks;
   add_check(checks, "Routh's array in extended precision", s.speed_by_routh);
   for (const OtherSearch &other : s.schemes)
-    if (other.name != s.question.analysis.linearisation)
+    if (other.name != word_of(s.question.analysis.linearisation))
       add_check(checks, (other.name + " linearisation").c_str(), other.found.speed,
                 "the speed depends on what follows a disturbance");
   for (std::size_t i = 1; i < s.structures.size(); ++i)
@@ -276,42 +278,55 @@ std::string verdict_sentence(const ChatterStudy &s)
 void add_chatter_results(RunContext &run, const ChatterStudy &s)
 {
   const RollingCondition &c = s.question.condition;
+  const std::vector<std::string> concerned{result_name({family::chatter, c.name})};
   add_bite(run, s);
   add_stability(run, s);
   add_sensitivities(run, s);
   const double draft = c.entry_thickness - c.exit_thickness;
   if (2 * s.question.analysis.disturbance > 0.05 * draft)
-    run.warn(fmt::format("{}: the histories start with a gap that is open by {:.3g} um, more than a twentieth of "
-                         "the draft: linear motion of that size means little (analysis.disturbance)",
-                         s.question.label, 2e6 * s.question.analysis.disturbance));
+    run.warn({WarningId::growing_histories, s.question.label,
+              fmt::format("the histories start with a gap that is open by {:.3g} um, more than a twentieth of the "
+                          "draft",
+                          2e6 * s.question.analysis.disturbance),
+              "linear motion of that size means little (analysis.disturbance)", "", concerned,
+              "analysis.disturbance"});
   if (c.entry_tension == 0 || c.exit_tension == 0)
-    run.warn(s.question.label +
-             ": a strip without tension goes slack at the first vibration, where the linear model "
-             "lets its tension fall below zero; the critical speed is that of a strip that stays under tension");
+    run.warn({WarningId::slack_strip, s.question.label,
+              "a strip without tension goes slack at the first vibration, where the linear model lets its tension "
+              "fall below zero",
+              "the critical speed is that of a strip that stays under tension", "", concerned});
   for (const std::string &remark : s.remarks)
     run.assume(s.question.label + ": " + remark);
   if (!s.working)
-    run.warn(fmt::format("{} has no steady bite at its working speed of {:.4g} m/s: {}", s.question.label, c.speed,
-                         s.no_bite));
+    run.warn({WarningId::no_steady_bite, "",
+              fmt::format("{} has no steady bite at its working speed of {:.4g} m/s", s.question.label, c.speed),
+              s.no_bite, "", concerned});
   else if (grows(s.working_mode->root) && !s.question.speed_assumed)
-    run.warn(
-        fmt::format("{} chatters at its working speed of {:.4g} m/s: vibration of {:.4g} Hz doubles in {:.3g} s",
-                    s.question.label, c.speed, s.working_mode->frequency, std::log(2) / s.growth));
+    run.warn({WarningId::chatters, "",
+              fmt::format("{} chatters at its working speed of {:.4g} m/s", s.question.label, c.speed),
+              fmt::format("vibration of {:.4g} Hz doubles in {:.3g} s", s.working_mode->frequency,
+                          std::log(2) / s.growth),
+              "", concerned});
   if (!s.working)
     return;
-  for (const std::string &note : s.working->state.notes)
-    run.warn(s.question.label + ": " + note);
+  for (Warning note : s.working->state.notes) {
+    note.subject  = s.question.label;
+    note.concerns = concerned;
+    run.warn(std::move(note));
+  }
   const double film = s.working->state.film_thickness;
   const bool known  = !std::isnan(s.question.film_range[0]);
   const double e    = s.question.bite.strip.friction.decay;
   const std::array<double, 2> range =
       known ? s.question.film_range : std::array<double, 2>{std::log(1 / 0.95) / e, std::log(1 / 0.05) / e};
   if (!std::isnan(film) && (film < range[0] || film > range[1]))
-    run.warn(fmt::format("{}: the oil film of {:.3g} um is outside {:.3g} .. {:.3g} um, {}", s.question.label,
-                         1e6 * film, 1e6 * range[0], 1e6 * range[1],
-                         known ? "over which the friction was measured (oil.film_range)"
-                               : "where the friction law still depends on the film (5 to 95 % of mu1; give "
-                                 "oil.film_range if it was measured over other films)"));
+    run.warn({WarningId::oil_film_range, s.question.label,
+              fmt::format("the oil film of {:.3g} um is outside {:.3g} .. {:.3g} um, {}", 1e6 * film,
+                          1e6 * range[0], 1e6 * range[1],
+                          known ? "over which the friction was measured (oil.film_range)"
+                                : "where the friction law still depends on the film (5 to 95 % of mu1)"),
+              "", known ? "" : "give oil.film_range if it was measured over other films", concerned,
+              "oil.film_range"});
 }
 
 std::vector<ChatterPublished> published_rows(const ChatterStudy &s)

@@ -3,6 +3,7 @@
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_results.h"
 #include "app/run/asked_speeds.h"
+#include "app/run/error_warnings.h"
 #include "core/laws/flow_stress_law.h"
 #include "core/model/case.h"
 #include <cmath>
@@ -68,7 +69,7 @@ void solve_chatter_case(RunContext &run, const ChatterCase &spec)
       finish(run, studies.back());
     } catch (const SolverError &e) {  // the others still have an answer
       failure = std::current_exception();
-      run.warn(e.report.what + ": " + e.report.cause);
+      run.warn(warning_of(WarningId::chatter_refused, e));
     }
     run.progress.at("chatter", double(i + 1) / double(spec.conditions.size()));
   }

@@ -15,7 +15,7 @@ namespace {
 using dynamics::ChatterStandModel;
 using dynamics::StandSpeed;
 using dynamics::Verdict;
-using Scheme = bite::Linearisation;
+using Scheme = Linearisation;
 
 dynamics::ChatterMode least_stable_mode(const ChatterStandModel &stand, const bite::LinearCoefficients &by)
 {
@@ -65,14 +65,12 @@ OtherSearch search(const std::string &name, const ChatterStandModel &stand, cons
 
 void search_beside(ChatterStudy &s, const dynamics::SpeedRange &range)
 {
-  const ChatterQuestion &q                        = s.question;
-  const std::pair<const char *, Scheme> schemes[] = {{"sequential", Scheme::sequential},
-                                                     {"consistent", Scheme::implicit},
-                                                     {"frozen-friction", Scheme::frozen_friction}};
-  for (const auto &[name, scheme] : schemes)
-    s.schemes.push_back(search(name, q.stand, q, scheme, range));
-  std::stable_partition(s.schemes.begin(), s.schemes.end(),
-                        [&](const OtherSearch &o) { return o.name == q.analysis.linearisation; });
+  const ChatterQuestion &q = s.question;
+  const Scheme chosen      = q.analysis.linearisation;
+  s.schemes.push_back(search(word_of(chosen), q.stand, q, chosen, range));
+  for (const Scheme scheme : every<Scheme>())
+    if (scheme != chosen)
+      s.schemes.push_back(search(word_of(scheme), q.stand, q, scheme, range));
   for (const NamedStand &variant : q.variants)
     s.variants.push_back(search(variant.name, variant.stand, q, q.scheme, range));
 }

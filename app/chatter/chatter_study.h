@@ -27,7 +27,7 @@ struct ChatterQuestion {
   dynamics::ChatterStandModel stand;
   bool speed_assumed = false;  ///< the case does not give the working speed: it is not judged
   std::string structure;       ///< where the stand comes from: "given", "six-mass model of this run"
-  bite::Linearisation scheme = bite::Linearisation::sequential;
+  Linearisation scheme = Linearisation::sequential;
   ChatterAnalysis analysis;
   std::array<double, 2> film_range = {not_given, not_given};  ///< m
   std::vector<dynamics::StructureNumber> numbers;             ///< of the stand's structure

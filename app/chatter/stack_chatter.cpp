@@ -3,6 +3,7 @@
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_results.h"
 #include "app/run/asked_speeds.h"
+#include "app/run/error_warnings.h"
 #include "app/stack/stack_bite.h"
 #include "core/model/case.h"
 #include "dynamics/response/modal_model.h"
@@ -19,7 +20,7 @@ ChatterQuestion question_of(RunContext &run, const StackInput &input, const Movi
   q.condition = condition_of(pass.pass, q.bite.strip);
   q.label     = pass.pass.name;
   q.analysis  = input.analysis;
-  q.scheme    = linearisation_of(input.analysis);
+  q.scheme    = input.analysis.linearisation;
   for (const reduce::StandWithModes *stand : {&pass.open, &pass.lumped_open}) {
     const auto modal = dynamics::modal_model(stand->model, stand->modes.frequency, stand->modes.shape,
                                              input.dynamics.modal_damping, 2 * input.dynamics.frequency_limit);
@@ -65,11 +66,11 @@ void solve_stack_chatter(RunContext &run, const StackInput &input, const std::ve
     } catch (const InputError &e) {
       if (!failure)
         failure = std::current_exception();
-      run.warn(e.problems.front().message);
+      run.warn(warning_of(WarningId::chatter_refused, e));
     } catch (const SolverError &e) {
       if (!failure)
         failure = std::current_exception();
-      run.warn(e.report.what + ": " + e.report.cause);
+      run.warn(warning_of(WarningId::chatter_refused, e));
     }
     run.progress.at("chatter", double(p + 1) / double(passes.size()));
   }

@@ -63,6 +63,16 @@ void add_results(RunContext &run, const dynamics::TandemStudy &study, const dyna
   add("speed_stable_for_any_distance", "m/s", study.any_delay, "gain of the regenerative loop below one");
 }
 
+Warning no_bite(const double speed, const std::string &why)
+{
+  return {WarningId::no_steady_bite,
+          "",
+          fmt::format("the tandem has no steady bite at {:.4g} m/s of its last stand", speed),
+          why,
+          "",
+          {"chatter.tandem"}};
+}
+
 // At the speed at which the last condition works; mass flow then sets the speeds of the others.
 void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, const double speed)
 {
@@ -76,9 +86,13 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
     growth.at     = at_last_stand(speed);
     run.results.add("chatter.tandem.growth_rate", growth);
     if (root.real() > 1e-9 * std::abs(root))
-      run.warn(fmt::format(
-          "the tandem chatters at {:.4g} m/s of its last stand: vibration of {:.4g} Hz doubles in {:.3g} s", speed,
-          std::abs(root.imag()) / (2 * M_PI), std::log(2) / root.real()));
+      run.warn({WarningId::chatters,
+                "",
+                fmt::format("the tandem chatters at {:.4g} m/s of its last stand", speed),
+                fmt::format("vibration of {:.4g} Hz doubles in {:.3g} s", std::abs(root.imag()) / (2 * M_PI),
+                            std::log(2) / root.real()),
+                "",
+                {"chatter.tandem"}});
     for (std::size_t i = 0; i + 1 < line.stands.size(); ++i) {
       const double given = line.stands[i].bite.roll_speed, needed = point.stands[i].bite.roll_speed;
       if (std::abs(given / needed - 1) > 0.01)
@@ -88,11 +102,9 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
             line.stands[i].name, needed, speed, given));
     }
   } catch (const InputError &e) {
-    run.warn(fmt::format("the tandem has no steady bite at {:.4g} m/s of its last stand: {}", speed,
-                         e.problems.front().message));
+    run.warn(no_bite(speed, e.problems.front().message));
   } catch (const SolverError &e) {
-    run.warn(
-        fmt::format("the tandem has no steady bite at {:.4g} m/s of its last stand: {}", speed, e.report.what));
+    run.warn(no_bite(speed, e.report.what));
   }
 }
 

@@ -3,6 +3,7 @@
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_results.h"
 #include "app/cluster/cluster_bite.h"
+#include "app/run/error_warnings.h"
 #include "app/stages/stability/stability_question.h"
 #include "app/stages/stability/uncertain_numbers.h"
 #include "core/case/fields.h"
@@ -51,16 +52,16 @@ struct Points {
 // Every roll upwards, then along the rolling direction.  @param away  positive away from the strip, else upwards
 Points points_of(const ClusterStand &stand, const cluster::Stack &stack, const bool away)
 {
-  const StripRolls at = strip_rolls(stand);
+  const StripRolls rolls = strip_rolls(stand);
   Points points;
   points.rows      = Eigen::MatrixXd::Zero(2 * Eigen::Index(stack.rolls.size()), stack.size());
   Eigen::Index row = 0;
   for (const int direction : {1, 0})
     for (std::size_t i = 0; i < stack.rolls.size(); ++i) {
-      const bool down = away && direction == 1 && !at.is_upper(stack, i);
+      const bool down = away && direction == 1 && !rolls.is_upper(stack, i);
       points.rows(row++, stack.per_roll() * Eigen::Index(i) + direction) = down ? -1 : 1;
-      const std::string name = int(i) == at.upper && direction == 1 ? "upper work roll"
-                               : int(i) == at.lower && direction == 1
+      const std::string name = int(i) == rolls.upper && direction == 1 ? "upper work roll"
+                               : int(i) == rolls.lower && direction == 1
                                    ? "lower work roll"
                                    : stack.rolls[i].name + (direction ? " y" : " x");
       points.labels.push_back(name);
@@ -124,8 +125,8 @@ KeyList keys_of_bite(const Case &the_case, const std::size_t p)
 
 cluster::GapStand gap_stand_of(const ClusterStand &stand, const cluster::PassState &state)
 {
-  const StripRolls at = strip_rolls(stand);
-  return cluster::gap_stand(state.stack, state.rest.u, at.upper, at.lower);
+  const StripRolls rolls = strip_rolls(stand);
+  return cluster::gap_stand(state.stack, state.rest.u, rolls.upper, rolls.lower);
 }
 
 Eigen::VectorXd damping_of(const cluster::GapStandModes &modes)
@@ -229,7 +230,7 @@ ClusterChatter chatter_question(const Case &the_case, const ClusterStand &stand,
   q.condition         = condition_of(pass, q.bite.strip);
   q.label             = pass.name;
   q.analysis          = stand.analysis;
-  q.scheme            = linearisation_of(stand.analysis);
+  q.scheme            = stand.analysis.linearisation;
   const auto distance = [&](const double given, const char *key) {
     if (!std::isnan(given))
       return given;
@@ -271,11 +272,11 @@ void solve_cluster_chatter(RunContext &run, const ClusterStand &stand, const std
     } catch (const InputError &e) {
       if (!failure)
         failure = std::current_exception();
-      run.warn(e.problems.front().message);
+      run.warn(warning_of(WarningId::chatter_refused, e));
     } catch (const SolverError &e) {
       if (!failure)
         failure = std::current_exception();
-      run.warn(e.report.what + ": " + e.report.cause);
+      run.warn(warning_of(WarningId::chatter_refused, e));
     }
     run.progress.at("chatter", double(pass.p + 1) / double(passes.size()));
   }
@@ -288,25 +289,25 @@ namespace {
 void keep_stack_motions(dynamics::StandStructure &structure, const ClusterStand &stand, const ClusterPassRun &pass,
                         const cluster::GapStandModes &modes)
 {
-  const StripRolls at = strip_rolls(stand);
+  const StripRolls rolls = strip_rolls(stand);
   structure.labels.clear();
-  structure.point            = Eigen::MatrixXd::Zero(at.lower < 0 ? 2 : 4, modes.shape.cols());
+  structure.point            = Eigen::MatrixXd::Zero(rolls.lower < 0 ? 2 : 4, modes.shape.cols());
   const Eigen::VectorXd mass = cluster::masses(pass.state.stack);
   for (const bool upper : {true, false}) {
     Eigen::VectorXd of_stack = Eigen::VectorXd::Zero(mass.size());
     for (std::size_t i = 0; i < pass.state.stack.rolls.size(); ++i)
-      if (const int row = pass.state.stack.per_roll() * int(i); at.is_upper(pass.state.stack, i) == upper)
+      if (const int row = pass.state.stack.per_roll() * int(i); rolls.is_upper(pass.state.stack, i) == upper)
         of_stack.segment(row, pass.state.stack.per_roll()) = mass.segment(row, pass.state.stack.per_roll());
     structure.stack_mass[upper ? 0 : 1] = modes.shape.transpose() * of_stack.asDiagonal() * modes.shape;
   }
   for (const bool upper : {true, false}) {
-    if (!upper && at.lower < 0)
+    if (!upper && rolls.lower < 0)
       continue;
     const std::string side = upper ? "upper" : "lower";
     const auto row         = Eigen::Index(structure.labels.size());
     for (Eigen::Index k = 0; k < modes.shape.cols(); ++k) {
       const cluster::StripMotion motion =
-          cluster::strip_motion(pass.state.stack, pass.state.rest.contact_loads, upper ? at.upper : at.lower,
+          cluster::strip_motion(pass.state.stack, pass.state.rest.contact_loads, upper ? rolls.upper : rolls.lower,
                                 upper ? 1 : -1, modes.shape.col(k));
       structure.point(row, k)     = motion.work_roll;
       structure.point(row + 1, k) = motion.carrier;
@@ -348,23 +349,13 @@ StabilityQuestion stability_question(const RunContext &run, const ClusterStand &
   q.inputs    = from.inputs;
   return q;
 }
-
-SpeedVerdict not_searched(const ClusterPassRun &pass, const std::string &missing)
-{
-  SpeedVerdict v;
-  v.pass    = pass.pass->name;
-  v.speed   = pass.pass->speed;
-  v.missing = split(missing, ", ");
-  v.remedy  = "Add them to the case to have the critical speed searched.";
-  return v;
-}
 }  // namespace
 
 void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes)
 {
   for (const ClusterPassRun &pass : passes) {
     if (const std::string missing = missing_of_chatter(stand, pass.p); !missing.empty()) {
-      run.results.speeds.push_back(not_searched(pass, missing));
+      run.results.speeds.push_back(not_searched(pass.pass->name, pass.pass->speed, split(missing, ", ")));
       continue;
     }
     try {
@@ -373,9 +364,9 @@ void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::
         run.assume(sentence);
       add_critical_speed(run, stability_question(run, stand, pass, asked));
     } catch (const InputError &e) {
-      run.warn(e.problems.front().message);
+      run.warn(warning_of(WarningId::critical_speed_not_searched, e));
     } catch (const SolverError &e) {
-      run.warn("pass \"" + pass.pass->name + "\": critical speed not searched: " + e.report.what);
+      run.warn(speed_not_searched(pass.pass->name, e));
     }
   }
 }
@@ -409,17 +400,18 @@ DrivenStand driven_cluster(RunContext &run, const std::string &wanted)
   modal.load_cell = modes.shape.transpose() * row;
   DrivenStand driven;
   driven.modes                  = modal;
-  driven.dynamics.force_meaning = "measured";
+  driven.dynamics.force_meaning = ForceMeaning::measured;
   driven.dynamics.modal_damping = modal.damping;
   driven.pass                   = *pass;
   driven.load                   = force.value;
   const double other            = (damping_of(modes).array() / modal.damping - 1).abs().maxCoeff();
   if (other > 1e-9)
     driven.warnings.push_back(
-        fmt::format("the exported stand has one damping ratio for all modes, {:.3g} % of "
-                    "critical, that of the mode at {:.5g} Hz, which has the largest share in the "
-                    "compliance of the gap",
-                    100 * modal.damping, modes.frequency[leading]));
+        {WarningId::one_damping_ratio, "",
+         fmt::format("the exported stand has one damping ratio for all modes, {:.3g} % of critical",
+                     100 * modal.damping),
+         fmt::format("that of the mode at {:.5g} Hz, which has the largest share in the compliance of the gap",
+                     modes.frequency[leading])});
   return driven;
 }
 }  // namespace mill

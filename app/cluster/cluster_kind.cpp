@@ -1,6 +1,9 @@
+#include "app/cluster/cluster_bite.h"
 #include "app/cluster/cluster_chatter.h"
+#include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_parts.h"
+#include "core/case/fields.h"
 #include "core/model/case.h"
 #include "core/model/cluster.h"
 #include "dynamics/marks/marks.h"
@@ -22,11 +25,19 @@ const RunKind &cluster_kind()
     RunKind k;
     k.verbs  = {"run", "stiffness", "modes", "chatter", "simulate"};
     k.check  = check_cluster;
+    k.review = [](const Case &the_case, const std::string &) {
+      CaseReview review;
+      const ClusterStand &stand = stand_of(the_case);
+      for (std::size_t p = 0; p < stand.schedule.size(); ++p)
+        if (const std::string missing = missing_of_chatter(stand, p); !missing.empty())
+          review_speed(stand.schedule[p], split(missing, ", "), review);
+      return review;
+    };
     k.driven = driven_cluster;
     k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
       std::vector<std::pair<std::string, double>> stages;
       for (const ClusterContact &c : stand_of(the_case).contacts)
-        if (c.law == "computed" && c.like.empty()) {
+        if (c.law == ClusterLaw::computed && c.like.empty()) {
           stages.emplace_back("condensation", 5);
           stages.emplace_back("contact " + c.pair, 1);
         }

@@ -9,22 +9,23 @@ namespace mill {
 namespace {
 // A stack moves with its roll at the strip and with the rolls above or below it.
 reduce::StackMotion stack_motion(const cluster::PassState &state, const std::vector<double> &kinetic,
-                                 const StripRolls &at, const bool upper, const Eigen::VectorXd &shape)
+                                 const StripRolls &rolls, const bool upper, const Eigen::VectorXd &shape)
 {
   reduce::StackMotion motion;
-  motion.side = at.lower < 0 ? "" : upper ? "upper" : "lower";
+  motion.side = rolls.lower < 0 ? "" : upper ? "upper" : "lower";
   for (std::size_t i = 0; i < kinetic.size(); ++i)
-    if (at.is_upper(state.stack, i) == upper)
+    if (rolls.is_upper(state.stack, i) == upper)
       motion.kinetic += kinetic[i];
-  const cluster::StripMotion strip = cluster::strip_motion(state.stack, state.rest.contact_loads,
-                                                           upper ? at.upper : at.lower, upper ? 1 : -1, shape);
-  motion.work_roll                 = strip.work_roll;
-  motion.backup_roll               = strip.carrier;
+  const cluster::StripMotion strip = cluster::strip_motion(
+      state.stack, state.rest.contact_loads, upper ? rolls.upper : rolls.lower, upper ? 1 : -1, shape);
+  motion.work_roll   = strip.work_roll;
+  motion.backup_roll = strip.carrier;
   return motion;
 }
 
-reduce::GapMotion gap_motion(const cluster::PassState &state, const cluster::GapStand &gap, const StripRolls &at,
-                             const double frequency, const double share, const Eigen::VectorXd &shape)
+reduce::GapMotion gap_motion(const cluster::PassState &state, const cluster::GapStand &gap,
+                             const StripRolls &rolls, const double frequency, const double share,
+                             const Eigen::VectorXd &shape)
 {
   static const char *const direction[] = {"horizontal", "vertical", "turning"};
   static const char *const key[]       = {"x", "y", "turn"};
@@ -42,9 +43,9 @@ reduce::GapMotion gap_motion(const cluster::PassState &state, const cluster::Gap
                               fmt::format("roll_{}_{}", roll, key[k]), part});
       kinetic[i] += part;
     }
-  motion.stacks.push_back(stack_motion(state, kinetic, at, true, shape));
-  if (at.lower >= 0)
-    motion.stacks.push_back(stack_motion(state, kinetic, at, false, shape));
+  motion.stacks.push_back(stack_motion(state, kinetic, rolls, true, shape));
+  if (rolls.lower >= 0)
+    motion.stacks.push_back(stack_motion(state, kinetic, rolls, false, shape));
   return motion;
 }
 

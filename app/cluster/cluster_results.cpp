@@ -67,16 +67,15 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
             tangent = parameter(pass, cluster::contact_tangent(c, d), "N/m", "law of the contact, dF/d(approach)"),
             secant  = parameter(pass, f / d, "N/m", "law of the contact, F/approach");
   // The other laws of a line contact under the same force.
-  for (const char *law : {"power", "foeppl", "johnson"}) {
+  for (const auto &[law, named] :
+       {std::pair(ClusterLaw::power, "Palmgren (38.4)"), std::pair(ClusterLaw::foeppl, "Foeppl (38.5)"),
+        std::pair(ClusterLaw::johnson, "Johnson (38.5)")}) {
     ClusterStand variant = stand;
     for (ClusterContact &contact : variant.contacts)
       if (contact.like.empty())
         contact.law = law;
-    const auto other        = cluster::stack_of(variant, *pass.pass, pass.force.value).contacts[i].law;
-    const double depth      = cluster::approach(other, f);
-    const std::string named = std::string(law) == "power"    ? "Palmgren (38.4)"
-                              : std::string(law) == "foeppl" ? "Foeppl (38.5)"
-                                                             : "Johnson (38.5)";
+    const auto other   = cluster::stack_of(variant, *pass.pass, pass.force.value).contacts[i].law;
+    const double depth = cluster::approach(other, f);
     approach.checks.push_back({named, depth, ""});
     tangent.checks.push_back({named, cluster::tangent(other, depth), ""});
     secant.checks.push_back({named, f / depth, ""});

@@ -23,10 +23,10 @@ ClusterRecord stack_record(const ClusterStand &written, const cluster::Stack &st
     r.rolls.push_back({roll.name, roll.centre.x(), roll.centre.y(), roll.radius, roll.mass});
   for (std::size_t i = 0; i < stack.contacts.size(); ++i)
     r.contacts.push_back({stack.contacts[i].name, stack.contacts[i].a, stack.contacts[i].b,
-                          i < stand.contacts.size() ? stand.contacts[i].law : "spring"});
+                          word_of(i < stand.contacts.size() ? stand.contacts[i].law : ClusterLaw::spring)});
   for (std::size_t i = 0; i < stack.supports.size(); ++i)
-    r.supports.push_back(
-        {stack.supports[i].name, stand.supports[i].type, stack.supports[i].roll, stand.supports[i].fitted});
+    r.supports.push_back({stack.supports[i].name, word_of(stand.supports[i].type), stack.supports[i].roll,
+                          stand.supports[i].fitted});
   for (const ClusterMode &mode : stand.modes)
     r.published.push_back({mode.name, mode.shape, mode.frequency});
   return r;
@@ -68,32 +68,38 @@ cluster::PassState state_of_pass(const ClusterStand &stand, const ClusterPass &p
   }
 }
 
-// "z-mill.toml:70:1: ", where the section stands.
-std::string place_text(const Place &place)
-{
-  return place.line > 0 ? fmt::format("{}:{}:{}: ", place.file, place.line, place.column) : "";
-}
-
 void warn_of_preload(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass)
 {
+  const std::string subject = "pass \"" + pass.pass->name + "\"";
   for (std::size_t i = 0; i < pass.state.stack.supports.size(); ++i) {
     const cluster::Support &s = pass.state.stack.supports[i];
     if (s.type != cluster::Support::Type::rollers)
       continue;
     const auto f = cluster::roller_forces(s, pass.state.rest.u.segment<2>(2 * s.roll));
     if (f[0] <= 0 || f[1] <= 0)
-      run.warn(fmt::format("{}pass \"{}\": the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} "
-                           "N; the roll is not held by all of its rollers",
-                           place_text(stand.supports[i].place), pass.pass->name, s.name, f[0], f[1]));
+      run.warn({WarningId::support_preload,
+                subject,
+                fmt::format("the preload of support {} is lost, its rollers carry {:.4g} and {:.4g} N", s.name,
+                            f[0], f[1]),
+                "the roll is not held by all of its rollers",
+                "",
+                {},
+                "",
+                stand.supports[i].place});
   }
   for (std::size_t i = 0; i < pass.state.stack.contacts.size(); ++i)
     if (pass.state.stack.contacts[i].one_sided && pass.state.rest.contact_loads[i] <= 0)
-      run.warn(fmt::format(
-          "{}pass \"{}\": contact {} is open, its rolls are {:.3g} um apart",
-          i < stand.contacts.size() ? place_text(stand.contacts[i].place) : "", pass.pass->name,
-          pass.state.stack.contacts[i].name,
-          -1e6 *
-              cluster::contact_state(pass.state.stack, pass.state.stack.contacts[i], pass.state.rest.u).approach));
+      run.warn({WarningId::contact_partly_open,
+                subject,
+                fmt::format("contact {} is open, its rolls are {:.3g} um apart", pass.state.stack.contacts[i].name,
+                            -1e6 * cluster::contact_state(pass.state.stack, pass.state.stack.contacts[i],
+                                                          pass.state.rest.u)
+                                       .approach),
+                "",
+                "",
+                {},
+                "",
+                i < stand.contacts.size() ? stand.contacts[i].place : Place{}});
 }
 
 // Every frequency over the rolling force, from a quarter of the smallest to twice the largest of the passes.
@@ -142,13 +148,17 @@ void solve_fits(RunContext &run, const ClusterStand &stand, const std::vector<Cl
     for (const ClusterPassRun &pass : passes)
       if (pass.pass->name == variant.pass)
         chosen = &pass;
-    const auto fit = cluster::fit_variant(stand, variant, *chosen->pass, chosen->force.value, computed);
+    const auto fit            = cluster::fit_variant(stand, variant, *chosen->pass, chosen->force.value, computed);
+    const std::string subject = "variant \"" + variant.name + "\"";
+    const std::vector<std::string> concerned{result_name({family::cluster, cluster_fit, variant.name})};
     if (!fit.refused.empty())
-      run.warn(fmt::format("variant \"{}\" has no fit: {}", variant.name, fit.refused));
+      run.warn({WarningId::variant_fit, subject, "no fit", fit.refused, "", concerned});
     else if (!fit.converged)
-      run.warn(fmt::format("variant \"{}\": the fit has not converged after {} steps", variant.name, fit.steps));
+      run.warn({WarningId::variant_fit, subject,
+                fmt::format("the fit has not converged after {} steps", fit.steps), "", "", concerned});
     else if (!fit.undetermined.empty())
-      run.warn(fmt::format("variant \"{}\": the frequencies do not identify {}", variant.name, fit.undetermined));
+      run.warn({WarningId::variant_fit, subject, "the frequencies do not identify " + fit.undetermined, "", "",
+                concerned});
     add_fit_results(run, fit, cluster_fit_keys(run.the_case, chosen->p, i));
     record.fits.push_back(fit_record(stand, variant, fit));
   }
@@ -161,7 +171,7 @@ void say_what_is_assumed(RunContext &run, const ClusterStand &stand)
       run.assume(fmt::format(
           "the stiffness of support {} is fitted to frequencies; agreement with these frequencies is not evidence",
           s.own_name()));
-  if (stand.stack.spin == "free")
+  if (stand.stack.spin == ClusterSpin::free)
     run.assume(
         "contacts of the stack are frictionless; rolls turn freely in every vibration (stack.spin = \"coupled\" "
         "has the other limit)");

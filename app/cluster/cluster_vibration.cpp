@@ -188,9 +188,13 @@ void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPass
 {
   const bool coupled = pass.state.stack.coupled;
   if (pass.p == 0 && coupled)
-    run.warn(
-        "stack.spin = \"coupled\" has no history and no frequency over amplitude: both are solved for rolls "
-        "that turn freely; the linear response is that of the coupled stack; spin = \"free\" gives all three");
+    run.warn({WarningId::coupled_stack,
+              "",
+              "stack.spin = \"coupled\" has no history and no frequency over amplitude",
+              "both are solved for rolls that turn freely; the linear response is that of the coupled stack",
+              "spin = \"free\" gives all three",
+              {},
+              "stack.spin"});
   if (pass.p == 0)
     write_backbones(run, pass);
   if (std::isnan(pass.pass->dynamic_force) || std::isnan(pass.pass->dynamic_frequency))
@@ -225,8 +229,9 @@ void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPass
   h.difference   = h.nonlinear[std::size_t(2 * roll + 1)].value / h.linear[std::size_t(2 * roll + 1)].value - 1;
   find_least_force(pass, history, h);
   if (history.stopped_by_events)
-    run.warn(fmt::format("pass \"{}\": the history stopped after {:.4g} ms, contacts open and close too often",
-                         pass.pass->name, 1e3 * history.time.tail(1)[0]));
+    run.warn({WarningId::history_stopped, "pass \"" + pass.pass->name + "\"",
+              fmt::format("the history stopped after {:.4g} ms, contacts open and close too often",
+                          1e3 * history.time.tail(1)[0])});
   h.verdict = verdict_of(h);
   write_history(run, stand, pass, history);
   record.histories.push_back(h);

@@ -59,8 +59,8 @@ cluster::ContactLaw computed_law(RunContext &run, const ClusterStand &stand, con
                   "within {:.1e}",
                   contact.pair, load.size(), misfit));
   if (misfit > 5e-3)
-    run.warn(fmt::format("contact {}: the law of a line contact misses the computed samples by {:.2g} %",
-                         contact.pair, 100 * misfit));
+    run.warn({WarningId::contact_law, "contact " + contact.pair,
+              fmt::format("the law of a line contact misses the computed samples by {:.2g} %", 100 * misfit)});
   return law;
 }
 }  // namespace
@@ -75,7 +75,7 @@ cluster::ComputedLaws computed_laws(RunContext &run, const ClusterStand &stand)
     const ClusterStand out = cluster::written_out(written);
     for (std::size_t i = 0; i < out.contacts.size(); ++i) {
       const ClusterContact &contact = out.contacts[i];
-      if (contact.law != "computed" || laws.count(contact.pair))
+      if (contact.law != ClusterLaw::computed || laws.count(contact.pair))
         continue;
       // A mirror image is the same pair of diameters.
       const std::string &like = written.contacts[i].like;

@@ -220,7 +220,7 @@ void add_model(CLI::App *verb, CommandLine &c)
   add_repeatable(verb, "--watch", c.sweep.watch,
                  "name of a result, as in results.json, repeatable (default: springs and modes)");
   verb->add_option("--model", c.sweep.model, "full: as a run; quick: the closed forms of trace")
-      ->check(CLI::IsMember(row_models))
+      ->check(CLI::IsMember(word_list<ModelKind>()))
       ->capture_default_str();
 }
 
@@ -281,7 +281,7 @@ void add_study(CLI::App &app, CommandLine &c)
   add_repeatable(study, "--correlate", o.correlate, "new: correlation of two inputs, KEY1,KEY2=0.5, repeatable");
   study
       ->add_option("--method", o.method, "new: grid, list, latin-hypercube, monte-carlo, sobol, chaos or optimise")
-      ->check(CLI::IsMember(study_methods))
+      ->check(CLI::IsMember(word_list<StudyMethod>()))
       ->default_val("latin-hypercube");
   study->add_option("--samples", o.samples,
                     "new: number of rows; with sobol of a group, a power of two; with optimise of start rows");
@@ -293,7 +293,7 @@ void add_study(CLI::App &app, CommandLine &c)
   study->add_flag("--yes", o.yes, "new: accept more than ten million rows");
   add_model(study, c);
   study->add_option("--engine", o.engine, "run: here, parallel (GNU parallel, ssh) or slurm")
-      ->check(CLI::IsMember(study_engines))
+      ->check(CLI::IsMember(word_list<StudyEngine>()))
       ->capture_default_str();
   study->add_option("--jobs", o.jobs, "run: processes at a time; with slurm elements of the array")
       ->check(CLI::Range(1, 100000));
@@ -345,12 +345,6 @@ std::string mistyped(const CLI::App &app, const int argc, char **argv)
 }
 }  // namespace
 
-const std::vector<std::string> &export_formats()
-{
-  static const std::vector<std::string> formats{"fmu", "modelica", "matlab", "statespace"};
-  return formats;
-}
-
 std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &exit_code)
 {
   CommandLine c;
@@ -399,7 +393,7 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
                                    "MATLAB, or as state-space matrices");
   unit->add_option("FORMAT", c.format, "fmu, modelica, matlab or statespace")
       ->required()
-      ->check(CLI::IsMember(export_formats()));
+      ->check(CLI::IsMember(word_list<ExportFormat>()));
   unit->add_option("CASE", c.target, "case file of kind four-high, cluster, stack or lumped; chatter for fmu")
       ->required();
   unit->add_option("--fmi", c.fmi, "fmu: version of the FMI standard, 2 or 3")

@@ -25,7 +25,7 @@ struct CommandLine {
   StudioOptions studio;            ///< studio
   std::string from;                ///< new --from: sheet of keys and values
   std::string key;                 ///< trace: input that is followed
-  std::string format;              ///< export: one of export_formats()
+  std::string format;              ///< export: word of an ExportFormat
   std::string pass;                ///< export --pass, simulate --pass; empty: the first
   std::string model;               ///< export, analyse, calibrate, live --model; empty: the leading one
   int fmi = 2;                     ///< export --fmi: version of the standard
@@ -62,9 +62,6 @@ struct CommandLine {
   int threads = 0;     ///< 0: all
   std::string memory;  ///< --memory, "8 GB"; empty: what the machine and the system allow
 };
-
-/// What `millstand export` writes: "fmu", "modelica", ...
-const std::vector<std::string> &export_formats();
 
 /// Parses the command line.  Nothing is returned when it was --help or --version; `exit_code` is then what main
 /// returns (2 for a wrong command line, whose message has been printed).

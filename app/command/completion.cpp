@@ -1,5 +1,6 @@
 #include "app/command/completion.h"
 #include "app/command/command_line.h"
+#include "app/command/option_words.h"
 #include "core/case/fields.h"
 #include "core/case/stand_rows.h"
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ std::string quoted(const std::string &text)
 // The first word after some verbs, where it is one of a list.
 std::vector<std::pair<std::string, std::vector<std::string>>> listed_first_words()
 {
-  return {{"new", case_kinds()}, {"completion", shells}, {"export", export_formats()}};
+  return {{"new", case_kinds()}, {"completion", shells}, {"export", word_list<ExportFormat>()}};
 }
 
 std::string bash_script(const std::vector<DescribedVerb> &verbs)

@@ -1,10 +1,35 @@
 #pragma once
-#include <string>
-#include <vector>
+#include "core/base/choice.h"
 
-// Words that options of studies accept, on the command line and in Python.
+// What options accept, on the command line and in Python.
 namespace mill {
-inline const std::vector<std::string> study_methods{"grid",  "list",  "latin-hypercube", "monte-carlo",
-                                                    "sobol", "chaos", "optimise"},
-    study_engines{"here", "parallel", "slurm"}, row_models{"quick", "full"};
+enum class StudyMethod { grid, list, latin_hypercube, monte_carlo, sobol, chaos, optimise };
+constexpr auto words_of(StudyMethod)
+{
+  return choice_words<StudyMethod>("grid", "list", "latin-hypercube", "monte-carlo", "sobol", "chaos", "optimise");
+}
+
+/// What starts the workers of a study.
+enum class StudyEngine { here, parallel, slurm };
+constexpr auto words_of(StudyEngine)
+{
+  return choice_words<StudyEngine>("here", "parallel", "slurm");
+}
+
+/// What computes the rows of a study or sweep.
+enum class ModelKind {
+  quick,  ///< closed forms of trace
+  full    ///< as `run`
+};
+constexpr auto words_of(ModelKind)
+{
+  return choice_words<ModelKind>("quick", "full");
+}
+
+/// What `millstand export` writes.
+enum class ExportFormat { fmu, modelica, matlab, statespace };
+constexpr auto words_of(ExportFormat)
+{
+  return choice_words<ExportFormat>("fmu", "modelica", "matlab", "statespace");
+}
 }  // namespace mill

@@ -42,11 +42,11 @@ void require_output(const std::string &path, const std::string &identifier, cons
   if (fs::path(path).extension() != ".fmu")
     throw InputError("-o " + path + ": a functional mock-up unit is an archive whose name ends with .fmu");
   std::error_code error;
-  const auto found = fs::status(path, error);
-  if (fs::is_directory(found))
+  const auto file_status = fs::status(path, error);
+  if (fs::is_directory(file_status))
     throw InputError("-o " + path + " is a folder; name the archive, for example " + path + "/" + identifier +
                      ".fmu");
-  if (fs::exists(found) && !overwrite && !is_earlier_export(path, identifier))
+  if (fs::exists(file_status) && !overwrite && !is_earlier_export(path, identifier))
     throw InputError("the file " + path +
                      " exists and is not an earlier export of this case; choose another with -o, or "
                      "give --force-overwrite");
@@ -65,7 +65,7 @@ namespace {
 // A unit follows the curves; an export that has slopes alone gives a warning.
 void warn_of_slopes(const DynamicsSettings &settings)
 {
-  if (settings.contact == "curve")
+  if (settings.contact == ContactSprings::curve)
     console::say("warning: dynamics.contact = \"curve\" holds for run, simulate and export fmu with a pass; this "
                  "model is linear, with the slopes of the springs at the working load\n");
 }
@@ -123,9 +123,15 @@ void export_unit(const CommandLine &command, const Case &the_case)
         fmt::format("{}: {}, FMI {}.0 co-simulation, {}\n", path, model.method, command.fmi, platforms()));
 }
 
+// The command line takes no other word.
+ExportFormat format_of(const CommandLine &command)
+{
+  return choice_named<ExportFormat>(command.format).value();
+}
+
 void export_matrices(const CommandLine &command, const Case &the_case)
 {
-  const std::string &format = command.format;
+  const ExportFormat format = format_of(command);
   const std::string path    = command.output.empty() ? usual_output(format, the_case.name) : command.output;
   const std::string name    = exchange_name(format, path);
   if (!command.force_overwrite)
@@ -140,17 +146,18 @@ void export_matrices(const CommandLine &command, const Case &the_case)
   std::string names;
   for (const ExportedFile &file : files)
     names += (names.empty() ? "" : ", ") + file.path;
-  write_together(files, format == "statespace" ? path : command.output.empty() ? "out" : "");
+  write_together(files, format == ExportFormat::statespace ? path : command.output.empty() ? "out" : "");
   if (command.output.empty())
     say_name(the_case, name);
   if (!command.quiet)
-    console::print(fmt::format("{}: {}, {}\n", format == "statespace" ? path : names, stand.method, stand.origin));
+    console::print(fmt::format("{}: {}, {}\n", format == ExportFormat::statespace ? path : names, stand.method,
+                               stand.origin));
 }
 }  // namespace
 
 int export_command(const CommandLine &command, const Case &the_case)
 {
-  const bool unit = !is_exchange_format(command.format);
+  const bool unit = format_of(command) == ExportFormat::fmu;
   if (!run_kind(the_case).driven && !(unit && std::holds_alternative<ChatterCase>(the_case.spec)))
     throw InputError("millstand export " + command.format + ": kind = \"" + the_case.kind +
                      "\" has no stand that a force can drive (" + the_case.path + "); it exports cases of kind " +

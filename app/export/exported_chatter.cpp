@@ -40,14 +40,15 @@ std::vector<double> by_rows(const MatrixXd &matrix)
   return all;
 }
 
-std::string word_of(const bite::Linearisation scheme)
+// As exported units name it.
+std::string scheme_name(const Linearisation scheme)
 {
-  return scheme == bite::Linearisation::sequential ? "sequential"
-         : scheme == bite::Linearisation::implicit ? "implicit"
-                                                   : "frozen_friction";
+  return scheme == Linearisation::sequential ? "sequential"
+         : scheme == Linearisation::implicit ? "implicit"
+                                             : "frozen_friction";
 }
 
-fmu::PassData pass_data(const bite::RollBite &bite, const bite::Linearisation scheme)
+fmu::PassData pass_data(const bite::RollBite &bite, const Linearisation scheme)
 {
   const Strip &s = bite.strip;
   fmu::PassData p;
@@ -61,7 +62,7 @@ fmu::PassData pass_data(const bite::RollBite &bite, const bite::Linearisation sc
   p.roll_speed        = bite.roll_speed;
   p.youngs_modulus    = bite.roll.youngs_modulus;
   p.poisson_ratio     = bite.roll.poisson_ratio;
-  p.scheme            = word_of(scheme);
+  p.scheme            = scheme_name(scheme);
   p.flow              = s.flow_stress;
   p.friction          = s.friction;
   return p;
@@ -69,7 +70,7 @@ fmu::PassData pass_data(const bite::RollBite &bite, const bite::Linearisation sc
 }  // namespace
 
 fmu::ChatterData chatter_data(const dynamics::ChatterStandModel &stand, const dynamics::WorkingPoint &point,
-                              const bite::Linearisation scheme, const dynamics::ChatterRunOptions &options,
+                              const Linearisation scheme, const dynamics::ChatterRunOptions &options,
                               const double start)
 {
   const dynamics::StandStructure &s = stand.structure;
@@ -104,8 +105,8 @@ fmu::ChatterData chatter_data(const dynamics::ChatterStandModel &stand, const dy
 namespace {
 // Twenty milliseconds of the nonlinear run, by CVODE; no force in addition to that of the bite.
 fmu::CheckRun chatter_check(const dynamics::ChatterStandModel &stand, const dynamics::WorkingPoint &point,
-                            const bite::Linearisation scheme, dynamics::ChatterRunOptions options,
-                            const double start, const std::vector<std::string> &points)
+                            const Linearisation scheme, dynamics::ChatterRunOptions options, const double start,
+                            const std::vector<std::string> &points)
 {
   options.duration = 0.02;
   options.rate     = 2000;
@@ -148,7 +149,7 @@ fmu::ExportedModel exported_chatter(const ChatterCase &spec, const std::string &
   fmu::ExportedModel model;
   model.identifier    = fmu::identifier_of(of.name);
   model.title         = of.title.empty() ? of.name : of.title;
-  model.force_meaning = "measured";
+  model.force_meaning = ForceMeaning::measured;
   model.program       = "millstand " + version();
   model.step          = held_step(1e4, highest_frequency(q.stand.structure));
   model.method        = "stand, bite and strip, " + q.structure;
@@ -160,7 +161,7 @@ fmu::ExportedModel exported_chatter(const ChatterCase &spec, const std::string &
   model.source["viscosity"]          = "oil.viscosity";
   model.source["start_displacement"] = "analysis.disturbance";
   fmu::ModelData &data               = model.data;
-  data.kind                          = "chatter";
+  data.kind                          = fmu::StandKind::chatter;
   data.runtime                       = fmu::runtime_version;
   for (std::string label : q.stand.structure.labels) {
     label = slug(label);

@@ -10,8 +10,7 @@ struct ChatterCase;
 /// The members of a unit's model from our own structures.
 /// @param start  m, displacement of both work rolls at the start
 fmu::ChatterData chatter_data(const dynamics::ChatterStandModel &stand, const dynamics::WorkingPoint &point,
-                              bite::Linearisation scheme, const dynamics::ChatterRunOptions &options,
-                              double start);
+                              Linearisation scheme, const dynamics::ChatterRunOptions &options, double start);
 
 /// A condition of a chatter case as a unit needs it: stand, bite and strip, and the nonlinear run that the unit
 /// must reproduce.  theory.md 37

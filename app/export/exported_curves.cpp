@@ -57,18 +57,18 @@ std::string springs_of(const CurveDrive &drive)
 
 fmu::ExportedModel exported_curves(const DrivenStand &stand, const Case &of)
 {
-  const CurveDrive &drive  = *stand.curves;
-  fmu::ExportedModel model = exported_model(stand, of);
-  const fmu::ModelData own = model.data;
-  const double rate        = stand.dynamics.output_rate;
-  const int parts          = steps_between_outputs(drive.stand, rate);
-  fmu::ModelData &data     = model.data;
-  data                     = modal_data(drive.modal);
-  data.kind                = "curves";
-  data.runtime             = own.runtime;
-  data.has_series          = own.has_series;
-  data.mean_force          = own.mean_force;
-  data.curves              = curve_data(drive.stand, 1 / (rate * parts));
+  const CurveDrive &drive        = *stand.curves;
+  fmu::ExportedModel model       = exported_model(stand, of);
+  const fmu::ModelData unit_data = model.data;
+  const double rate              = stand.dynamics.output_rate;
+  const int parts                = steps_between_outputs(drive.stand, rate);
+  fmu::ModelData &data           = model.data;
+  data                           = modal_data(drive.modal);
+  data.kind                      = fmu::StandKind::curves;
+  data.runtime                   = unit_data.runtime;
+  data.has_series                = unit_data.has_series;
+  data.mean_force                = unit_data.mean_force;
+  data.curves                    = curve_data(drive.stand, 1 / (rate * parts));
   model.method = fmt::format("{}; {} follow their curves from {:.6g} kN at rest, in steps of {:.4g} us",
                              model.method, springs_of(drive), drive.load / 1e3, 1e6 * data.curves.longest_step);
   // Forty inner steps are the shortest period: a client takes one or two of them.

@@ -86,17 +86,18 @@ std::string name_from(const std::string &text)
   return is_name(name) ? name : name + "_stand";
 }
 
-const char *ending_of(const std::string &format)
+const char *ending_of(const ExportFormat format)
 {
-  return format == "modelica" ? ".mo" : ".m";
+  return format == ExportFormat::modelica ? ".mo" : ".m";
 }
 
 // Does a text name this case, and not one whose name only begins with the same letters?
 bool names_case(const std::string &text, const std::string &case_name)
 {
   const std::string words = "case " + case_name;
-  for (std::size_t at = text.find(words); at != std::string::npos; at = text.find(words, at + 1)) {
-    const std::size_t end = at + words.size();
+  for (std::size_t position = text.find(words); position != std::string::npos;
+       position             = text.find(words, position + 1)) {
+    const std::size_t end = position + words.size();
     if (end == text.size() || std::string(", \n\"").find(text[end]) != std::string::npos)
       return true;
   }
@@ -109,24 +110,19 @@ std::string next_to(const std::string &output, const std::string &name)
 }
 }  // namespace
 
-bool is_exchange_format(const std::string &format)
+std::string usual_output(const ExportFormat format, const std::string &case_name)
 {
-  return format != "fmu";
-}
-
-std::string usual_output(const std::string &format, const std::string &case_name)
-{
-  if (format == "statespace")
+  if (format == ExportFormat::statespace)
     return "out/" + case_name + "-statespace";
   return "out/" + name_from(case_name) + ending_of(format);
 }
 
-std::string exchange_name(const std::string &format, const std::string &output)
+std::string exchange_name(const ExportFormat format, const std::string &output)
 {
-  if (format == "statespace")
+  if (format == ExportFormat::statespace)
     return name_from(fs::path(output).filename().string());
   const std::string stem = fs::path(output).stem().string();
-  const char *what       = format == "modelica" ? "package of Modelica" : "function of MATLAB";
+  const char *what       = format == ExportFormat::modelica ? "package of Modelica" : "function of MATLAB";
   if (fs::path(output).extension() != ending_of(format))
     throw InputError(fmt::format("-o {}: the name of a {} ends with {}", output, what, ending_of(format)));
   if (hides(stem))
@@ -141,16 +137,16 @@ std::string exchange_name(const std::string &format, const std::string &output)
   return stem;
 }
 
-std::vector<ExportedFile> exchange_files(const std::string &format, const dynamics::ExchangedStand &stand,
+std::vector<ExportedFile> exchange_files(const ExportFormat format, const dynamics::ExchangedStand &stand,
                                          const std::string &output)
 {
   std::vector<ExportedFile> files;
-  if (format == "modelica") {
+  if (format == ExportFormat::modelica) {
     const std::string series = stand.name + "_force.txt";
     files.push_back({output, dynamics::modelica_package(stand, series)});
     if (stand.series.time.size() > dynamics::longest_series_in_package)
       files.push_back({next_to(output, series), dynamics::modelica_series(stand.series)});
-  } else if (format == "matlab") {
+  } else if (format == ExportFormat::matlab) {
     files.push_back({output, dynamics::matlab_function(stand)});
     files.push_back({next_to(output, stand.name + ".mat"), dynamics::matlab_data(stand)});
   } else
@@ -159,12 +155,12 @@ std::vector<ExportedFile> exchange_files(const std::string &format, const dynami
   return files;
 }
 
-void require_own_companions(const std::string &format, const std::vector<ExportedFile> &files)
+void require_own_companions(const ExportFormat format, const std::vector<ExportedFile> &files)
 {
-  const std::string mark =
-      format == "matlab" ? "MATLAB 5.0 MAT-file, written by millstand" : "#1\n# time in s, rolling force in N";
+  const std::string mark = format == ExportFormat::matlab ? "MATLAB 5.0 MAT-file, written by millstand"
+                                                          : "#1\n# time in s, rolling force in N";
   std::error_code error;
-  for (std::size_t i = 1; i < files.size() && format != "statespace"; ++i)
+  for (std::size_t i = 1; i < files.size() && format != ExportFormat::statespace; ++i)
     if (fs::exists(files[i].path, error)) {
       const auto text = text_if_readable(files[i].path);
       if (!text || text->rfind(mark, 0) != 0)
@@ -174,12 +170,12 @@ void require_own_companions(const std::string &format, const std::vector<Exporte
     }
 }
 
-void require_own(const std::string &format, const std::string &output, const std::string &case_name)
+void require_own(const ExportFormat format, const std::string &output, const std::string &case_name)
 {
   std::error_code error;
   if (!fs::exists(output, error))
     return;
-  const bool folder = format == "statespace";
+  const bool folder = format == ExportFormat::statespace;
   if (folder && fs::is_directory(output, error) && fs::is_empty(output, error))
     return;
   const auto text = text_if_readable(folder ? output + "/about.txt" : output);
@@ -244,7 +240,7 @@ void write_together(const std::vector<ExportedFile> &files, const std::string &f
 {
   std::error_code error;
   for (const ExportedFile &file : files)
-    if (const auto found = fs::symlink_status(file.path, error); fs::exists(found) && fs::is_other(found))
+    if (const auto status = fs::symlink_status(file.path, error); fs::exists(status) && fs::is_other(status))
       throw InputError(Place{file.path}, "cannot be written: it is not a regular file; name another");
   Aside aside;
   aside.make_folder(folder);

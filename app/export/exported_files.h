@@ -1,4 +1,5 @@
 #pragma once
+#include "app/command/option_words.h"
 #include <string>
 #include <vector>
 
@@ -13,27 +14,24 @@ struct ExportedFile {
   std::string text;
 };
 
-/// Is this a format of matrices and equations (modelica, matlab, statespace)?
-bool is_exchange_format(const std::string &format);
-
 /// File or folder that is written without -o.
-std::string usual_output(const std::string &format, const std::string &case_name);
+std::string usual_output(ExportFormat format, const std::string &case_name);
 
 /// Name of package or function: that of the file, since other programs look for it there.
 /// @throws InputError  the ending does not fit the format, or the name is a word of the language or hides a
 /// library or
 ///         a function that the file itself uses
-std::string exchange_name(const std::string &format, const std::string &output);
+std::string exchange_name(ExportFormat format, const std::string &output);
 
 /// The files of a format.  @param output  file, or folder of statespace
-std::vector<ExportedFile> exchange_files(const std::string &format, const dynamics::ExchangedStand &stand,
+std::vector<ExportedFile> exchange_files(ExportFormat format, const dynamics::ExchangedStand &stand,
                                          const std::string &output);
 
 /// @throws InputError  a further file of the export exists and was not written by an export
-void require_own_companions(const std::string &format, const std::vector<ExportedFile> &files);
+void require_own_companions(ExportFormat format, const std::vector<ExportedFile> &files);
 
 /// @throws InputError  the output exists and is not an earlier export of this case
-void require_own(const std::string &format, const std::string &output, const std::string &case_name);
+void require_own(ExportFormat format, const std::string &output, const std::string &case_name);
 
 /// Writes all files of an export, or none of them: each next to its target under another name, then all are
 /// renamed.

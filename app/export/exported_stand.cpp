@@ -32,14 +32,14 @@ std::vector<std::string> variable_names(std::vector<std::string> labels)
 fmu::ModelData chain_data(const dynamics::MillModel &chain, const DrivenStand &stand)
 {
   fmu::ModelData data;
-  data.kind               = "chain";
+  data.kind               = fmu::StandKind::chain;
   data.points             = variable_names(chain.labels);
   data.mass               = entries(chain.M);
   data.bite_row           = entries(chain.b);
-  data.share_from_statics = stand.dynamics.force_meaning == "published";
+  data.share_from_statics = stand.dynamics.force_meaning == ForceMeaning::published;
   data.load_cell_share    = chain.load_cell_share;
   data.modal_damping      = stand.dynamics.modal_damping;
-  const bool measured     = stand.dynamics.force_meaning == "measured";
+  const bool measured     = stand.dynamics.force_meaning == ForceMeaning::measured;
   data.gap_damper         = measured || std::isnan(stand.chain.C.value) ? 0 : stand.chain.C.value;
   for (std::size_t i = 0; i < chain.springs.size(); ++i) {
     const dynamics::Spring &spring = chain.springs[i];
@@ -47,7 +47,7 @@ fmu::ModelData chain_data(const dynamics::MillModel &chain, const DrivenStand &s
         {spring.name, spring.from, spring.to, spring.stiffness, spring.name == "K4", spring.damper});
   }
   // The spring that carries the rolling force to the ground, or through the posts of a closed frame (6.8).
-  data.load_cell_spring = stand.dynamics.frame == "closed" ? 0 : int(chain.springs.size()) - 1;
+  data.load_cell_spring = stand.dynamics.frame == FrameForm::closed ? 0 : int(chain.springs.size()) - 1;
   return data;
 }
 
@@ -64,7 +64,7 @@ std::vector<double> rows_of(const Eigen::MatrixXd &matrix)
 fmu::ModelData modal_data(const dynamics::ModalModel &modes)
 {
   fmu::ModelData data;
-  data.kind            = "modal";
+  data.kind            = fmu::StandKind::modal;
   data.points          = variable_names(modes.labels);
   data.frequency       = entries(modes.frequency);
   data.bite_mode       = entries(modes.force);
@@ -96,7 +96,7 @@ std::map<std::string, std::string> sources(const DrivenStand &stand)
   for (std::size_t i = 0; i < 7; ++i)
     add("K" + std::to_string(i + 1), stand.chain.K[i]);
   add("C", stand.chain.C);
-  if (stand.dynamics.force_meaning == "measured")
+  if (stand.dynamics.force_meaning == ForceMeaning::measured)
     all["K4"] = all["C"] = "zero: dynamics.force_meaning is measured";
   else if (std::isnan(stand.chain.C.value))
     all["C"] = "zero: the case gives none";
@@ -167,7 +167,7 @@ double film_damping(const DrivenStand &stand)
     return stand.modes->dampers.size() > 0 ? largest(stand.modes->dampers, stand.modes->frequency) : 0;
   DynamicsSettings undamped = stand.dynamics;
   undamped.modal_damping    = 0;
-  undamped.force_meaning    = "measured";  // without the damper of the gap
+  undamped.force_meaning    = ForceMeaning::measured;  // without the damper of the gap
   const auto chain          = dynamics::mill_model(stand.chain, undamped);
   const auto modes          = dynamics::modes(chain);
   return largest(modes.shape.transpose() * chain.C * modes.shape, modes.frequency);

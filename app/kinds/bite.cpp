@@ -1,5 +1,6 @@
 #include "app/kinds/kind_inputs.h"
 #include "app/kinds/mark_sources.h"
+#include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/stages/bite/bite_stage.h"
 #include "app/trace/closed_form_parts.h"
@@ -32,6 +33,15 @@ const RunKind &run_kind(const BiteCase &)
     RunKind k;
     k.verbs  = {"run", "stiffness"};
     k.check  = check_bites;
+    k.review = [](const Case &the_case, const std::string &) {
+      CaseReview review;
+      const auto &spec = std::get<BiteCase>(the_case.spec);
+      for (const Pass &pass : spec.passes)
+        if (auto warning =
+                bite_without_theory(bite_of(spec.strip, pass, spec.roll_diameter, spec.steel), spec.bite, pass))
+          review.said_by_run.push_back(std::move(*warning));
+      return review;
+    };
     k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {
       return {{"bite, finite elements", 3}, {"bite, curves", 4}};
     };

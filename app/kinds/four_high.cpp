@@ -105,7 +105,7 @@ KeyList modulus_keys(const FourHigh &stand, const Results &results, const std::s
   KeyList bending = joined(keys_in("steel", "youngs_modulus poisson_ratio"), roll_body_keys("work_roll"),
                            keys_in("strip", "width"), keys_in("dynamics", "mass_reference"),
                            keys_in("backup_roll", "bending_model"), of_springs({"K3", "K5"}));
-  if (stand.backup_roll.bending_model == "solid")
+  if (stand.backup_roll.bending_model == BendingModel::solid)
     bending = joined(std::move(bending), keys_in("dynamics", "frequency_limit elements_per_radius"));
   if (is_of(name, "stand.K_bend"))
     return bending;

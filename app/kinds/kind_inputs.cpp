@@ -48,7 +48,8 @@ std::optional<KeyList> response_inputs(const Results &results, const DynamicsSet
         keys = joined(std::move(keys), (of_pass ? of_pass : first)->inputs);
     }
   };
-  const bool upper = ends(name, ".upper_work_roll"), one_chain = dynamics.model == "six-mass" && !on_curves;
+  const bool upper     = ends(name, ".upper_work_roll"),
+             one_chain = dynamics.model == StandModelKind::six_mass && !on_curves;
   if (upper || !one_chain)
     follow(Half::upper);
   if (!upper || !one_chain)

@@ -22,7 +22,7 @@ KeyList model_file_keys()
 KeyList curve_keys(const Lumped &lumped)
 {
   KeyList keys;
-  for (int i = 2; lumped.dynamics.contact == "curve" && i <= 6; ++i)
+  for (int i = 2; lumped.dynamics.contact == ContactSprings::curve && i <= 6; ++i)
     if (!lumped.curves.of(i).empty())
       keys.push_back("curve.K" + std::to_string(i));
   return keys;

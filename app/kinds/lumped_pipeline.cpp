@@ -59,7 +59,7 @@ void add_modes_and_response(RunContext &run, const Lumped &lumped, const LumpedM
 void simulate_lumped_pass(RunContext &run, const LumpedModel &given, const Lumped &lumped, const Pass &pass,
                           const ForceRecord &force)
 {
-  if (lumped.dynamics.contact != "curve")
+  if (lumped.dynamics.contact != ContactSprings::curve)
     return simulate_pass(run, pass_model(given, lumped.dynamics), lumped.dynamics, pass, force);
   const double load       = working_load(pass, force);
   const LumpedModel model = at_load(run, given, lumped.curves, lumped.dynamics, pass, load);
@@ -108,7 +108,7 @@ DrivenStand driven_lumped(RunContext &run, const Lumped &lumped, const std::stri
       driven_stand.force = force_of(driven_stand.pass);
     if (driven_stand.force.force.size() > 0 || !std::isnan(driven_stand.pass.load))
       driven_stand.load = working_load(driven_stand.pass, driven_stand.force);
-    if (lumped.dynamics.contact == "curve" && !lumped.detailed) {
+    if (lumped.dynamics.contact == ContactSprings::curve && !lumped.detailed) {
       const LumpedModel given = driven_stand.chain;
       driven_stand.chain =
           at_load(run, given, lumped.curves, lumped.dynamics, driven_stand.pass, driven_stand.load);

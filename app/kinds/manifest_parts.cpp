@@ -28,13 +28,13 @@ void add_bearings(json &manifest, const std::vector<RollerBearing> &bearings)
                                     {"chock_support_gap", b.chock_support_gap}};
 }
 
-void add_passes(json &manifest, const std::vector<Pass> &passes, const std::string &force_meaning)
+void add_passes(json &manifest, const std::vector<Pass> &passes, const ForceMeaning force_meaning)
 {
   for (const Pass &pass : passes)
     manifest["passes"].push_back({{"name", pass.name},
                                   {"slug", slug(pass.name)},
                                   {"load", std::isnan(pass.load) ? json(nullptr) : json(pass.load)},
                                   {"synthetic", pass.synthetic},
-                                  {"force_meaning", force_meaning}});
+                                  {"force_meaning", word_of(force_meaning)}});
 }
 }  // namespace mill

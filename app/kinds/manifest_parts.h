@@ -8,6 +8,5 @@
 // Parts of run.json that several kinds of case have.
 namespace mill {
 void add_bearings(nlohmann::ordered_json &manifest, const std::vector<RollerBearing> &bearings);
-void add_passes(nlohmann::ordered_json &manifest, const std::vector<Pass> &passes,
-                const std::string &force_meaning);
+void add_passes(nlohmann::ordered_json &manifest, const std::vector<Pass> &passes, ForceMeaning force_meaning);
 }  // namespace mill

@@ -13,7 +13,7 @@ dynamics::MarkSources sources_of(const std::vector<TurningRoll> &rolls, const st
 {
   dynamics::MarkSources sources;
   for (const TurningRoll &roll : rolls)
-    sources.rolls.push_back({roll.name, roll.diameter, roll.diameter_key});
+    sources.rolls.push_back({word_of(roll.kind), roll.diameter, roll.diameter_key});
   CampbellSettings once;
   once.roll_orders       = 0;
   once.bearing_harmonics = 1;

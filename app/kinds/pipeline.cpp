@@ -104,8 +104,10 @@ PassForces forces_of(RunContext &run, FourHigh &stand, const std::string &force_
     if (has_force(pass))
       record = force_of(pass);
     forces.loads.push_back(working_load(pass, record));
-    if (record.force.size() > 0)
-      run.warn(load_against_record(pass, record.force.mean()));
+    if (record.force.size() == 0)
+      continue;
+    if (auto warning = load_against_record(pass, p, record.force.mean()))
+      run.warn(std::move(*warning));
   }
   return forces;
 }
@@ -129,7 +131,7 @@ public:
     add(contacts, [&](RunContext &part_run) { parts.contacts = solve_contacts(part_run, stand, loads); });
     add(bearings, [&](RunContext &part_run) { parts.bearings = solve_bearings(part_run, stand, loads); });
     add(components, [&, goal](RunContext &part_run) {
-      if (goal >= Goal::masses || stand.backup_roll.bending_model == "solid")
+      if (goal >= Goal::masses || stand.backup_roll.bending_model == BendingModel::solid)
         parts.components = stand_components(part_run, stand, goal >= Goal::masses);
     });
     for (std::size_t p = 0; p < n_passes; ++p)
@@ -254,11 +256,18 @@ void drive_pass(RunContext &run, const FourHigh &stand, const reduce::LumpedStan
 {
   const Pass &pass = stand.passes[p];
   if (!has_force(pass)) {
-    run.warn(pass.name + " has a load but no force record: nothing was simulated for it");
+    run.warn({WarningId::pass_without_record,
+              "",
+              pass.name + " has a load but no force record",
+              "nothing was simulated for it",
+              "",
+              {pass.name},
+              "",
+              pass.place});
     return;
   }
   PassModel model = model_of_pass(stand, chain, models);
-  if (stand.dynamics.contact == "curve")
+  if (stand.dynamics.contact == ContactSprings::curve)
     model.curves = std::make_shared<CurveDrive>(curve_drive(run, curves_of(stand, parts, p), chain,
                                                             driven(models, stand.dynamics), stand.dynamics, pass,
                                                             forces.loads[p]));
@@ -292,7 +301,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
     run.results.add("K_Zy_lower", chain.K_Zy_lower);
     write_shapes(run, chain);
     std::string curves;
-    if (stand.dynamics.contact == "curve")
+    if (stand.dynamics.contact == ContactSprings::curve)
       curves = chain_curves_toml(chain_curves_of(curves_of(stand, parts, p), chain, forces.loads[p]));
     run.out.write("lumped_model.toml", lumped_model_toml(chain.model, run.the_case, run.out.path()) + curves);
   }
@@ -338,7 +347,8 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
 {
   if (goal == Goal::chatter) {
     require_bite(run.the_case);
-    stand.dynamics.force_meaning = "measured";  // the stand without the strip, which the bite then adds
+    stand.dynamics.force_meaning =
+        ForceMeaning::measured;  // the stand without the strip, which the bite then adds
   }
   const PassForces forces = forces_of(run, stand, force_file);
   set_given_inputs(stand.given);
@@ -392,7 +402,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   set_given_inputs(stand.given);
   resolve_frame(run, stand);
   // A measured force leaves K4 out, so that no bite has to be solved for it.
-  const bool gap_springs = stand.dynamics.force_meaning != "measured";
+  const bool gap_springs = stand.dynamics.force_meaning != ForceMeaning::measured;
   PartsOfStand made(run, stand, forces.loads, Goal::simulate, gap_springs);
   made.take_bite(p);
   close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
@@ -402,7 +412,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   add_films(chain.model, stand, made.parts.bearings[p].film_damper, in);
   std::optional<StandModels> models;
   const reduce::StandWithModes *detailed = nullptr;
-  if (stand.dynamics.model != "six-mass" || stand.dynamics.mass_source != "closed-form") {
+  if (stand.dynamics.model != StandModelKind::six_mass || stand.dynamics.mass_source != MassSource::closed_form) {
     models = stand_models(stand, chain, made.parts.components);
     add_fe_masses(chain.model, stand, *models);
     detailed = driven(*models, stand.dynamics);
@@ -415,11 +425,10 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   if (!detailed) {
     if (!models)
       models = stand_models(stand, chain, made.parts.components);
-    if (const std::string sentence = six_mass_gap_error(*models, stand.dynamics.frequency_limit);
-        !sentence.empty())
-      run.warn(sentence);
+    if (auto warning = six_mass_gap_error(*models, stand.dynamics.frequency_limit))
+      run.warn(std::move(*warning));
   }
-  if (stand.dynamics.contact == "curve")
+  if (stand.dynamics.contact == ContactSprings::curve)
     driven_stand.curves = std::make_shared<CurveDrive>(curve_drive(
         run, curves_of(stand, made.parts, p), chain, detailed, stand.dynamics, stand.passes[p], forces.loads[p]));
   driven_stand.chain    = chain.model;

@@ -1,4 +1,5 @@
 #include "app/python/long_call.h"
+#include "app/python/python_errors.h"
 #include "app/python/python_parts.h"
 #include "app/python/python_values.h"
 #include "app/stages/bearing/loaded_bearing.h"
@@ -17,8 +18,8 @@ struct HeldBearing {
 NamedResult result_of_bearing(const LoadedState &state, const std::string &name)
 {
   for (const std::string &full : {name, "Kzc." + name, "bearing." + state.name + "." + name})
-    if (const Parameter *found = state.results.find(full))
-      return {full, *found};
+    if (const Parameter *result = state.results.find(full))
+      return {full, *result};
   std::vector<std::string> known;
   for (const auto &[other, parameter] : state.results.values)
     known.push_back(other);
@@ -53,7 +54,10 @@ void add_state(py::module_ &module)
                names.push_back(name);
              return names;
            })
-      .def_property_readonly("warnings", [](const LoadedState &s) { return s.results.warnings; })
+      .def_property_readonly("warnings", [](const LoadedState &s) { return texts_of(s.results.warnings); })
+      .def_property_readonly(
+          "warning_records", [](const LoadedState &s) { return warning_list(s.results.warnings); },
+          "The warnings by their parts.")
       .def_property_readonly("assumptions", [](const LoadedState &s) { return s.results.assumptions; });
 }
 }  // namespace

@@ -141,10 +141,7 @@ py::tuple check(const HeldCase &held)
     const py::gil_scoped_release others_run;
     checked = held.checked("check");
   }
-  std::vector<Problem> all = checked->the_case.warnings;
-  for (const auto *more : {&checked->review.warnings, &checked->review.said_by_run})
-    all.insert(all.end(), more->begin(), more->end());
-  return problem_tuple(all);
+  return problem_tuple(remarks_of(*checked));
 }
 
 // With every value, since records are known by paths from the folder of the file.

@@ -48,8 +48,8 @@ struct HeldChatter {
 
 std::optional<NamedResult> critical_speed(const HeldChatter &chatter, const std::string &pass)
 {
-  const NamedResult *found = chatter.result(chatter.asked(pass).pass, "critical_speed");
-  return found && std::isfinite(found->parameter.value) ? std::optional<NamedResult>(*found) : std::nullopt;
+  const NamedResult *result = chatter.result(chatter.asked(pass).pass, "critical_speed");
+  return result && std::isfinite(result->parameter.value) ? std::optional<NamedResult>(*result) : std::nullopt;
 }
 
 py::object metres_per_second(const double value)

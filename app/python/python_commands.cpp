@@ -43,9 +43,9 @@ void require_known_words(const CommandLine &command)
     if (!word.empty() && std::find(known.begin(), known.end(), word) == known.end())
       throw InputError(fmt::format("{} '{}' is not known; there are {}", what, word, fmt::join(known, ", ")));
   };
-  require("method", command.study.method, study_methods);
-  require("engine", command.study.engine, study_engines);
-  require("model", command.sweep.model, row_models);
+  require("method", command.study.method, word_list<StudyMethod>());
+  require("engine", command.study.engine, word_list<StudyEngine>());
+  require("model", command.sweep.model, word_list<ModelKind>());
   if (command.verb == "sweep" && command.sweep.vary.empty())
     throw InputError(
         "sweep needs a key with its values, for example {\"backup_roll.crown\": [\"0 um\", \"50 um\"]}");

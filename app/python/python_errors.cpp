@@ -69,18 +69,48 @@ void translate(std::exception_ptr thrown)
 }
 }  // namespace
 
+namespace {
+py::object problem_object(const Problem &p, const std::string &remedy)
+{
+  py::tuple related(p.related.size());
+  for (std::size_t r = 0; r < p.related.size(); ++r)
+    related[r] = place_object(p.related[r]);
+  return error_class("Problem")(place_object(p.place), text_object(p.message),
+                                text_object(value_in_message(p.message)), text_object(remedy), related);
+}
+
+py::object warning_object(const Warning &w)
+{
+  py::tuple concerns(w.concerns.size());
+  for (std::size_t i = 0; i < w.concerns.size(); ++i)
+    concerns[i] = text_object(w.concerns[i]);
+  return error_class("WarningRecord")(id_of(w.id), text_object(w.subject), text_object(w.fact),
+                                      text_object(w.detail), text_object(w.remedy), concerns, text_object(w.key),
+                                      place_object(w.place));
+}
+}  // namespace
+
 py::tuple problem_tuple(const std::vector<Problem> &problems)
 {
   py::tuple all(problems.size());
-  for (std::size_t i = 0; i < problems.size(); ++i) {
-    const Problem &p = problems[i];
-    py::tuple related(p.related.size());
-    for (std::size_t r = 0; r < p.related.size(); ++r)
-      related[r] = place_object(p.related[r]);
-    all[i] = error_class("Problem")(place_object(p.place), text_object(p.message),
-                                    text_object(value_in_message(p.message)),
-                                    text_object(remedy_in_message(p.message)), related);
-  }
+  for (std::size_t i = 0; i < problems.size(); ++i)
+    all[i] = problem_object(problems[i], remedy_in_message(problems[i].message));
+  return all;
+}
+
+py::tuple problem_tuple(const std::vector<Warning> &remarks)
+{
+  py::tuple all(remarks.size());
+  for (std::size_t i = 0; i < remarks.size(); ++i)
+    all[i] = problem_object(problem_of(remarks[i]), remarks[i].remedy);
+  return all;
+}
+
+py::list warning_list(const std::vector<Warning> &warnings)
+{
+  py::list all;
+  for (const Warning &warning : warnings)
+    all.append(warning_object(warning));
   return all;
 }
 

@@ -1,11 +1,13 @@
 #include "app/python/python_run.h"
 #include "app/python/long_call.h"
+#include "app/python/python_errors.h"
 #include "app/python/python_values.h"
 #include "app/run/output_dir.h"
 #include "app/run/run_context.h"
 #include "app/run/run_summary.h"
 #include "app/verbs/run_command.h"
 #include "core/base/files.h"
+#include "core/records/json_archive.h"
 #include "core/records/short_names.h"
 #include <algorithm>
 #include <filesystem>
@@ -150,8 +152,11 @@ py::tuple state_of_run(const HeldRun &run)
   py::dict tables;
   for (const auto &[path, table] : run.tables)
     tables[py::str(path)] = state_of(*table);
-  return py::make_tuple(py::cast(run.the_case), run.verb, results, py::cast(run.warnings),
-                        py::cast(run.assumptions), run.verdict, run.summary, tables, run.chain_text);
+  std::vector<std::string> warnings;
+  for (const Warning &warning : run.warnings)
+    warnings.push_back(json_of_record(warning));
+  return py::make_tuple(py::cast(run.the_case), run.verb, results, py::cast(warnings), py::cast(run.assumptions),
+                        run.verdict, run.summary, tables, run.chain_text);
 }
 
 HeldRun run_of_state(const py::tuple &state)
@@ -160,7 +165,8 @@ HeldRun run_of_state(const py::tuple &state)
   run.verb = state[1].cast<std::string>();
   for (const py::handle one : state[2])
     run.results.push_back(result_of(one.cast<py::tuple>()));
-  run.warnings    = state[3].cast<std::vector<std::string>>();
+  for (const std::string &text : state[3].cast<std::vector<std::string>>())
+    run.warnings.push_back(record_of_json<Warning>(text));
   run.assumptions = state[4].cast<std::vector<std::string>>();
   run.verdict     = state[5].cast<std::string>();
   run.summary     = state[6].cast<std::string>();
@@ -219,7 +225,10 @@ py::class_<HeldRun> add_run(py::module_ &module, py::class_<HeldCase> &the_case)
       .def_readonly("verb", &HeldRun::verb)
       .def_readonly("verdict", &HeldRun::verdict, "The sentence that a run says first.")
       .def_readonly("summary", &HeldRun::summary, "The last lines of a run on the terminal.")
-      .def_readonly("warnings", &HeldRun::warnings)
+      .def_property_readonly("warnings", [](const HeldRun &r) { return texts_of(r.warnings); })
+      .def_property_readonly(
+          "warning_records", [](const HeldRun &r) { return warning_list(r.warnings); },
+          "The warnings by their parts.")
       .def_readonly("assumptions", &HeldRun::assumptions)
       .def_readonly("folder", &HeldRun::folder)
       .def_property_readonly("curves", [](const HeldRun &r) { return HeldCurves{r.tables}; })

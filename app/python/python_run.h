@@ -13,7 +13,8 @@ struct HeldRun {
   HeldCase the_case;
   std::string verb;
   std::vector<NamedResult> results;
-  std::vector<std::string> warnings, assumptions;
+  std::vector<Warning> warnings;
+  std::vector<std::string> assumptions;
   std::string verdict, summary;
   HeldTables tables;                             ///< by path in the folder without ending
   std::string chain_text;                        ///< lumped_model.toml; empty: the run made no chain

@@ -4,10 +4,12 @@
 #include "app/stages/bite/bite_stage.h"
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/response/dynamics_stage.h"
+#include "app/stages/stability/critical_speed_stage.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
+#include "core/records/result_names.h"
 #include "reduce/chain/frame_closure.h"
 #include <algorithm>
 #include <cmath>
@@ -64,11 +66,14 @@ void review_load(const Case &the_case, const Pass &pass, const std::size_t p, co
 {
   const Place place = place_of(the_case, fmt::format("pass.{}.load", p), pass.place);
   if (!(mean > 0))
-    review.warnings.push_back(
-        {pass.force_place,
-         fmt::format("{}: the mean of the force record is {}; a rolling force is positive when it opens the stand",
-                     pass.name, in_kN(mean)),
-         {}});
+    review.warnings.push_back({WarningId::force_not_positive,
+                               pass.name,
+                               fmt::format("the mean of the force record is {}", in_kN(mean)),
+                               "a rolling force is positive when it opens the stand",
+                               "",
+                               {},
+                               "",
+                               pass.force_place});
   if (std::isnan(pass.load) || !(mean > 0))
     return;
   const double factor = factor_between(pass.load, mean);
@@ -78,8 +83,11 @@ void review_load(const Case &the_case, const Pass &pass, const std::size_t p, co
                                            "{:.4g}; one of the two is in another unit",
                                            pass.name, force_text(pass.load), force_text(mean), factor),
                                of_file(pass.force_place)});
-  else if (const std::string message = load_against_record(pass, mean); !message.empty())
-    review.said_by_run.push_back({place, message, of_file(pass.force_place)});
+  else if (auto warning = load_against_record(pass, p, mean)) {
+    warning->place   = place;
+    warning->related = of_file(pass.force_place);
+    review.said_by_run.push_back(std::move(*warning));
+  }
 }
 
 // Force of the bite by Karman's slab on Hitchcock's arc; nothing where it has no answer or K4 is given.
@@ -102,21 +110,34 @@ void review_bite(const FourHigh &stand, const Pass &pass, const double load, Cas
   if (!force || !(load > 0))
     return;
   const double factor = factor_between(*force, load);
-  const std::string message =
-      fmt::format("{}: by the slab theory this strip takes a rolling force of {}, the load is {}", pass.name,
-                  force_text(*force), force_text(load));
+  const std::string forces =
+      fmt::format("by the slab theory this strip takes a rolling force of {}, the load is {}", force_text(*force),
+                  force_text(load));
   if (factor > impossible_bite)
     review.problems.push_back(
         {pass.place,
-         fmt::format("{}, a factor of {:.3g}; is one of load, flow stress, width and thicknesses "
+         fmt::format("{}: {}, a factor of {:.3g}; is one of load, flow stress, width and thicknesses "
                      "in another unit? given.K4 leaves the strip out",
-                     message, factor),
+                     pass.name, forces, factor),
          {}});
   else if (factor > of_another_strip)
-    review.said_by_run.push_back({pass.place,
-                                  fmt::format("{} ({:+.0f} %); check flow stress, friction and thicknesses",
-                                              message, 100 * (*force / load - 1)),
-                                  {}});
+    review.said_by_run.push_back({WarningId::bite_force,
+                                  pass.name,
+                                  fmt::format("{} ({:+.0f} %)", forces, 100 * (*force / load - 1)),
+                                  "",
+                                  "check flow stress, friction and thicknesses",
+                                  {result_name({family::bite, pass.name})},
+                                  "",
+                                  pass.place});
+}
+
+void review_theory(const FourHigh &stand, const Pass &pass, CaseReview &review)
+{
+  if (stand.given.count("K4"))
+    return;
+  if (auto warning = bite_without_theory(bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel),
+                                         stand.bite, pass))
+    review.said_by_run.push_back(std::move(*warning));
 }
 
 bool is_same(const Place &a, const Place &b)
@@ -162,6 +183,12 @@ ExpectedModes modes_of(const Case &the_case, const DynamicsSettings &settings)
 }
 }  // namespace
 
+void review_speed(const Pass &pass, const std::vector<std::string> &missing, CaseReview &review)
+{
+  if (!missing.empty())
+    review.said_by_run.push_back(warning_of(not_searched(pass.name, pass.speed, missing), pass.place));
+}
+
 CaseReview review_stand(const Case &the_case, const std::string &force_file)
 {
   const auto &stand  = std::get<FourHigh>(the_case.spec);
@@ -178,6 +205,8 @@ CaseReview review_stand(const Case &the_case, const std::string &force_file)
       review_records(passes[p], records[p], modes, review);
     }
     review_bite(stand, passes[p], loads[p], review);
+    review_theory(stand, passes[p], review);
+    review_speed(passes[p], missing_for_critical_speed(the_case, stand, p), review);
   }
   for (const auto &[name, contact] :
        {std::pair("upper", &stand.upper_contact), std::pair("lower", &stand.lower_contact)})

@@ -1,16 +1,17 @@
 #pragma once
-#include "core/base/errors.h"
+#include "core/base/warning.h"
 #include <string>
 #include <vector>
 
 // What a case and its records say about each other before anything long is computed.
 namespace mill {
 struct Case;
+struct Pass;
 
 struct CaseReview {
   std::vector<Problem> problems;     ///< what cannot be
-  std::vector<Problem> warnings;     ///< what hardly is, or what a result will lack
-  std::vector<Problem> said_by_run;  ///< the same, which a run says again from its own, better numbers
+  std::vector<Warning> warnings;     ///< what hardly is, or what a result will lack
+  std::vector<Warning> said_by_run;  ///< the same, which a run says again from its own, better numbers
   std::vector<std::string> facts;    ///< what the records hold, one sentence each
 };
 
@@ -20,6 +21,9 @@ struct CaseReview {
 /// @throws InputError  a record that cannot be read
 /// Cost: the records are read once, closed forms some 10 ms.
 CaseReview review_stand(const Case &the_case, const std::string &force_file);
+/// A pass that lacks keys of the search of its critical speed, as a run will say it.
+void review_speed(const Pass &pass, const std::vector<std::string> &missing, CaseReview &review);
+
 /// The records alone, with the modes of the given chain.
 CaseReview review_lumped(const Case &the_case, const std::string &force_file);
 }  // namespace mill

@@ -15,6 +15,12 @@ std::string of_hertz(const double f)
   return f > 9999.5 ? fmt::format("{:.4g} kHz", f / 1e3) : fmt::format("{:.4g} Hz", f);
 }
 
+Warning of_record(const WarningId id, const Pass &pass, const Place &place, std::string fact, std::string detail,
+                  std::string remedy = "")
+{
+  return {id, pass.name, std::move(fact), std::move(detail), std::move(remedy), {pass.name}, "", place};
+}
+
 void add_times(const Pass &pass, const Place &place, const char *what, const dynamics::RecordTimes &times,
                const std::string &more, CaseReview &review)
 {
@@ -22,11 +28,11 @@ void add_times(const Pass &pass, const Place &place, const char *what, const dyn
                                      times.duration, times.samples, of_hertz(1 / times.step), more));
   if (times.n_gaps > 0)
     review.warnings.push_back(
-        {place,
-         fmt::format("{}: the {} has {}, the longest of {:.3g} s at {:.4g} s; straight lines fill {}", pass.name,
-                     what, times.n_gaps == 1 ? "a gap" : fmt::format("{} gaps", times.n_gaps), times.longest_gap,
-                     times.longest_at, times.n_gaps == 1 ? "it" : "them"),
-         {}});
+        of_record(WarningId::record_gap, pass, place,
+                  fmt::format("the {} has {}, the longest of {:.3g} s at {:.4g} s", what,
+                              times.n_gaps == 1 ? "a gap" : fmt::format("{} gaps", times.n_gaps),
+                              times.longest_gap, times.longest_at),
+                  fmt::format("straight lines fill {}", times.n_gaps == 1 ? "it" : "them")));
 }
 
 void judge_length(const Pass &pass, const double duration, const ExpectedModes &modes, CaseReview &review)
@@ -34,14 +40,12 @@ void judge_length(const Pass &pass, const double duration, const ExpectedModes &
   const double needed = needed_duration(modes);
   if (duration >= needed)
     return;
-  review.warnings.push_back(
-      {pass.force_place,
-       fmt::format(
-           "{}: the force record lasts {:.3g} s; the lowest mode to be expected, at {:.3g} Hz by closed forms, "
-           "takes {:.3g} s to build up (five decay times at {:g} % damping): peaks and rms are those of a "
-           "start, give a longer record",
-           pass.name, duration, modes.lowest, needed, 100 * modes.damping),
-       {}});
+  review.warnings.push_back(of_record(
+      WarningId::record_short, pass, pass.force_place,
+      fmt::format("the force record lasts {:.3g} s; the lowest mode to be expected, at {:.3g} Hz by closed forms, "
+                  "takes {:.3g} s to build up (five decay times at {:g} % damping)",
+                  duration, modes.lowest, needed, 100 * modes.damping),
+      "peaks and rms are those of a start", "give a longer record"));
 }
 
 void review_measured(const Pass &pass, const ForceRecord &force, const ExpectedModes &modes, CaseReview &review)
@@ -60,12 +64,11 @@ void review_measured(const Pass &pass, const ForceRecord &force, const ExpectedM
          {pass.force_place}});
   const double nyquist = 0.5 / times.step;
   if (nyquist < modes.highest)
-    review.warnings.push_back(
-        {pass.measured_place,
-         fmt::format("{}: the measured record is sampled at {} and shows nothing above {}; the highest mode to be "
-                     "expected is at {} by closed forms",
-                     pass.name, of_hertz(1 / times.step), of_hertz(nyquist), of_hertz(modes.highest)),
-         {}});
+    review.warnings.push_back(of_record(
+        WarningId::measured_record_coarse, pass, pass.measured_place,
+        fmt::format("the measured record is sampled at {} and shows nothing above {}", of_hertz(1 / times.step),
+                    of_hertz(nyquist)),
+        fmt::format("the highest mode to be expected is at {} by closed forms", of_hertz(modes.highest))));
 }
 }  // namespace
 
@@ -84,9 +87,12 @@ void review_records(const Pass &pass, const ForceRecord &force, const ExpectedMo
     review.facts.push_back(pass.name + ": " + note);
   judge_length(pass, times.duration, modes, review);
   if (modes.highest > 0)
-    if (const std::string message = dynamics::bandwidth_warning(dynamics::force_statistics(force), modes.highest);
-        !message.empty())
-      review.said_by_run.push_back({pass.force_place, pass.name + ": " + message + " (mode by closed forms)", {}});
+    if (auto warning = dynamics::bandwidth_warning(dynamics::force_statistics(force), modes.highest)) {
+      warning->subject = pass.name;
+      warning->detail += " (mode by closed forms)";
+      warning->place = pass.force_place;
+      review.said_by_run.push_back(std::move(*warning));
+    }
   if (!pass.measured_file.empty())
     review_measured(pass, force, modes, review);
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/warning.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
 #include "core/model/pass.h"
@@ -39,7 +40,7 @@ struct DrivenStand {
   Pass pass;
   ForceRecord force;                                   ///< empty: the pass has none
   double load = 0;                                     ///< N, working load of the pass
-  std::vector<std::string> warnings;                   ///< of the stages
+  std::vector<Warning> warnings;                       ///< of the stages
   std::shared_ptr<const CurveDrive> curves = nullptr;  ///< of its contacts, dynamics.contact = "curve"
 };
 }  // namespace mill

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/process/out_of_memory.h"
+#include "app/run/error_warnings.h"
 #include "app/run/run_context.h"
 #include "core/base/errors.h"
 #include <new>
@@ -49,7 +50,7 @@ Part kept_part(RunContext &run, const std::string &stage, const std::string &fil
     save(file, key, part);
     run.made->insert(key);
   } catch (const InputError &e) {
-    run.warn(stage + " could not be kept for the next run: " + e.what());  // but it is good
+    run.warn(not_kept(stage, e));  // but it is good
   }
   return part;
 }

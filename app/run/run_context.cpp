@@ -26,14 +26,18 @@
 namespace mill {
 using json = nlohmann::ordered_json;
 
-void RunContext::warn(const std::string &text)
+void RunContext::warn(Warning warning)
 {
-  const std::string sentence = with_plain_names(text);
-  const auto &warnings       = results.warnings;
-  if (sentence.empty() || std::find(warnings.begin(), warnings.end(), sentence) != warnings.end())
+  for (std::string Warning::*part : {&Warning::subject, &Warning::fact, &Warning::detail, &Warning::remedy})
+    warning.*part = with_plain_names(warning.*part);
+  if (const auto place = the_case.places.find(warning.key);
+      warning.place.file.empty() && place != the_case.places.end())
+    warning.place = place->second;
+  auto &warnings = results.warnings;
+  if (std::find(warnings.begin(), warnings.end(), warning) != warnings.end())
     return;
-  results.warnings.push_back(sentence);
-  progress.note("warning: " + sentence);
+  progress.note("warning: " + text_of(warning));
+  warnings.push_back(std::move(warning));
 }
 
 void RunContext::assume(const std::string &text)
@@ -62,9 +66,9 @@ void RunContext::absorb(RunContext &&other)
 {
   for (auto &[name, parameter] : other.results.values)
     results.add(name, std::move(parameter));
-  for (const std::string &sentence : other.results.warnings)
-    if (std::find(results.warnings.begin(), results.warnings.end(), sentence) == results.warnings.end())
-      results.warnings.push_back(sentence);
+  for (const Warning &warning : other.results.warnings)
+    if (std::find(results.warnings.begin(), results.warnings.end(), warning) == results.warnings.end())
+      results.warnings.push_back(warning);
   const auto append = [](auto &all, auto &more) { all.insert(all.end(), more.begin(), more.end()); };
   append(results.assumptions, other.results.assumptions);
   append(results.speeds, other.results.speeds);

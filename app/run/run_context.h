@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run/output_dir.h"
+#include "core/base/warning.h"
 #include "core/process/progress.h"
 #include "core/process/stage_work.h"
 #include "core/records/results.h"
@@ -63,12 +64,13 @@ struct RunContext {
   Progress progress;
   Results results;
   std::vector<StageTime> times;
-  std::string summary;                       ///< what the console says after the results
-  std::string started;                       ///< local date and time
-  std::shared_ptr<AskedSpeeds> asked;        ///< of this run and its branches; null: not kept
-  const RunContext *earlier = nullptr;       ///< of a branch: what it comes from, unchanged while it runs
-  void warn(const std::string &sentence);    ///< into results and log
-  void assume(const std::string &sentence);  ///< same
+  std::string summary;                  ///< what the console says after the results
+  std::string started;                  ///< local date and time
+  std::shared_ptr<AskedSpeeds> asked;   ///< of this run and its branches; null: not kept
+  const RunContext *earlier = nullptr;  ///< of a branch: what it comes from, unchanged while it runs
+  /// Into results and log, once; the place of its key is looked up where the warning has none.
+  void warn(Warning warning);
+  void assume(const std::string &sentence);  ///< into results and log
 
   /// A result of this branch or of what was there before it; nullptr: none.
   const Parameter *find(const std::string &name) const;

@@ -25,8 +25,9 @@ void open_cache(RunContext &run, const std::string &instead)
 {
   std::error_code cache_error;
   if (std::filesystem::create_directories(run.cache, cache_error); cache_error) {
-    run.warn("the cache folder " + run.cache + " cannot be created (" + cache_error.message() +
-             "); nothing is kept for the next run");
+    run.warn({WarningId::not_kept, "",
+              "the cache folder " + run.cache + " cannot be created (" + cache_error.message() + ")",
+              "nothing is kept for the next run"});
     run.cache = instead;
   }
   remove_stale_parts(run.cache);

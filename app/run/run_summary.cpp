@@ -159,7 +159,7 @@ std::string run_summary(const Results &results, const std::string &name, const s
       lines.push_back(one_line(line));
   const std::size_t room = most_lines - lines.size() - 2, shown = std::min(room, n_warnings);
   for (std::size_t i = 0; i < shown; ++i)
-    lines.push_back(one_line("warning: " + results.warnings[i]));
+    lines.push_back(one_line("warning: " + text_of(results.warnings[i])));
   if (shown < n_warnings)
     lines.push_back(fmt::format("and {} more warnings on the page", n_warnings - shown));
   std::string text;

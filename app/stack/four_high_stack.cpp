@@ -12,11 +12,11 @@ namespace mill {
 namespace {
 double chain_spring(const std::vector<ClosedFormResult> &results, const char *name)
 {
-  const ClosedFormResult *found = find(results, name);
-  if (!found || !(found->parameter.value > 0))
+  const ClosedFormResult *result = find(results, name);
+  if (!result || !(result->parameter.value > 0))
     throw InputError(fmt::format("--as stack needs {} of the stand, and no closed form gives it{}", name,
-                                 found ? ": " + found->parameter.method : std::string()));
-  return found->parameter.value;
+                                 result ? ": " + result->parameter.method : std::string()));
+  return result->parameter.value;
 }
 
 // From the middle of the bearings to the ground, one side: the spring of the frame and that to the roll in series,
@@ -85,21 +85,22 @@ std::string four_high_as_stack(const Case &four_high)
   const auto results    = closed_form_four_high(*drawn, memory, {});
   const FourHigh &stand = memory.stands.empty() ? *drawn : *memory.stands.front().stand;
   StackInput input;
-  input.steel              = stand.steel;
-  StackRollInput work      = rolled("W", stand.work_roll);
-  work.on                  = {"B"};
-  StackRollInput backup    = rolled("B", stand.backup_roll);
-  backup.bearing_stiffness = {bearing_side(results, "K1", "K2"), bearing_side(results, "K7", "K6")};
-  input.rolls              = {work, backup};
-  input.strip              = strip_of(stand, results, stand.passes.front());
-  input.bite               = stand.strip;
-  input.passes             = stand.passes;
-  input.dynamics           = stand.dynamics;
-  input.dynamics.force_meaning =
-      stand.dynamics.force_meaning == "published" ? "disturbance" : stand.dynamics.force_meaning;
-  input.span               = stand.span;
-  input.analysis           = stand.analysis;
-  const std::string folder = std::filesystem::path(four_high.path).parent_path().string();
+  input.steel                  = stand.steel;
+  StackRollInput work          = rolled("W", stand.work_roll);
+  work.on                      = {"B"};
+  StackRollInput backup        = rolled("B", stand.backup_roll);
+  backup.bearing_stiffness     = {bearing_side(results, "K1", "K2"), bearing_side(results, "K7", "K6")};
+  input.rolls                  = {work, backup};
+  input.strip                  = strip_of(stand, results, stand.passes.front());
+  input.bite                   = stand.strip;
+  input.passes                 = stand.passes;
+  input.dynamics               = stand.dynamics;
+  input.dynamics.force_meaning = stand.dynamics.force_meaning == ForceMeaning::published
+                                     ? ForceMeaning::disturbance
+                                     : stand.dynamics.force_meaning;
+  input.span                   = stand.span;
+  input.analysis               = stand.analysis;
+  const std::string folder     = std::filesystem::path(four_high.path).parent_path().string();
   return stack_toml(four_high.title + ", as a stack", input, folder);
 }
 }  // namespace mill

@@ -141,10 +141,15 @@ void add_stack_bearings(RunContext &run, const StackInput &input, const Stack &s
     p.at    = {"{} on one bearing", {{load, "kN", ".5g"}}};
     run.results.add(result_name({family::roll, roll.name, "bearing_stiffness"}), p);
     if (load < loads.front() || load > loads[study.curve.states.size() - 1])
-      run.warn(fmt::format("roll {}: the {:.4g} kN on its bearing {} are outside the {:.4g} kN .. {:.4g} kN for "
-                           "which it was solved; give strip.force in place of gap",
-                           roll.name, 1e-3 * load, name, 1e-3 * loads.front(),
-                           1e-3 * loads[study.curve.states.size() - 1]));
+      run.warn({WarningId::curve_left,
+                "roll " + roll.name,
+                fmt::format("the {:.4g} kN on its bearing {} are outside the {:.4g} kN .. {:.4g} kN for which it "
+                            "was solved",
+                            1e-3 * load, name, 1e-3 * loads.front(), 1e-3 * loads[study.curve.states.size() - 1]),
+                "",
+                "give strip.force in place of gap",
+                {"roll." + roll.name},
+                "strip.gap"});
   }
   for (const auto &[name, study] : bearings) {
     write_load_curve(run, study);

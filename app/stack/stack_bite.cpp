@@ -39,7 +39,7 @@ std::string missing_of_bite(const StackInput &input, const Pass &pass)
 
 Stack with_slopes_of_bite(const StackInput &input, const Stack &stack)
 {
-  if (input.strip.law != "bite")
+  if (input.strip.law != StackStripLaw::bite)
     return stack;
   Pass as_given;
   if (needs_speed(input.bite.friction) && !input.passes.empty())
@@ -48,7 +48,7 @@ Stack with_slopes_of_bite(const StackInput &input, const Stack &stack)
   if (!(rolled.bite.roll_speed > 0))
     rolled.bite.roll_speed = 1;  // m/s: friction does not follow it
   const auto state = bite::solve_slab(rolled.bite, {bite::Theory::bland_ford, bite::Arc::hitchcock, 0});
-  const auto by    = bite::linear_coefficients(rolled.bite, state, bite::Linearisation::implicit);
+  const auto by    = bite::linear_coefficients(rolled.bite, state, Linearisation::implicit);
   enum { exit_thickness, gap_rate, entry_tension, exit_tension, entry_thickness };
   Stack sloped        = stack;
   StackStrip &strip   = sloped.strip;

@@ -1,3 +1,4 @@
+#include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/stack/stack_bearings.h"
 #include "app/stack/stack_bite.h"
@@ -60,6 +61,13 @@ const RunKind &run_kind(const StackCase &)
         if (!force_file.empty())
           pass.force_file = force_file;
       run_stack(run, driven, *spec.stack, goal);
+    };
+    k.review = [](const Case &the_case, const std::string &) {
+      CaseReview review;
+      const StackInput &input = *std::get<StackCase>(the_case.spec).input;
+      for (std::size_t p = 0; p < input.passes.size(); ++p)
+        review_speed(input.passes[p], missing_for_speed(the_case, input, p), review);
+      return review;
     };
     k.driven = [](RunContext &run, const std::string &pass) {
       const auto &spec = std::get<StackCase>(run.the_case.spec);

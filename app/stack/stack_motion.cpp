@@ -207,7 +207,7 @@ void add_stack_modes(RunContext &run, const StackInput &input, const MovingPass 
   write_mode_table(run, fine.open, GapState::open);
   if (!fine.rolling)
     write_shapes(run, fine.open);
-  if (fine.open.model.M.rows() <= small_model || input.dynamics.model_files == "all")
+  if (fine.open.model.M.rows() <= small_model || input.dynamics.model_files == ModelFileSet::all)
     write_model_matrices(run, input.dynamics, fine.driven(input.dynamics), 0);
   else
     run.progress.note(fmt::format("the matrices of {} unknowns are not written; dynamics.model_files = \"all\" "

@@ -110,7 +110,7 @@ StackActuator stack_actuator(const StackInput &input, const Stack &stack, const 
       throw InputError("roll " + written.name + " has no chocks that bend it; give its bearing_span");
     actuator.present = (written.bending_force[0] + written.bending_force[1]) / 2;
   } else if (what == "shift") {
-    if (input.settings.bending_at == "window" && !roll->loads.empty())
+    if (input.settings.bending_at == BendingAt::window && !roll->loads.empty())
       throw InputError("shift of roll " + written.name +
                        ": its bending forces stay in the window and move along the roll; vary roll.shift with "
                        "millstand sweep instead");
@@ -140,7 +140,7 @@ Stack with_actuator(const StackInput &input, const Stack &stack, const StackActu
       for (StackLoad &load : roll.loads)
         load.force[1] += up * delta;
     else if (actuator.kind == StackActuatorKind::shift)
-      roll.shift += made && input.settings.lower == "turned" ? -delta : delta;
+      roll.shift += made && input.settings.lower == LowerHalf::turned ? -delta : delta;
     else if (!made)
       roll.supports[actuator.saddle].motion[1] -= up * delta;
   });

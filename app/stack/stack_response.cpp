@@ -1,3 +1,4 @@
+#include "app/run/error_warnings.h"
 #include "app/stack/stack_bite.h"
 #include "app/stack/stack_motion.h"
 #include "app/stages/response/dynamics_stage.h"
@@ -77,7 +78,7 @@ StabilityQuestion stability_of(RunContext &run, const StackInput &input, const M
   q.model                 = title_of(pass.open.model.name);
   q.leading.bite          = inputs.bite;
   q.leading.modal_damping = input.dynamics.modal_damping;
-  q.leading.scheme        = linearisation_of(input.analysis);
+  q.leading.scheme        = input.analysis.linearisation;
   q.leading.range         = speed_range(input.analysis);
   q.leading.stand         = around(pass.open);
   q.others                = {{title_of(pass.lumped_open.model.name), around(pass.lumped_open)}};
@@ -125,20 +126,15 @@ void add_stack_speeds(RunContext &run, const StackInput &input, const std::vecto
   for (std::size_t p = 0; p < input.passes.size() && p < passes.size(); ++p) {
     const MovingPass &pass = passes[p];
     if (const auto missing = missing_for_speed(run.the_case, input, p); !missing.empty()) {
-      SpeedVerdict v;
-      v.pass    = pass.pass.name;
-      v.speed   = pass.pass.speed;
-      v.missing = missing;
-      v.remedy  = "Add them to the case to have the critical speed searched.";
-      run.results.speeds.push_back(v);
+      run.results.speeds.push_back(not_searched(pass.pass.name, pass.pass.speed, missing));
       continue;
     }
     try {
       add_critical_speed(run, stability_of(run, input, pass));
     } catch (const InputError &e) {
-      run.warn(e.problems.front().message);
+      run.warn(warning_of(WarningId::critical_speed_not_searched, e));
     } catch (const SolverError &e) {
-      run.warn("pass \"" + pass.pass.name + "\": critical speed not searched: " + e.report.what);
+      run.warn(speed_not_searched(pass.pass.name, e));
     }
   }
 }

@@ -144,7 +144,7 @@ const char *const by_difference = "central difference over 2 mm: a shift moves t
 void add_influence_of_shift(StackNumbers &all, const StackInput &input, const SolvedStack &solved,
                             const MakeStackEngine &make, const StackRollInput &written)
 {
-  const bool stays = input.settings.bending_at == "window";  // bending forces move along the shifted roll
+  const bool stays = input.settings.bending_at == BendingAt::window;  // bending forces move along the shifted roll
   if (stays || (written.axial_shift == 0 && input.window.shifted != written.name))
     return;
   const StackActuator shift = stack_actuator(input, solved.stack, written.name + ".shift");

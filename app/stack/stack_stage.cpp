@@ -107,14 +107,18 @@ void warn_of_engines(RunContext &run, const StackNumberSets &sets)
   for (const char *what : {"crown", "edge_drop"}) {
     const std::string name = result_name({family::stack, what});
     const auto of          = [&](const StackNumbers &numbers) {
-      const auto found = std::find_if(numbers.begin(), numbers.end(),
+      const auto entry = std::find_if(numbers.begin(), numbers.end(),
                                                [&](const StackNumber &number) { return number.name == name; });
-      return found == numbers.end() ? not_given : found->value;
+      return entry == numbers.end() ? not_given : entry->value;
     };
     const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
     if (apart > least && apart > share * std::max(std::abs(here), std::abs(other)))
-      run.warn(fmt::format("{}: take {:.1f} um as its error: {:.1f} um here, {:.1f} um by the other engine", name,
-                           1e6 * apart, 1e6 * here, 1e6 * other));
+      run.warn({WarningId::stack_engines,
+                name,
+                fmt::format("take {:.1f} um as its error", 1e6 * apart),
+                fmt::format("{:.1f} um here, {:.1f} um by the other engine", 1e6 * here, 1e6 * other),
+                "",
+                {name}});
   }
 }
 
@@ -125,22 +129,24 @@ void warn_of_state(RunContext &run, const SolvedStack &solved)
     const StackContact &contact = stack.contacts[c];
     const auto &pair            = solved.state.pairs[c];
     if (pair.touching < 1 - 1e-9)
-      run.warn(fmt::format("contact {} is open on {:.0f} % of its length", pair_name(stack, contact),
-                           100 * (1 - pair.touching)));
+      run.warn({WarningId::contact_partly_open, "",
+                fmt::format("contact {} is open on {:.0f} % of its length", pair_name(stack, contact),
+                            100 * (1 - pair.touching))});
     for (const std::size_t r : {contact.a, contact.b})
       if (const double yield = stack.rolls[r].material.yield_stress; pair.peak_pressure > 5 * yield)
-        run.warn(fmt::format("contact {}: the peak pressure of {:.0f} MPa is above five times the yield stress of "
-                             "roll {}",
-                             pair_name(stack, contact), 1e-6 * pair.peak_pressure, stack.rolls[r].name));
+        run.warn({WarningId::contact_yield, "contact " + pair_name(stack, contact),
+                  fmt::format("the peak pressure of {:.0f} MPa is above five times the yield stress of roll {}",
+                              1e-6 * pair.peak_pressure, stack.rolls[r].name)});
   }
   for (const std::size_t r : {stack.upper, stack.lower}) {
     const StackRoll &roll = stack.rolls[r];
     const double to_end   = roll.length / 2 - std::abs(stack.strip.offset - roll.shift) - stack.strip.width / 2;
     if (to_end < 2 * stack.strip.arc)
-      run.warn(
-          fmt::format("the edge of the strip is {:.4g} mm from the end of the barrel of roll {}, less than twice "
-                      "the length of contact: its flattening there is larger than that of the half space",
-                      1e3 * to_end, roll.name));
+      run.warn({WarningId::strip_at_barrel_end, "",
+                fmt::format("the edge of the strip is {:.4g} mm from the end of the barrel of roll {}, less than "
+                            "twice the length of contact",
+                            1e3 * to_end, roll.name),
+                "its flattening there is larger than that of the half space"});
   }
 }
 
@@ -161,9 +167,9 @@ reduce::BeamStackSettings beam_settings(const StackInput &input, const int eleme
 {
   reduce::BeamStackSettings settings;
   settings.elements_per_width = elements_per_width;
-  settings.flattening =
-      input.engine.flattening == "local" ? reduce::Flattening::local : reduce::Flattening::half_space;
-  settings.threads = threads;
+  settings.flattening         = input.engine.flattening == StackFlattening::local ? reduce::Flattening::local
+                                                                                  : reduce::Flattening::half_space;
+  settings.threads            = threads;
   return settings;
 }
 
@@ -183,7 +189,7 @@ MakeStackEngine condensed_of(const StackKernels &kernels, const int stations_per
 
 MakeStackEngine leading_engine(RunContext &run, const StackInput &input, const Stack &stack)
 {
-  return input.engine.model == "condensed"
+  return input.engine.model == StackModel::condensed
              ? condensed_of(stack_kernels(run, stack), stations_over_width, run.threads)
              : beams_of(input, elements_over_width, run.threads);
 }
@@ -257,7 +263,7 @@ std::vector<std::string> all_keys_of_stack(const Case &the_case)
 std::vector<std::string> keys_of_stack(const Case &the_case)
 {
   const StackInput &input = *std::get<StackCase>(the_case.spec).input;
-  const bool of_bite      = input.strip.law == "bite";
+  const bool of_bite      = input.strip.law == StackStripLaw::bite;
   KeyList keys;
   for (const RollerBearing &bearing : input.bearings)
     if (std::any_of(input.rolls.begin(), input.rolls.end(),
@@ -317,7 +323,7 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, c
 {
   StageTimer timer(run, "stack");
   const StackKernels kernels = stack_kernels(run, stack);
-  const bool is_condensed    = input.engine.model == "condensed";
+  const bool is_condensed    = input.engine.model == StackModel::condensed;
   const auto engine          = [&](const bool condensed, const int coarser) {
     return condensed ? condensed_of(kernels, stations_over_width / coarser, run.threads)
                               : beams_of(input, elements_over_width / coarser, run.threads);

@@ -1,3 +1,4 @@
+#include "app/command/option_words.h"
 #include "app/studio/request.h"
 #include "app/studio/studio.h"
 #include "core/base/files.h"
@@ -59,8 +60,8 @@ web::PageReply Studio::run(const std::string &body)
     jobs_.cancel();
     return {202, "{}"};
   }
-  const auto &formats = export_formats();
-  const bool exported = std::find(formats.begin(), formats.end(), what) != formats.end() && what != "statespace";
+  const auto format   = choice_named<ExportFormat>(what);
+  const bool exported = format && *format != ExportFormat::statespace;
   if (what != "run" && !exported)
     throw InputError("\"what\" is run, fmu, modelica, matlab or cancel");
   if (jobs_.state().status == "running")
@@ -74,7 +75,9 @@ web::PageReply Studio::run(const std::string &body)
   std::string made;
   if (exported) {
     fs::create_directories(folder_ + "/" + id, error);
-    const std::string ending = what == "fmu" ? ".fmu" : what == "modelica" ? ".mo" : ".m";
+    const std::string ending = *format == ExportFormat::fmu        ? ".fmu"
+                               : *format == ExportFormat::modelica ? ".mo"
+                                                                   : ".m";
     made                     = slug(fs::path(document_.path()).stem().string()) + ending;
     words = {"export", what, document_.path(), "-o", folder_ + "/" + id + "/" + made, "--force-overwrite"};
   } else {

@@ -53,11 +53,13 @@ nlohmann::ordered_json spreads_json(const Study &study)
 }
 }  // namespace
 
-std::vector<std::vector<double>> draw_rows(const Study &study, const std::string &method, const long n)
+std::vector<std::vector<double>> draw_rows(const Study &study, const StudyMethod method, const long n)
 {
   const ScratchFolder scratch("millstand-draw");
   std::filesystem::create_directories(scratch.path());
-  const int number = method == "latin-hypercube" ? 0 : method == "monte-carlo" ? 1 : 2;  // DrawMethod
+  const int number = method == StudyMethod::latin_hypercube ? 0
+                     : method == StudyMethod::monte_carlo   ? 1
+                                                            : 2;  // DrawMethod
   nlohmann::ordered_json request{{"task", "draw"}, {"method", number}, {"n", n}, {"seed", study.seed}};
   request["correlations"]  = correlations_json(study);
   request["spreads"]       = spreads_json(study);

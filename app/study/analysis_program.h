@@ -7,10 +7,10 @@
 // Designs and indices by OpenTURNS, in the program millstand-study of the same folder.
 namespace mill {
 /// Draws rows, each in the units of its keys.
-/// @param method  "latin-hypercube", "monte-carlo" or "sobol"
+/// @param method  latin_hypercube, monte_carlo or sobol
 /// @param n       rows; for sobol the size of a group, of which there are keys + 2
 /// @throws InputError  correlations that do not fit, the program is not built; SystemError  it ended by a signal
-std::vector<std::vector<double>> draw_rows(const Study &study, const std::string &method, long n);
+std::vector<std::vector<double>> draw_rows(const Study &study, StudyMethod method, long n);
 
 /// Sobol indices of one result, each list by key.
 struct IndicesOfResult {

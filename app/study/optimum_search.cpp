@@ -173,9 +173,9 @@ Optimum search_optimum(const SearchSettings &settings, const std::vector<TriedRo
     every.push_back(k);
   Optimum optimum;
   for (const TriedRow &start : chosen_starts(searcher, starts)) {
-    const TriedRow found = searcher.local(start, every, rows_of_input * int(n + 1));
-    if (searcher.is_better(found, optimum.best) || optimum.best.inputs.empty())
-      optimum.best = found;
+    const TriedRow minimum = searcher.local(start, every, rows_of_input * int(n + 1));
+    if (searcher.is_better(minimum, optimum.best) || optimum.best.inputs.empty())
+      optimum.best = minimum;
   }
   // Once more from there: a first trust region may have closed early in a narrow valley.
   optimum.best = searcher.local(optimum.best, every, rows_of_input * int(n + 1));

@@ -1,4 +1,5 @@
 #pragma once
+#include "app/command/option_words.h"
 #include "app/run/driven_stand.h"
 #include "core/base/parameter.h"
 #include <memory>
@@ -9,9 +10,6 @@
 namespace mill {
 struct Case;
 struct CommandLine;
-
-/// What computes a row: "quick", the closed forms of `millstand trace`, or "full", the stages of a run.
-enum class ModelKind { quick, full };
 
 struct RowModelSettings {
   ModelKind kind = ModelKind::full;

@@ -40,7 +40,7 @@ nlohmann::ordered_json indices_json(const IndicesOfResult &s)
 // Rows of the design that are drawings of the inputs: of Saltelli's the groups A and B.
 long sample_rows(const Study &study)
 {
-  return study.method == "sobol" ? 2 * study.samples : 0;
+  return study.method == StudyMethod::sobol ? 2 * study.samples : 0;
 }
 
 nlohmann::ordered_json linear_json(const LinearEstimate &estimate)
@@ -96,9 +96,9 @@ void add_statistics(const Study &study, const StudyRows &rows, nlohmann::ordered
 {
   std::vector<IndicesOfResult> sobol;
   nlohmann::ordered_json chaos;
-  if (study.method == "sobol" || study.method == "chaos") {
+  if (study.method == StudyMethod::sobol || study.method == StudyMethod::chaos) {
     const Columns columns = columns_of(study, rows);
-    if (study.method == "sobol")
+    if (study.method == StudyMethod::sobol)
       sobol = indices_of(columns.inputs, columns.results, study.samples);
     else
       chaos = chaos_of(study, columns.inputs, columns.results, study.samples);
@@ -122,7 +122,7 @@ nlohmann::ordered_json study_document(const Study &study, const StudyRows &rows)
                                   {"case", study.case_name},
                                   {"case_path", study.case_path},
                                   {"title", study.title},
-                                  {"method", study.method},
+                                  {"method", word_of(study.method)},
                                   {"work", study.work},
                                   {"samples", study.samples},
                                   {"rows", study.rows},
@@ -144,9 +144,9 @@ nlohmann::ordered_json study_document(const Study &study, const StudyRows &rows)
                                   {"error_estimate", json_number(watched.error_estimate)}};
     document["results"].push_back(result);
   }
-  if (study.method == "optimise")
+  if (study.method == StudyMethod::optimise)
     document["optimum"] = optimum_json(study, rows);
-  else if (study.method != "grid" && study.method != "list")
+  else if (study.method != StudyMethod::grid && study.method != StudyMethod::list)
     add_statistics(study, rows, document["results"]);
   document["points"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < rows.design.size(); i += step)

@@ -164,7 +164,7 @@ DesignRow row_of(const Statement &rows)
 
 long held_out_rows(const Study &study)
 {
-  return study.method == "chaos" ? std::max(20L, study.samples / 4) : 0;
+  return study.method == StudyMethod::chaos ? std::max(20L, study.samples / 4) : 0;
 }
 
 std::string study_toml(const Study &study)
@@ -175,8 +175,8 @@ std::string study_toml(const Study &study)
       "= {}\n"
       "work = {}\nversion = {}\nbase = {}\nrows = {}\ncorrelations = {}\n",
       format_version, quoted(study.case_path), quoted(study.case_name), quoted(study.title), list_toml(study.sets),
-      quoted(study.method), study.samples, study.seed, study.model == ModelKind::quick ? "\"quick\"" : "\"full\"",
-      quoted(study.work), quoted(study.version), quoted(study.base), study.rows, list_toml(study.correlations));
+      quoted(word_of(study.method)), study.samples, study.seed, quoted(word_of(study.model)), quoted(study.work),
+      quoted(study.version), quoted(study.base), study.rows, list_toml(study.correlations));
   text += number_line("seconds", study.seconds);
   if (!study.objective.empty())
     text += fmt::format("objective = {}\nsearched = {}\n", quoted(study.objective),
@@ -213,15 +213,18 @@ Study read_study(const std::string &folder)
                      number_text(number_of(root, "schema")) +
                      "); make the study again with 'millstand study new'");
   Study s;
-  s.folder       = folder;
-  s.case_path    = text_of(root, "case");
-  s.case_name    = text_of(root, "case_name");
-  s.title        = text_of(root, "title");
-  s.sets         = texts_of(root, "sets");
-  s.method       = text_of(root, "method");
+  s.folder          = folder;
+  s.case_path       = text_of(root, "case");
+  s.case_name       = text_of(root, "case_name");
+  s.title           = text_of(root, "title");
+  s.sets            = texts_of(root, "sets");
+  const auto method = choice_named<StudyMethod>(text_of(root, "method"));
+  if (!method)
+    throw InputError(path + ": method = " + quoted(text_of(root, "method")) + " is not known");
+  s.method       = *method;
   s.samples      = long(number_of(root, "samples"));
   s.seed         = int(number_of(root, "seed"));
-  s.model        = text_of(root, "model") == "quick" ? ModelKind::quick : ModelKind::full;
+  s.model        = choice_named<ModelKind>(text_of(root, "model")).value_or(ModelKind::full);
   s.work         = text_of(root, "work");
   s.version      = text_of(root, "version");
   s.base         = text_of(root, "base");

@@ -26,9 +26,9 @@ struct Study {
   std::vector<UncertainKey> keys;
   std::vector<std::string> correlations;  ///< "KEY1,KEY2=0.5"
   std::vector<WatchedResult> watched;
-  std::string method;  ///< "latin-hypercube"
-  long samples = 0;    ///< as asked for
-  int seed     = 1;
+  StudyMethod method = StudyMethod::latin_hypercube;
+  long samples       = 0;  ///< as asked for
+  int seed           = 1;
   std::string objective;    ///< optimise: name of the watched result
   bool greatest   = false;  ///< optimise: the greatest value is searched, not the least
   ModelKind model = ModelKind::full;

@@ -29,31 +29,38 @@ constexpr std::size_t most_refusals   = 10;
 constexpr long starts_of_input        = 12;  // of optimise, where --samples is not given
 const char *const geometry_sections[] = {"work_roll.", "backup_roll.", "steel.", "intermediate_roll."};
 
-bool is_random(const std::string &method)
+// Nothing is given where Python leaves it out.
+StudyMethod method_of(const CommandLine &command)
 {
-  return method != "grid" && method != "list";
+  return choice_named<StudyMethod>(command.study.method).value_or(StudyMethod::latin_hypercube);
+}
+
+bool is_random(const StudyMethod method)
+{
+  return method != StudyMethod::grid && method != StudyMethod::list;
 }
 
 std::vector<UncertainKey> keys_of_command(const CommandLine &command, const Case &base)
 {
   std::vector<UncertainKey> keys;
   std::vector<std::string> names;
-  const std::string &method = command.study.method;
+  const StudyMethod method = method_of(command);
   for (const std::string &written : command.sweep.vary) {
     if (is_random(method) && !is_distribution(written))
-      throw InputError("--vary " + written + ": --method " + method +
-                       (method == "optimise" ? " searches between bounds, KEY~uniform(low, high) UNIT"
-                                             : " draws from distributions, KEY~uniform(low, high) UNIT") +
+      throw InputError("--vary " + written + ": --method " + word_of(method) +
+                       (method == StudyMethod::optimise
+                            ? " searches between bounds, KEY~uniform(low, high) UNIT"
+                            : " draws from distributions, KEY~uniform(low, high) UNIT") +
                        "; values KEY=a,b belong to --method grid");
     if (!is_random(method) && is_distribution(written))
       throw InputError(
-          "--vary " + written + ": --method " + method +
+          "--vary " + written + ": --method " + word_of(method) +
           " takes values, KEY=a,b,c; distributions belong to latin-hypercube, monte-carlo, sobol and chaos");
     if (is_distribution(written))
       keys.push_back(uncertain_key(base, command.sets, written));
     else
       keys.push_back({varied_key(base, command.sets, written), {}, split_variation(written, '=').values});
-    if (method == "optimise" && keys.back().spread.kind != Spread::Kind::uniform)
+    if (method == StudyMethod::optimise && keys.back().spread.kind != Spread::Kind::uniform)
       throw InputError("--vary \"" + written +
                        "\": --method optimise takes the bounds of each key: KEY~uniform(low, high) UNIT");
     names.push_back(keys.back().key.name);
@@ -67,10 +74,10 @@ void set_objective(const StudyOptions &options, Study &study)
 {
   study.greatest  = !options.maximise.empty();
   study.objective = study.greatest ? options.maximise : options.minimise;
-  if (study.method == "optimise" && study.objective.empty())
+  if (study.method == StudyMethod::optimise && study.objective.empty())
     throw InputError(
         "--method optimise has no objective: give --minimise RESULT or --maximise RESULT, a name of results.json");
-  if (study.method != "optimise" && !study.objective.empty())
+  if (study.method != StudyMethod::optimise && !study.objective.empty())
     throw InputError("--minimise and --maximise belong to --method optimise");
 }
 
@@ -79,11 +86,11 @@ bool is_power_of_two(const long n)
   return n > 0 && (n & (n - 1)) == 0;
 }
 
-void require_samples(const std::string &method, const long n)
+void require_samples(const StudyMethod method, const long n)
 {
   if (n < 2)
-    throw InputError("--method " + method + " needs --samples N with N of 2 or more");
-  if (method == "sobol" && !is_power_of_two(n)) {
+    throw InputError(std::string("--method ") + word_of(method) + " needs --samples N with N of 2 or more");
+  if (method == StudyMethod::sobol && !is_power_of_two(n)) {
     long below = 1;
     while (2 * below < n)
       below *= 2;
@@ -119,20 +126,21 @@ std::vector<std::vector<double>> grid_rows(const std::vector<UncertainKey> &keys
 // The rows of a method that draws.
 std::vector<std::vector<double>> drawn_rows_of(Study study)
 {
-  if (study.method != "chaos")
-    return draw_rows(study, study.method == "optimise" ? "latin-hypercube" : study.method, study.samples);
-  auto rows = draw_rows(study, "latin-hypercube", study.samples);
+  if (study.method != StudyMethod::chaos)
+    return draw_rows(study, study.method == StudyMethod::optimise ? StudyMethod::latin_hypercube : study.method,
+                     study.samples);
+  auto rows = draw_rows(study, StudyMethod::latin_hypercube, study.samples);
   ++study.seed;
-  const auto held_out = draw_rows(study, "monte-carlo", held_out_rows(study));
+  const auto held_out = draw_rows(study, StudyMethod::monte_carlo, held_out_rows(study));
   rows.insert(rows.end(), held_out.begin(), held_out.end());
   return rows;
 }
 
 long expected_rows(const Study &study)
 {
-  if (study.method == "sobol")
+  if (study.method == StudyMethod::sobol)
     return study.samples * long(study.keys.size() + 2);
-  if (study.method != "grid")
+  if (study.method != StudyMethod::grid)
     return study.samples + held_out_rows(study);
   double rows = 1;
   for (const UncertainKey &key : study.keys)
@@ -214,7 +222,7 @@ void require_study_folder(const Study &study, const bool overwrite)
                        " holds this study already; go on with: millstand study run " + study.folder +
                        ", or give " + discard);
     throw InputError("the folder " + study.folder + " holds a study of " + there.case_name + " by " +
-                     there.method + fmt::format(" with {} rows", there.rows) +
+                     word_of(there.method) + fmt::format(" with {} rows", there.rows) +
                      "; choose another with -o, or give " + discard + differ);
   }
   require_result_folder(study.folder, "study.toml", "study", overwrite);
@@ -251,7 +259,7 @@ void watch(const CommandLine &command, const Case &base, const RunContext &setup
   const auto start = std::chrono::steady_clock::now();
   model.results(base);
   study.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  if (is_random(study.method) && study.method != "optimise")
+  if (is_random(study.method) && study.method != StudyMethod::optimise)
     add_slopes(study, model);
 }
 }  // namespace
@@ -265,10 +273,10 @@ int study_new(const CommandLine &command)
   study.case_name    = base.name;
   study.title        = base.title;
   study.sets         = command.sets;
-  study.method       = command.study.method;
+  study.method       = method_of(command);
   study.samples      = command.study.samples;
   study.seed         = command.study.seed;
-  study.model        = command.sweep.model == "quick" ? ModelKind::quick : ModelKind::full;
+  study.model        = choice_named<ModelKind>(command.sweep.model).value_or(ModelKind::full);
   study.correlations = command.study.correlate;
   study.version      = version();
   set_objective(command.study, study);
@@ -276,7 +284,7 @@ int study_new(const CommandLine &command)
   study.base = hash_of(read_case(study.case_path, study.sets).resolved);
   std::vector<std::vector<double>> rows;
   std::vector<Place> places;
-  if (study.method == "list") {
+  if (study.method == StudyMethod::list) {
     RowList list = read_row_list(base, command.sets, command.study.list);
     study.keys   = std::move(list.keys);
     rows         = std::move(list.rows);
@@ -285,16 +293,18 @@ int study_new(const CommandLine &command)
     study.keys = keys_of_command(command, base);
     if (study.keys.empty())
       throw InputError("millstand study new needs --vary KEY~distribution, --vary KEY=values or --list FILE");
-    if (study.method == "optimise" && study.samples == 0)
+    if (study.method == StudyMethod::optimise && study.samples == 0)
       study.samples = starts_of_input * long(study.keys.size());
     if (is_random(study.method))
       require_samples(study.method, study.samples);
-    if ((study.method == "chaos" || study.method == "optimise") && !study.correlations.empty())
-      throw InputError(study.method + " takes independent inputs; leave --correlate out, or use another method");
+    if ((study.method == StudyMethod::chaos || study.method == StudyMethod::optimise) &&
+        !study.correlations.empty())
+      throw InputError(word_of(study.method) +
+                       std::string(" takes independent inputs; leave --correlate out, or use another method"));
   }
   if (const long n = expected_rows(study); n > many_rows && !command.study.yes)
     throw InputError(fmt::format("the study has {} rows, more than ten million; give --yes if that is meant", n));
-  if (study.method == "grid")
+  if (study.method == StudyMethod::grid)
     rows = grid_rows(study.keys);
   else if (is_random(study.method))
     rows = drawn_rows_of(study);
@@ -310,9 +320,9 @@ int study_new(const CommandLine &command)
   require_study_folder(study, command.force_overwrite);
   write_study(study, ordered_rows(study, std::move(rows), keys));
   if (!command.quiet)
-    console::print(
-        fmt::format("{}: {} rows by {}, {} s each for one process; start them with: millstand study run {}\n",
-                    study.folder, study.rows, study.method, short_number(study.seconds, 2), study.folder));
+    console::print(fmt::format(
+        "{}: {} rows by {}, {} s each for one process; start them with: millstand study run {}\n", study.folder,
+        study.rows, word_of(study.method), short_number(study.seconds, 2), study.folder));
   return 0;
 }
 }  // namespace mill

@@ -60,7 +60,7 @@ std::string csv_of(const Study &study, const StudyRows &rows)
 // The rows of a search behind those of the design, in the order in which they were asked for.
 void append_search(const Study &study, StudyRows &rows)
 {
-  if (study.method != "optimise")
+  if (study.method != StudyMethod::optimise)
     return;
   const auto stored = stored_optimum(study, rows);
   if (!stored)
@@ -186,10 +186,10 @@ int study_status(const CommandLine &command)
   console::print(
       fmt::format("{}: {} by {}, {}\n{} of {} rows finished ({:.1f} %), {} of them failed; {} open, {} of them "
                   "begun\n{} files of workers\n",
-                  study.folder, study.case_name, study.method, study.work, rows, study.rows,
+                  study.folder, study.case_name, word_of(study.method), study.work, rows, study.rows,
                   100 * double(rows) / double(std::max(1L, study.rows)), failed, open.size(), begun,
                   row_files(study.folder).size()));
-  if (study.method == "optimise")
+  if (study.method == StudyMethod::optimise)
     console::print(fmt::format("{} rows searched\n", std::max(0L, long(finished.size()) - rows)));
   return 0;
 }

@@ -60,12 +60,12 @@ bool is_installed(const std::string &program)
   }
 }
 
-void require_engine(const std::string &engine)
+void require_engine(const StudyEngine engine)
 {
-  if (engine == "parallel" && !is_installed("parallel"))
+  if (engine == StudyEngine::parallel && !is_installed("parallel"))
     throw InputError("--engine parallel needs GNU parallel, which is not installed: apt-get install parallel; "
                      "--engine here works without it");
-  if (engine == "slurm" && !is_installed("sbatch"))
+  if (engine == StudyEngine::slurm && !is_installed("sbatch"))
     throw InputError("--engine slurm needs sbatch, which is not installed on this machine: apt-get install "
                      "slurm-client; --engine here works without it");
 }
@@ -94,9 +94,9 @@ void say_notes(const std::vector<std::string> &notes)
 }
 
 // The script of an engine, for whoever wants to see what was started.
-std::string written_script(const Study &study, const std::string &engine, const std::string &script)
+std::string written_script(const Study &study, const StudyEngine engine, const std::string &script)
 {
-  const std::string file = study.folder + "/" + engine + ".sh";
+  const std::string file = study.folder + "/" + word_of(engine) + ".sh";
   write_atomically(file, script);
   return file;
 }
@@ -136,12 +136,12 @@ long shards_for(const Study &study, const long cores)
                     std::max(shards_of_core * cores, std::min(by_time, study.rows)));
 }
 
-std::string engine_script(const Study &study, const std::string &engine, const long shards,
+std::string engine_script(const Study &study, const StudyEngine engine, const long shards,
                           const CommandLine &command, const std::string &program)
 {
   const std::string folder = absolute_folder(study);
   const std::string work   = shell_word(program) + " study work " + shell_word(folder) + " --shard ";
-  if (engine == "slurm")
+  if (engine == StudyEngine::slurm)
     return fmt::format("#!/bin/sh\n#SBATCH --job-name=millstand\n#SBATCH --array=1-{}\n#SBATCH --requeue\n"
                        "#SBATCH --open-mode=append\n#SBATCH --signal=B:TERM@60\n#SBATCH --output={}/slurm-%a.log\n"
                        "exec {}\"$SLURM_ARRAY_TASK_ID\"/{}{}\n",
@@ -161,16 +161,16 @@ std::string engine_script(const Study &study, const std::string &engine, const l
 
 int study_run(const CommandLine &command)
 {
-  const Study study         = read_study(command.target);
-  const std::string &engine = command.study.engine;
-  const long jobs           = command.study.jobs > 0 ? command.study.jobs : engine == "here" ? 1 : processors();
-  if (command.study.dry_run && engine == "here") {
+  const Study study        = read_study(command.target);
+  const StudyEngine engine = choice_named<StudyEngine>(command.study.engine).value();
+  const long jobs = command.study.jobs > 0 ? command.study.jobs : engine == StudyEngine::here ? 1 : processors();
+  if (command.study.dry_run && engine == StudyEngine::here) {
     console::print(fmt::format("millstand study work {} --shard I/{}, {} at a time\n", study.folder, jobs, jobs));
     return 0;
   }
-  if (engine == "here" && !command.study.hosts.empty())
+  if (engine == StudyEngine::here && !command.study.hosts.empty())
     throw InputError("--hosts belongs to --engine parallel");
-  const long shards = engine == "slurm" ? jobs : shards_for(study, jobs);
+  const long shards = engine == StudyEngine::slurm ? jobs : shards_for(study, jobs);
   if (command.study.dry_run) {
     console::print(engine_script(study, engine, shards, command, program_path("millstand")));
     return 0;
@@ -180,17 +180,18 @@ int study_run(const CommandLine &command)
     read_text(command.study.hosts);  // one that cannot be read is named here, not by every worker
   base_case(study);
   const long open = open_rows_of(study);
-  if (open == 0 && study.method != "optimise") {
+  if (open == 0 && study.method != StudyMethod::optimise) {
     if (!command.quiet)
       console::print("all rows are finished; report: millstand study report " + study.folder + "\n");
     return 0;
   }
-  merge_other_shards(study, engine == "here" ? jobs : shards);
+  merge_other_shards(study, engine == StudyEngine::here ? jobs : shards);
   const std::string script =
-      engine == "here" ? ""
-                       : written_script(study, engine,
-                                        engine_script(study, engine, shards, command, program_path("millstand")));
-  if (engine == "slurm") {
+      engine == StudyEngine::here
+          ? ""
+          : written_script(study, engine,
+                           engine_script(study, engine, shards, command, program_path("millstand")));
+  if (engine == StudyEngine::slurm) {
     if (run_program("sbatch", {script}, "arrays of a study") != 0)
       throw SystemError("sbatch did not accept the array; its message is above, its script " + script);
     if (!command.quiet)
@@ -200,13 +201,13 @@ int study_run(const CommandLine &command)
   const CutSignal signal;
   RowWatch watch(study, open, command.quiet);
   int code = 0;
-  if (engine == "here")
+  if (engine == StudyEngine::here)
     code = run_workers_here(study, command, jobs, signal, watch);
   else if (wait_or_end(start_program("sh", {script}, "shards of a study"), signal, watch) != 0)
     code = signal.asked() ? 128 + signal.asked() : 3;
   watch.finish();
   say_notes(merge_rows(study.folder));
-  if (code == 0 && study.method == "optimise") {
+  if (code == 0 && study.method == StudyMethod::optimise) {
     code = run_search(study, command, signal);
     say_notes(merge_rows(study.folder));
   }

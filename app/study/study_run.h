@@ -18,7 +18,7 @@ int study_run(const CommandLine &command);
 /// @param engine  "parallel" or "slurm"
 /// @param shards  number of shards; of slurm the elements of the array
 /// @param program path of millstand
-std::string engine_script(const Study &study, const std::string &engine, long shards, const CommandLine &command,
+std::string engine_script(const Study &study, StudyEngine engine, long shards, const CommandLine &command,
                           const std::string &program);
 
 /// Shards for so many cores: at least ten for each, each of 20 s or more, one at least.

@@ -171,7 +171,7 @@ void compute_rows(const CommandLine &command, RowModel &model, const int threads
       bar.show("rows", double(now) / double(n));
   };
   bar.show("rows", 0);
-  if (command.sweep.model == "quick")
+  if (choice_named<ModelKind>(command.sweep.model) == ModelKind::quick)
     share_tasks(long(n), threads, one);
   else
     for (std::size_t i = 0; i < n; ++i)
@@ -199,8 +199,8 @@ int sweep_command(const CommandLine &command)
   RunContext setup{base, out, cache_folder(command, folder + "/cache")};
   open_cache(setup, out.staging());
   set_up_threads(setup, command);
-  RowModel model({command.sweep.model == "quick" ? ModelKind::quick : ModelKind::full, setup.cache, command.fresh,
-                  setup.threads, cache_limit(command)});
+  RowModel model({choice_named<ModelKind>(command.sweep.model).value_or(ModelKind::full), setup.cache,
+                  command.fresh, setup.threads, cache_limit(command)});
   table.watched = model.choose(base, command.sweep.watch);
   table.work    = model.work();
   compute_rows(command, model, setup.threads, table);

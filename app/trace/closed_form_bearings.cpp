@@ -15,14 +15,14 @@ namespace mill {
 namespace {
 bool by_elements(const RollerBearing &b)
 {
-  return b.roller_law == "fe" || b.rings == "elastic";
+  return b.roller_law == OneRollerLaw::fe || b.rings == RingBodies::elastic;
 }
 
 std::string closed_method(const RollerBearing &b)
 {
-  const std::string law = b.roller_law == "palmgren"  ? "Palmgren's law of one roller"
-                          : b.roller_law == "elastic" ? "elastic line contact of one roller"
-                                                      : "laminae of ISO/TS 16281";
+  const std::string law = b.roller_law == OneRollerLaw::palmgren  ? "Palmgren's law of one roller"
+                          : b.roller_law == OneRollerLaw::elastic ? "elastic line contact of one roller"
+                                                                  : "laminae of ISO/TS 16281";
   return law + ", rigid rings, reduce/bearing/assembly (5.23)";
 }
 
@@ -30,18 +30,18 @@ std::string closed_method(const RollerBearing &b)
 // @param loaded_askew  by a tilt or an axial force: then the places of the rows count
 KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
 {
-  const bool three   = b.profile == "three-parameter";
-  const bool rounded = b.profile == "log" || b.profile == "lundberg" || three;
-  const bool elastic = b.roller_law == "elastic";
+  const bool three   = b.profile == RollerProfile::three_parameter;
+  const bool rounded = b.profile == RollerProfile::log || b.profile == RollerProfile::lundberg || three;
+  const bool elastic = b.roller_law == OneRollerLaw::elastic;
   std::string names =
       "rows rollers_per_row roller_length cup_angle radial_clearance end_play preload roller_law profile";
   const auto add = [&](const bool used, const char *more) { names += used ? std::string(" ") + more : ""; };
-  add(b.profile != "none", "slices");
-  add(b.profile == "table", "profile_table");
-  add(b.profile == "crown" || three, "crown_drop");
+  add(b.profile != RollerProfile::none, "slices");
+  add(b.profile == RollerProfile::table, "profile_table");
+  add(b.profile == RollerProfile::crown || three, "crown_drop");
   add(three, "profile_share");
   add(rounded, "profile_load");
-  add(rounded || b.profile == "iso" || elastic, "roller_diameter");
+  add(rounded || b.profile == RollerProfile::iso || elastic, "roller_diameter");
   add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
   add(loaded_askew, "width arrangement pitch_diameter");
   add(loaded_askew && std::isnan(b.pitch_diameter), "bore outside_diameter");

@@ -13,7 +13,7 @@ namespace {
 ClosedFormResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup,
                              const std::vector<Pass> &passes, const int pass, const std::string &roll_key)
 {
-  const bool elements = setup.method == "fe";
+  const bool elements = setup.method == BiteMethod::fe;
   const bool wide     = name.rfind("K4", 0) == 0 || follows_width(name.substr(name.rfind('.') + 1));
   const BiteRun run{strip, setup, std::size_t(pass), roll_key, wide, &passes};
   ClosedFormResult r;
@@ -21,7 +21,7 @@ ClosedFormResult bite_result(const std::string &name, const Strip &strip, const 
   r.parameter.inputs = bite_keys(run);
   // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
   BiteSetup closed = setup;
-  closed.arc       = setup.arc == "rigid" ? "rigid" : "hitchcock";
+  closed.arc       = setup.arc == BiteArc::rigid ? BiteArc::rigid : BiteArc::hitchcock;
   r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide, &passes}),
                     elements ? KeyList{} : keys_in("bite", "theory"));
   r.relation       = "roll bite";
@@ -42,7 +42,7 @@ struct SlabAnswer {
 SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
 {
   bite::SlabModel model = slab_model(setup);
-  if (setup.method == "fe")
+  if (setup.method == BiteMethod::fe)
     model.theory = bite::Theory::karman;
   if (model.arc == bite::Arc::elastic)
     model.arc = bite::Arc::hitchcock;

@@ -127,7 +127,7 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
   for (const std::string &key : all_own)
     if (!holds(detailed_model_keys(), key) && key != "dynamics.output_rate" && key != "dynamics.contact")
       keys.push_back(key);
-  const bool other_model = settings.model != "six-mass";
+  const bool other_model = settings.model != StandModelKind::six_mass;
   const auto add         = [&](const char *name, const double value, const Half half, const bool white) {
     ClosedFormResult r;
     r.name            = pass.name + "." + name;
@@ -135,11 +135,12 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
     r.parameter.unit  = "g";
     r.parameter.method =
         white ? "six-mass chain under white force of the same rms" : "six-mass chain, exact first-order hold";
-    r.from       = with_prefix(chain_parts(settings, half), prefix);
-    r.relation   = white ? "response to white force of the same size" : "response to the force of " + pass.name;
-    r.file       = white ? "app/trace/closed_form_response" : "dynamics/response/response";
-    r.equation   = white ? "(24.3)" : "(7.2)";
-    r.stands_for = other_model && !white ? "dynamics.model = \"" + settings.model + "\"" : "";
+    r.from     = with_prefix(chain_parts(settings, half), prefix);
+    r.relation = white ? "response to white force of the same size" : "response to the force of " + pass.name;
+    r.file     = white ? "app/trace/closed_form_response" : "dynamics/response/response";
+    r.equation = white ? "(24.3)" : "(7.2)";
+    r.stands_for =
+        other_model && !white ? std::string("dynamics.model = \"") + word_of(settings.model) + "\"" : "";
     inherit(r, all, white ? keys : joined(keys, keys_in("dynamics", "output_rate")));
     if (!white)
       r.parameter.inputs = joined(std::move(r.parameter.inputs), all_own);
@@ -217,7 +218,7 @@ Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
   p.value = run_factor * beam_stiffness(stand);
   p.unit  = "N/m";
   p.method =
-      "stepped Timoshenko beam, " + stand.dynamics.mass_reference + " reference" +
+      std::string("stepped Timoshenko beam, ") + word_of(stand.dynamics.mass_reference) + " reference" +
       (run_factor == 1 ? ""
                        : fmt::format(", times {:.4g}, the solid roll of the last run over its beam", run_factor));
   p.inputs = reduce::backup_roll_keys(false);
@@ -234,9 +235,10 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
     require(spring, "no closed form gives the spring " + name);
     return *spring;
   };
-  if (stand.dynamics.force_meaning != "measured" && std::isnan(made("K4").parameter.value))
-    throw InputError("K4 belongs to the chain with force_meaning = \"" + stand.dynamics.force_meaning +
-                     "\", and its slab theory has " + made("K4").parameter.method);
+  if (stand.dynamics.force_meaning != ForceMeaning::measured && std::isnan(made("K4").parameter.value))
+    throw InputError("K4 belongs to the chain with force_meaning = \"" +
+                     std::string(word_of(stand.dynamics.force_meaning)) + "\", and its slab theory has " +
+                     made("K4").parameter.method);
   FourHigh tagged = stand;
   set_given_inputs(tagged.given);
   reduce::ChainInputs in;
@@ -250,7 +252,7 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
       in);
   in.at            = fmt::format("{:.1f} kN", load / 1e3);
   in.K_ww          = touching_work_rolls(stand, load, nullptr);
-  const bool solid = stand.backup_roll.bending_model == "solid";
+  const bool solid = stand.backup_roll.bending_model == BendingModel::solid;
   if (solid && !is_given(stand.given, "K_ZW"))
     tagged.given["K_ZW"].parameter = bent_beam(stand, factors);
   if (pass == 0)  // the later ones take the same frame
@@ -281,7 +283,7 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
       r.file     = place.file;
       r.equation = place.equation;
       r.own_keys = place.own_keys;
-      if (stand.dynamics.mass_source == "fe" && !place.from.empty() && name[0] == 'M')
+      if (stand.dynamics.mass_source == MassSource::fe && !place.from.empty() && name[0] == 'M')
         r.stands_for = "shapes of the rolls by finite elements, dynamics.mass_source = \"fe\"";
       else if (solid && name[0] == 'M' && holds(inputs, "backup_roll.bending_model"))
         r.stands_for = "shapes of the rolls by finite elements, backup_roll.bending_model = \"solid\"";

@@ -24,11 +24,11 @@ KeyList work_roll_keys(const std::string &chock)
 }
 }  // namespace
 
-Station station_of(const std::string &name, const std::string &reference)
+Station station_of(const std::string &name, const MassReference reference)
 {
   if (name == "K_ZW")
     return {"bending and shear of the backup roll", "reduce/chain/beam_shapes",
-            reference == "mean" ? "(4.8b)" : "(4.8a)"};
+            reference == MassReference::mean ? "(4.8b)" : "(4.8a)"};
   if (name == "K1")
     return spring("(4.1a)", "");
   if (name == "K2")

@@ -25,11 +25,12 @@ std::string name_of_force(const Pass &pass)
 // Everything that a response depends on except its force.
 std::vector<double> chain_numbers(const LumpedModel &model, const DynamicsSettings &settings)
 {
-  const bool measured = settings.force_meaning == "measured";
-  std::vector<double> numbers{settings.modal_damping, settings.output_rate, settings.frame == "closed" ? 1. : 0.,
-                              measured                                ? 0.
-                              : settings.force_meaning == "published" ? 1.
-                                                                      : 2.};
+  const bool measured = settings.force_meaning == ForceMeaning::measured;
+  std::vector<double> numbers{settings.modal_damping, settings.output_rate,
+                              settings.frame == FrameForm::closed ? 1. : 0.,
+                              measured                                            ? 0.
+                              : settings.force_meaning == ForceMeaning::published ? 1.
+                                                                                  : 2.};
   for (const Parameter &mass : model.M)
     numbers.push_back(mass.value);
   for (std::size_t i = 0; i < model.K.size(); ++i)

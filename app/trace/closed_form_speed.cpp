@@ -14,7 +14,7 @@ namespace {
 StabilityQuestion question_of(const ClosedFormStand &closed, const Pass &pass)
 {
   FourHigh open               = *closed.stand;
-  open.dynamics.force_meaning = "measured";  // without K4: the bite is what chatter adds
+  open.dynamics.force_meaning = ForceMeaning::measured;  // without K4: the bite is what chatter adds
   const auto chain            = chain_with_modes(closed.model, open.dynamics);
   const double damping        = open.dynamics.modal_damping;
   const auto modes     = dynamics::modal_model(chain.model, chain.modes.frequency, chain.modes.shape, damping,
@@ -26,7 +26,7 @@ StabilityQuestion question_of(const ClosedFormStand &closed, const Pass &pass)
   q.model                 = "six masses by closed forms";
   q.leading.bite          = bite_of(open.strip, pass, open.work_roll.barrel_diameter, open.steel);
   q.leading.modal_damping = damping;
-  q.leading.scheme        = linearisation_of(open.analysis);
+  q.leading.scheme        = open.analysis.linearisation;
   q.leading.range         = speed_range(open.analysis);
   q.leading.stand         = {dynamics::structure_of(modes), free.entry_distance, free.exit_distance,
                              q.leading.bite.strip.youngs_modulus};
@@ -43,15 +43,9 @@ std::vector<SpeedVerdict> closed_form_speeds(const Case &the_case, const ClosedF
   for (std::size_t p = 0; p < memory.stands.size(); ++p) {
     const FourHigh &stand = *memory.stands[p].stand;
     const Pass &pass      = stand.passes[p];
-    SpeedVerdict verdict;
-    verdict.pass    = pass.name;
-    verdict.speed   = pass.speed;
-    verdict.missing = missing_for_critical_speed(the_case, stand, p);
-    if (verdict.missing.empty())
-      verdict = speed_verdict(question_of(memory.stands[p], pass));
-    else
-      verdict.remedy = "Add them to the case to have the critical speed searched.";
-    verdicts.push_back(verdict);
+    const auto missing    = missing_for_critical_speed(the_case, stand, p);
+    verdicts.push_back(missing.empty() ? speed_verdict(question_of(memory.stands[p], pass))
+                                       : not_searched(pass.name, pass.speed, missing));
   }
   return verdicts;
 }

@@ -99,7 +99,7 @@ bool ClosedFormModulus::add_bite() const
   const auto stiffness       = stand.given.count("K4") ? std::nullopt : closed_form_bite_stiffness(stand, 0);
   if (!K4 || !stiffness || !(stiffness->flattening > 0))
     return false;
-  const bool rigid       = stand.bite.arc == "rigid";
+  const bool rigid       = stand.bite.arc == BiteArc::rigid;
   const KeyList elastic  = keys_in("steel", "youngs_modulus poisson_ratio"),
                 arc      = joined(keys_in("strip", "width entry_thickness exit_thickness"),
                                   keys_in("pass.0", "entry_thickness exit_thickness"),
@@ -126,7 +126,7 @@ void ClosedFormModulus::add_with_strip() const
   if (bend * K3 > least_bending) {
     ClosedFormResult r = made(name_of("K_bend"), "N/m", factor(factors, name_of("K_bend")) / bend,
                               "Euler beam on its contact line", at);
-    if (stand.backup_roll.bending_model == "solid")
+    if (stand.backup_roll.bending_model == BendingModel::solid)
       r.stands_for = "the work rolls by finite elements, backup_roll.bending_model = \"solid\"";
     add(std::move(r), {"K3", "K5"},
         joined(keys_in("steel", "youngs_modulus"), keys_in("work_roll", "barrel_diameter barrel_length"),

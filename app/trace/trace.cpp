@@ -230,7 +230,7 @@ SpringFactors bending_factor(const StoredRun &run)
   try {
     const Case of_run = read_case(resolved);
     const auto *stand = std::get_if<FourHigh>(&of_run.spec);
-    if (!stand || stand->backup_roll.bending_model != "solid" || stand->given.count("K_ZW"))
+    if (!stand || stand->backup_roll.bending_model != BendingModel::solid || stand->given.count("K_ZW"))
       return {};
     return {{"K_ZW", stored->second / beam_stiffness(*stand)}};
   } catch (const InputError &) {  // another version's, or its records are gone

@@ -71,9 +71,9 @@ CheckedCase checked_text(const std::string &path, const std::string &text)
   return checked;
 }
 
-std::vector<Problem> remarks_of(const CheckedCase &checked)
+std::vector<Warning> remarks_of(const CheckedCase &checked)
 {
-  std::vector<Problem> remarks;
+  std::vector<Warning> remarks;
   for (const auto *list : {&checked.the_case.warnings, &checked.review.warnings, &checked.review.said_by_run})
     remarks.insert(remarks.end(), list->begin(), list->end());
   return remarks;

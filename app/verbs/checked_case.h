@@ -24,7 +24,7 @@ CheckedCase checked_case(const CommandLine &command);
 CheckedCase checked_text(const std::string &path, const std::string &text);
 
 /// What check remarks of a case without errors, in its order.
-std::vector<Problem> remarks_of(const CheckedCase &checked);
+std::vector<Warning> remarks_of(const CheckedCase &checked);
 /// And what it states: one sentence each.
 std::vector<std::string> facts_of(const CheckedCase &checked);
 

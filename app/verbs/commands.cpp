@@ -53,8 +53,8 @@ void print_table(const Results &results)
                       std::isnan(p.error_estimate) ? "-" : percent_text(p.error_estimate),
                       visible(p.at.text(), true)));
   }
-  for (const std::string &warning : results.warnings)
-    print("warning: " + visible(warning, true) + "\n");
+  for (const Warning &warning : results.warnings)
+    print("warning: " + visible(text_of(warning), true) + "\n");
 }
 
 int check_case(const CommandLine &command)
@@ -63,7 +63,8 @@ int check_case(const CommandLine &command)
   const Case &the_case      = checked.the_case;
   console::print(
       fmt::format("{}: no errors ({} \"{}\")\n", command.target, the_case.kind, visible(the_case.title, true)));
-  for (Problem problem : remarks_of(checked)) {
+  for (const Warning &remark : remarks_of(checked)) {
+    Problem problem = problem_of(remark);
     problem.message = visible(problem.message, true);
     console::print(render(problem, "warning") + "\n");
   }

@@ -37,9 +37,9 @@ DrivenStand driven_case(const CommandLine &command, const Case &the_case)
   return driven;
 }
 
-void say_warnings(const std::vector<std::string> &warnings)
+void say_warnings(const std::vector<Warning> &warnings)
 {
-  for (const std::string &warning : warnings)
-    console::say("warning: " + visible(warning, true) + "\n");
+  for (const Warning &warning : warnings)
+    console::say("warning: " + visible(text_of(warning), true) + "\n");
 }
 }  // namespace mill

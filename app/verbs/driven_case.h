@@ -23,5 +23,5 @@ void run_in_scratch(const CommandLine &command, const Case &the_case,
                     const std::function<void(RunContext &run)> &work);
 
 /// What stages warned of, on the console.
-void say_warnings(const std::vector<std::string> &warnings);
+void say_warnings(const std::vector<Warning> &warnings);
 }  // namespace mill

@@ -3,24 +3,24 @@
 #include "core/model/case.h"
 
 namespace mill {
-std::string leading_model(const Case &the_case, const CommandLine &command)
+std::optional<StandModelKind> leading_model(const Case &the_case, const CommandLine &command)
 {
   const auto *stand = std::get_if<FourHigh>(&the_case.spec);
   if (!stand) {
     if (!command.model.empty())
       throw InputError("--model " + command.model + ": kind = \"" + the_case.kind + "\" (" + the_case.path +
                        ") has one model; leave the option out, or name a case of kind four-high");
-    return "";
+    return std::nullopt;
   }
   if (!command.model.empty())
-    return command.model;
-  return the_case.places.count("dynamics.model") > 0 ? stand->dynamics.model : "craig-bampton";
+    return choice_named<StandModelKind>(command.model);
+  return the_case.places.count("dynamics.model") > 0 ? stand->dynamics.model : StandModelKind::craig_bampton;
 }
 
 Case with_leading_model(Case the_case, const CommandLine &command)
 {
-  if (const std::string model = leading_model(the_case, command); !model.empty())
-    std::get<FourHigh>(the_case.spec).dynamics.model = model;
+  if (const auto model = leading_model(the_case, command))
+    std::get<FourHigh>(the_case.spec).dynamics.model = *model;
   return the_case;
 }
 }  // namespace mill

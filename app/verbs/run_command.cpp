@@ -62,7 +62,7 @@ public:
   }
   [[noreturn]] void fail(const SolverError &error)
   {
-    run.warn(error.report.what);
+    run.warn({WarningId::solver_failed, "", error.report.what, "", error.report.remedy});
     store("failed: " + error.report.what);
     throw SolverError(error);
   }
@@ -82,11 +82,12 @@ void note_beginning(RunContext &run, const CommandLine &command, const CheckedCa
   run.progress.note("millstand " + version() + " " + command.verb + " " + command.target);
   run.progress.note("BLAS " + blas_in_use());
   if (is_reference_blas(blas_in_use()))
-    run.warn("the BLAS in use is the reference one (" + blas_in_use() +
-             "), 6 to 20 times slower than OpenBLAS; install libopenblas0-openmp");
+    run.warn({WarningId::reference_blas, "",
+              "the BLAS in use is the reference one (" + blas_in_use() + "), 6 to 20 times slower than OpenBLAS",
+              "", "install libopenblas0-openmp"});
   for (const auto *warnings : {&run.the_case.warnings, &checked.review.warnings})
-    for (const Problem &problem : *warnings)
-      run.warn(problem.message);
+    for (const Warning &warning : *warnings)
+      run.warn(warning);
   run.results.left_at_template = run.the_case.left_at_template;
 }
 }  // namespace

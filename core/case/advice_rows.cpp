@@ -84,14 +84,14 @@ const std::vector<Field<FourHighAdvice>> &four_high_advice_rows()
   static const std::vector<Field<T>> rows = [] {
     RowList<T> list;
     list.add(
-        "goal", &T::goal, "critical-speed | level", any, absent, "level",
+        "goal", &T::goal, "choice", any, absent, "level",
         "what the advice shall improve; when absent the critical speed where the first pass has a speed and a "
         "bite and neither place, band nor a measured force is given, else the level of the place");
     list.add_stand();
     list.add("margin", &T::margin, "%", {0, 1000}, 10, "10 %",
              "wanted distance: critical speed at least (1 + margin) times the working speed");
     list.add(
-        "model", &T::model, "beam | craig-bampton", any, "beam", "craig-bampton",
+        "model", &T::model, "beam | craig-bampton", any, StandModelKind::beam, "craig-bampton",
         "in which every action is repeated and which decides: rolls as beams, within seconds, or as component "
         "modes of their finite elements, within minutes");
     list.add_limits();

@@ -24,8 +24,8 @@ void apply(const Model &model, RollerBearing &bearing, Reading &reading)
     reading.places[there]  = reading.places.at(here);
     reading.written[there] = reading.written[here];
   };
-  one("roller_law", bearing.roller_law, model.input.roller_law);
-  one("rings", bearing.rings, model.input.rings);
+  one("roller_law", bearing.roller_law, model.input.roller_law.value_or(bearing.roller_law));
+  one("rings", bearing.rings, model.input.rings.value_or(bearing.rings));
   one("slices", bearing.slices, model.input.slices);
 }
 
@@ -35,7 +35,6 @@ RollerBearing as_given(RollerBearing bearing)
   if (bearing.arrangement_assumed)
     bearing.arrangement.clear();
   if (bearing.chock_assumed) {
-    bearing.chock.clear();
     bearing.chock_width = bearing.chock_height = bearing.chock_length = not_given;
   }
   if (bearing.support_assumed)
@@ -54,8 +53,13 @@ std::vector<Field<RollerBearing>> known_rows(const RollerBearing &bearing, const
   };
   std::vector<Field<RollerBearing>> rows;
   for (const Field<RollerBearing> &row : bearing_rows())
-    if (is_known(row.key))
+    if (is_known(row.key)) {
       rows.push_back(row);
+      if (bearing.chock_assumed && row.key == std::string("chock"))
+        std::get<ChoiceMember<RollerBearing>>(rows.back().member).words = [](const RollerBearing &) {
+          return Value(std::string());
+        };
+    }
   return rows;
 }
 

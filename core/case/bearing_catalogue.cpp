@@ -11,7 +11,6 @@
 namespace mill {
 namespace {
 constexpr const char *header_example = "designation, type, d [mm], D [mm], B [mm], rows, C [kN], C0 [kN], source";
-constexpr const char *bearing_types  = "four-row tapered | four-row cylindrical";
 
 // Letters and digits in capitals: what a designation is compared by.
 std::string plain_designation(const std::string &text)
@@ -138,12 +137,27 @@ private:
     return value;
   }
 
+  std::optional<BearingType> type_of(const std::size_t row)
+  {
+    std::vector<std::string> words;
+    for (const BearingType type : {BearingType::four_row_tapered, BearingType::four_row_cylindrical})
+      words.push_back(word_of(type));
+    const std::string needed = fmt::format("one of {} is needed", fmt::join(words, " | "));
+    const std::string text   = word(row, "type", needed.c_str());
+    const auto type          = choice_named<BearingType>(text);
+    if (type && *type != BearingType::oil_film)
+      return type;
+    if (!text.empty())
+      refuse(cell(row, "type"), fmt::format("type '{}' is unknown{}", text, suggestion(text, words)));
+    return std::nullopt;
+  }
+
   CatalogueBearing line(const std::size_t row)
   {
     CatalogueBearing b;
     b.designation      = word(row, "designation", "a line without a designation cannot be looked up");
     b.place            = sheet.place(cell(row, "designation"));
-    b.type             = word(row, "type", "one of four-row tapered | four-row cylindrical is needed");
+    b.type             = type_of(row);
     b.source           = word(row, "source", "say where the figures of this line come from");
     b.bore             = number(row, "d", 0.02, 2.5);
     b.outside_diameter = number(row, "D", 0.03, 3.5);
@@ -155,9 +169,6 @@ private:
     b.rows             = std::isfinite(rows) ? int(rows) : 0;
     if (std::isfinite(rows) && rows != std::floor(rows))
       refuse(cell(row, "rows"), fmt::format("rows = {} is not a whole number", cell(row, "rows").text));
-    const auto types = split(bearing_types, " | ");
-    if (!b.type.empty() && std::find(types.begin(), types.end(), b.type) == types.end())
-      refuse(cell(row, "type"), fmt::format("type '{}' is unknown{}", b.type, suggestion(b.type, types)));
     if (b.outside_diameter <= b.bore)
       refuse(cell(row, "D"), fmt::format("the outside diameter {} is not larger than the bore {}",
                                          cell(row, "D").text, cell(row, "d").text));

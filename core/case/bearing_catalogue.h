@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/errors.h"
 #include "core/model/material.h"
+#include "core/model/roller_bearing.h"
 #include <string>
 #include <vector>
 
@@ -9,11 +10,11 @@
 namespace mill {
 /// One line of a catalogue.
 struct CatalogueBearing {
-  std::string designation;      ///< as written, "LM761649D/LM761610/LM761610D"
-  std::string type;             ///< as bearing.*.type
-  double bore             = 0;  ///< m, d
-  double outside_diameter = 0;  ///< m, D
-  double width            = 0;  ///< m, B, over all rows
+  std::string designation;          ///< as written, "LM761649D/LM761610/LM761610D"
+  std::optional<BearingType> type;  ///< absent: not a roller bearing, and reported
+  double bore             = 0;      ///< m, d
+  double outside_diameter = 0;      ///< m, D
+  double width            = 0;      ///< m, B, over all rows
   int rows                = 0;
   double dynamic_rating   = not_given;  ///< N, C; absent: the source does not say
   double static_rating    = not_given;  ///< N, C0

@@ -55,7 +55,7 @@ const std::vector<Field<RollerBearing>> &bearing_catalogue_rows()
        absent,
        "2000 MPa",
        "flow stress of the raceway; yield_pressure is then where the first point below a line contact yields"},
-      {"raceway_flow_state", &T::raceway_state, "uniaxial | plane-strain", any, "uniaxial", "uniaxial",
+      {"raceway_flow_state", &T::raceway_state, "choice", any, RacewayTest::uniaxial, "uniaxial",
        "test that raceway_flow_stress comes from: uniaxial, sqrt(3) times the flow stress in shear, or plane "
        "strain, "
        "twice that"},

@@ -14,7 +14,7 @@ constexpr double angle_tolerance = 0.5 * M_PI / 180;
 
 bool is_tapered(const RollerBearing &b)
 {
-  return b.type == "four-row tapered";
+  return b.type == BearingType::four_row_tapered;
 }
 
 double closing_roller_diameter(const RollerBearing &b)
@@ -120,19 +120,25 @@ void check_profile(const RollerBearing &b, Reading &reading)
 {
   const auto key = [&](const char *k) { return "bearing." + b.name + "." + k; };
   if (reading.usable({key("profile"), key("crown_drop")}) &&
-      (b.profile == "crown" || b.profile == "three-parameter") && std::isnan(b.crown_drop))
+      (b.profile == RollerProfile::crown || b.profile == RollerProfile::three_parameter) &&
+      std::isnan(b.crown_drop))
     contradict(reading, key("profile"), "needs a crown_drop", {});
-  const bool logarithm = b.profile == "log" || b.profile == "lundberg" || b.profile == "three-parameter";
-  const bool has_end   = b.profile == "crown" || b.profile == "three-parameter";
+  const bool logarithm = b.profile == RollerProfile::log || b.profile == RollerProfile::lundberg ||
+                         b.profile == RollerProfile::three_parameter;
+  const bool has_end = b.profile == RollerProfile::crown || b.profile == RollerProfile::three_parameter;
   for (const auto &[only, used] : {std::pair("crown_drop", has_end), std::pair("profile_load", logarithm)})
     if (!used && reading.places.count(key(only)) && reading.usable({key("profile")}))
-      contradict(reading, key(only), fmt::format("has no effect with profile = \"{}\"; leave it out", b.profile),
+      contradict(reading, key(only),
+                 fmt::format("has no effect with profile = \"{}\"; leave it out", word_of(b.profile)),
                  {key("profile")});
-  if (reading.usable({key("profile"), key("profile_table")}) && b.profile == "table" && b.profile_table.empty())
+  if (reading.usable({key("profile"), key("profile_table")}) && b.profile == RollerProfile::table &&
+      b.profile_table.empty())
     contradict(reading, key("profile"), "needs a profile_table", {});
-  if (reading.usable({key("profile"), key("profile_table")}) && b.profile != "table" && !b.profile_table.empty())
+  if (reading.usable({key("profile"), key("profile_table")}) && b.profile != RollerProfile::table &&
+      !b.profile_table.empty())
     contradict(reading, key("profile_table"), "is used by profile = \"table\" only", {key("profile")});
-  const bool by_diameter = b.profile != "none" && b.profile != "crown" && b.profile != "table";
+  const bool by_diameter =
+      b.profile != RollerProfile::none && b.profile != RollerProfile::crown && b.profile != RollerProfile::table;
   if (reading.usable({key("profile"), key("roller_diameter")}) && by_diameter && std::isnan(b.roller_diameter))
     contradict(reading, key("profile"), "needs a roller_diameter", {});
 }
@@ -217,9 +223,9 @@ void check_rings(const RollerBearing &b, Reading &reading)
   }
   if (missing.empty() || !reading.usable({key("roller_law"), key("rings")}))
     return;
-  if (b.roller_law == "fe" || b.roller_law == "elastic")
+  if (b.roller_law == OneRollerLaw::fe || b.roller_law == OneRollerLaw::elastic)
     contradict(reading, key("roller_law"), "needs " + missing, {});
-  if (b.rings == "elastic")
+  if (b.rings == RingBodies::elastic)
     contradict(reading, key("rings"), "needs " + missing, {});
 }
 }  // namespace
@@ -231,7 +237,7 @@ void complete_support(RollerBearing &b, const bool of_backup_roll, const bool gi
 {
   if (std::isnan(b.chock_width))
     return;
-  b.support_assumed = !given && b.chock == "block";
+  b.support_assumed = !given && b.chock == ChockForm::block;
   const auto say    = [&](const char *key, const double value, const std::string &why) {
     b.filled.push_back(
            fmt::format("bearing.{}.{} is not given: {} assumed, {}", b.name, key, millimetres(value), why));
@@ -283,7 +289,8 @@ void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading
            fmt::format("{} closes the apex condition", degrees(closing_cone_angle(b))));
   }
   if (std::isfinite(b.raceway_flow) && left_out("yield_pressure")) {
-    b.yield_pressure = yield_pressure_of(b.raceway_flow, b.raceway_state == "plane-strain", b.poisson_ratio);
+    b.yield_pressure =
+        yield_pressure_of(b.raceway_flow, b.raceway_state == RacewayTest::plane_strain, b.poisson_ratio);
     b.filled.push_back(fmt::format("{}.yield_pressure follows from raceway_flow_stress: {:.0f} MPa, where a line "
                                    "contact first yields, (5.42)",
                                    name, b.yield_pressure / 1e6));
@@ -291,9 +298,9 @@ void complete_bearing(RollerBearing &b, const bool of_backup_roll, const Reading
   const bool drawn = std::isfinite(b.bore) && std::isfinite(b.outside_diameter) && std::isfinite(b.width) &&
                      std::isfinite(b.roller_diameter);
   if (left_out("roller_law"))
-    b.roller_law = drawn ? "fe" : "iso";
+    b.roller_law = drawn ? OneRollerLaw::fe : OneRollerLaw::iso;
   if (left_out("rings"))
-    b.rings = drawn ? "elastic" : "rigid";
+    b.rings = drawn ? RingBodies::elastic : RingBodies::rigid;
   b.arrangement_assumed   = is_tapered(b) && b.rows > 1 && left_out("arrangement");
   const std::size_t hands = b.rows < 4 ? 2 : 4;
   if (b.arrangement == "back-to-back")
@@ -322,7 +329,8 @@ void check_yield(const RollerBearing &b, Reading &reading)
       !reading.usable(
           {key("yield_pressure"), key("raceway_flow_stress"), key("raceway_flow_state"), key("poisson_ratio")}))
     return;
-  const double follows = yield_pressure_of(b.raceway_flow, b.raceway_state == "plane-strain", b.poisson_ratio);
+  const double follows =
+      yield_pressure_of(b.raceway_flow, b.raceway_state == RacewayTest::plane_strain, b.poisson_ratio);
   if (std::abs(b.yield_pressure / follows - 1) > 1e-3)
     contradict(reading, key("yield_pressure"),
                fmt::format("differs from the {:.0f} MPa that follow from raceway_flow_stress; give one of the two",

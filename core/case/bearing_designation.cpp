@@ -104,9 +104,10 @@ void take_sizes(RollerBearing &b, const Keys &keys, const CatalogueBearing &from
   if (keys.left_out("type"))
     b.type = from.type;
   else if (keys.given("type") && b.type != from.type)
-    contradict(keys.reading, keys.full("type"),
-               fmt::format("is not that of the designation, for which the catalogue has \"{}\"", from.type),
-               {keys.full("designation")});
+    contradict(
+        keys.reading, keys.full("type"),
+        fmt::format("is not that of the designation, for which the catalogue has \"{}\"", word_of(*from.type)),
+        {keys.full("designation")});
   fill(keys, "bore", b.bore, from.bore, millimetres(from.bore));
   fill(keys, "outside_diameter", b.outside_diameter, from.outside_diameter, millimetres(from.outside_diameter));
   fill(keys, "width", b.width, from.width, millimetres(from.width));
@@ -204,7 +205,7 @@ void estimate(RollerBearing &b, const Keys &keys, const CatalogueBearing &from)
                               "rollers_per_row, roller_diameter and roller_length, or dynamic_rating and "
                               "static_rating");
   }
-  const bool angle = b.type == "four-row tapered" && keys.left_out("cup_angle");
+  const bool angle = b.type == BearingType::four_row_tapered && keys.left_out("cup_angle");
   const KnownRollers known{b.rollers_per_row, b.roller_diameter,
                            b.roller_length > 0 ? b.roller_length : not_given};
   RollerBearing trial = b;

@@ -18,7 +18,7 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
 {
   using T = RollerBearing;
   static const std::vector<Field<T>> drawn{
-      {"type", &T::type, "four-row tapered | four-row cylindrical | oil-film", any, required, "four-row tapered",
+      {"type", &T::type, "choice", any, required, "four-row tapered",
        "decides whether the contact angles are used; an oil film has other keys"},
       {"bore", &T::bore, "mm", {20, 2500}, absent, "266.7 mm", "bore of the inner ring"},
       {"outside_diameter", &T::outside_diameter, "mm", {30, 3500}, absent, "355.6 mm", "of the outer ring"},
@@ -97,8 +97,7 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        absent,
        "10 kN",
        "axial, of each row, in place of radial_clearance"},
-      {"profile", &T::profile, "none | iso | log | lundberg | three-parameter | crown | table", any, "none", "iso",
-       "profile of the roller"},
+      {"profile", &T::profile, "choice", any, RollerProfile::none, "iso", "profile of the roller"},
       {"crown_drop",
        &T::crown_drop,
        "um",
@@ -142,14 +141,14 @@ const std::vector<Field<RollerBearing>> &bearing_rows()
        4000,
        "4000 MPa",
        "contact pressure a raceway bears without a lasting dent (static rating of roller bearings)"},
-      {"roller_law", &T::roller_law, "fe | iso | palmgren | elastic", any, absent, "fe",
+      {"roller_law", &T::roller_law, "choice", any, absent, "fe",
        "law of one roller between two raceways; when absent fe if bore, outside diameter, width and roller "
        "diameter "
        "are given, else iso"},
-      {"rings", &T::rings, "elastic | rigid", any, absent, "elastic",
+      {"rings", &T::rings, "choice", any, absent, "elastic",
        "whether rings, neck and chock deflect; when absent elastic if their sizes are given, else rigid"},
       {"slices", &T::slices, "count", {1, 1001}, 41, "41", "laminae along one roller"},
-      {"chock", &T::chock, "block | round | rigid", any, absent, "block",
+      {"chock", &T::chock, "choice", any, absent, "block",
        "what holds the cup when the rings are elastic: a block with a bore, supported on one face; a round "
        "housing as large as it; a rigid support. When absent a block; with its sizes absent too, a rigidly held "
        "cup is part of the error estimate"},
@@ -255,9 +254,8 @@ const std::vector<Field<BearingModelInput>> &bearing_model_rows()
 {
   using T = BearingModelInput;
   static const std::vector<Field<T>> rows{
-      {"roller_law", &T::roller_law, "fe | iso | palmgren | elastic", any, absent, "fe",
-       "as in [bearing.*], for the loaded bearing"},
-      {"rings", &T::rings, "elastic | rigid", any, absent, "elastic", "as in [bearing.*]"},
+      {"roller_law", &T::roller_law, "choice", any, absent, "fe", "as in [bearing.*], for the loaded bearing"},
+      {"rings", &T::rings, "choice", any, absent, "elastic", "as in [bearing.*]"},
       {"slices", &T::slices, "count", {1, 1001}, absent, "41", "as in [bearing.*]"},
   };
   return rows;

@@ -40,7 +40,7 @@ void check_shape(const NamedBody &b, const bool in_space, Reading &reading)
   if (!in_space)
     for (const char *row :
          {"length", "crown_radius", "profile", "profile_length", "profile_drop", "profile_load", "profile_table"})
-      if (row != std::string("profile") || b.body.profile != "none")
+      if (row != std::string("profile") || b.body.profile != EndProfile::none)
         no_effect(reading, b.key(row), "in plane strain, only in [contact.space]");
 }
 
@@ -62,28 +62,28 @@ void check_table(const NamedBody &b, Reading &reading)
 
 void check_profile(const NamedBody &b, Reading &reading)
 {
-  const std::string &profile = b.body.profile;
+  const EndProfile profile = b.body.profile;
   if (!reading.usable({b.key("profile"), b.key("length")}))
     return;
   const auto needs = [&](const std::string &row) {
     if (!written(reading, b.key(row)) && reading.usable({b.key(row)}))
       contradict(reading, b.key("profile"), "needs " + b.key(row), {});
   };
-  if (profile != "none")
+  if (profile != EndProfile::none)
     needs("length");
-  if (profile == "arc")
+  if (profile == EndProfile::arc)
     needs("profile_drop");
-  if (profile == "table")
+  if (profile == EndProfile::table)
     needs("profile_table");
-  const auto belongs_to = [&](const char *row, const char *owner) {
+  const auto belongs_to = [&](const char *row, const EndProfile owner) {
     if (profile != owner)
-      no_effect(reading, b.key(row), fmt::format("without profile = \"{}\"", owner), {b.key("profile")});
+      no_effect(reading, b.key(row), fmt::format("without profile = \"{}\"", word_of(owner)), {b.key("profile")});
   };
-  belongs_to("profile_length", "arc");
-  belongs_to("profile_drop", "arc");
-  belongs_to("profile_load", "log");
-  belongs_to("profile_table", "table");
-  if (profile == "arc" && reading.usable({b.key("profile_length")}) &&
+  belongs_to("profile_length", EndProfile::arc);
+  belongs_to("profile_drop", EndProfile::arc);
+  belongs_to("profile_load", EndProfile::log);
+  belongs_to("profile_table", EndProfile::table);
+  if (profile == EndProfile::arc && reading.usable({b.key("profile_length")}) &&
       b.body.profile_length > 0.5 * b.body.length * (1 + 1e-9))
     contradict(reading, b.key("profile_length"),
                fmt::format("is longer than half the face, {}", millimetres(0.5 * b.body.length)),

@@ -8,7 +8,7 @@ std::vector<Field<RoundBody>> body_rows(const char *diameter, const char *meanin
   using T = RoundBody;
   return {
       {"diameter", &T::diameter, "mm", {1, 5000}, required, diameter, meaning},
-      {"shape", &T::shape, "cylinder | plane", any, "cylinder", "cylinder",
+      {"shape", &T::shape, "choice", any, BodyShape::cylinder, "cylinder",
        "of the surface; a plane has neither diameter nor crown_radius"},
       {"rigid", &T::rigid, "flag", any, 0, "true", "the body does not deform; at most one of the two"},
       {"youngs_modulus",
@@ -39,7 +39,7 @@ std::vector<Field<RoundBody>> body_rows(const char *diameter, const char *meanin
        absent,
        "2000 mm",
        "contact.space: radius of the crowned generator; when absent it is straight"},
-      {"profile", &T::profile, "none | arc | log | table", any, "none", "log",
+      {"profile", &T::profile, "choice", any, EndProfile::none, "log",
        "contact.space: relief of both ends: a parabola over profile_length, the logarithm of Johns and Gohar, or "
        "profile_table"},
       {"profile_length",
@@ -153,7 +153,7 @@ const std::vector<Field<SpaceContactSettings>> &space_contact_rows()
        absent,
        "1000 N",
        "applied after the load `at`; below friction times it, so that a part sticks"},
-      {"tangential_direction", &T::tangential_direction, "across | along", any, "across", "along",
+      {"tangential_direction", &T::tangential_direction, "choice", any, TangentialDirection::across, "along",
        "of the tangential load: across the axes, as in rolling, or along them"},
   };
   return rows;

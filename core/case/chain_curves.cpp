@@ -10,13 +10,13 @@ const char *const any_curve_key = "dynamics.contact";
 
 bool wants_curves(const DynamicsSettings &dynamics, const Reading &reading)
 {
-  return dynamics.contact == "curve" && reading.usable({any_curve_key});
+  return dynamics.contact == ContactSprings::curve && reading.usable({any_curve_key});
 }
 
 // With the published reading K4 takes a share of the mean force, so that no load of the contacts is known.
 void refuse_published(const DynamicsSettings &dynamics, Reading &reading)
 {
-  if (dynamics.force_meaning == "published")
+  if (dynamics.force_meaning == ForceMeaning::published)
     contradict(reading, any_curve_key,
                "needs the load of every contact at rest, which the published reading of the force does not have; "
                "use \"measured\" or \"disturbance\"",

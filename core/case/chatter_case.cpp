@@ -41,10 +41,10 @@ void read_model(ChatterCase &spec, const std::string &section, Reading &reading)
     spec.modal_damping = lumped.dynamics.modal_damping;
     if (!lumped.detailed)
       spec.model = lumped_model_of(model);
-    else if (lumped.dynamics.force_meaning != "measured")
+    else if (lumped.dynamics.force_meaning != ForceMeaning::measured)
       refuse(fmt::format("{} cannot be used: its matrices hold the spring of the bite (dynamics.force_meaning = "
                          "\"{}\"), which the bite adds here; run the stand with force_meaning = \"measured\"",
-                         reading.as_written(key), lumped.dynamics.force_meaning));
+                         reading.as_written(key), word_of(lumped.dynamics.force_meaning)));
     else if (given(reading, section, "dampings"))
       contradict(reading, section + ".dampings", "are those of six bodies, and the model has other bodies", {key});
     else

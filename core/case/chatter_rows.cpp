@@ -179,8 +179,7 @@ const std::vector<Field<ChatterAnalysis>> &chatter_analysis_rows()
                          const char *example, const char *meaning) {
       all.push_back({key, member, form, range, fallback, example, meaning});
     };
-    add("linearisation", &T::linearisation, "sequential | consistent | frozen-friction", any, "sequential",
-        "sequential",
+    add("linearisation", &T::linearisation, "choice", any, Linearisation::sequential, "sequential",
         "what follows a disturbance: all but the strip speeds inside the film law, as published; everything; all "
         "but friction");
     add("speeds", &T::speeds, "m/s", {0.01, 200}, absent, R"(["5 m/s", "30 m/s"])",

@@ -11,6 +11,10 @@
 
 namespace mill {
 namespace {
+// A twenty-high mill with saddles has some thirty bodies; forty held by guides take 5 s, and the time grows with the
+// fifth power and more.
+constexpr std::size_t most_rolls = 40;
+
 bool is_given(const Reading &reading, const std::string &key)
 {
   return reading.places.count(key) > 0;
@@ -91,6 +95,10 @@ void check_known(const std::string &key, const std::string &name, const std::str
 
 void check_rolls(const ClusterStand &stand, Reading &reading)
 {
+  if (stand.rolls.size() > most_rolls)
+    reading.add(stand.rolls[most_rolls].place,
+                fmt::format("{} sections [[roll]] are given; a cluster has at most {} rolls", stand.rolls.size(),
+                            most_rolls));
   for (std::size_t i = 0; i < stand.rolls.size(); ++i)
     check_word(numbered("roll", i, "name"), stand.rolls[i].name, reading);
   check_unique(
@@ -145,14 +153,14 @@ void check_contacts(const ClusterStand &stand, Reading &reading)
       continue;
     }
     const std::string law = numbered("contact", i, "law"), stiffness = numbered("contact", i, "stiffness");
-    if (c.law == "spring" && std::isnan(c.stiffness) && reading.usable({law, stiffness}))
+    if (c.law == ClusterLaw::spring && std::isnan(c.stiffness) && reading.usable({law, stiffness}))
       contradict(reading, law, "needs a stiffness, for example stiffness = \"1.5e10 N/m\"", {});
-    if (c.law == "spring" && c.exponent != 1 && std::isnan(c.load) &&
+    if (c.law == ClusterLaw::spring && c.exponent != 1 && std::isnan(c.load) &&
         reading.usable({numbered("contact", i, "load"), numbered("contact", i, "exponent")}))
       contradict(reading, numbered("contact", i, "exponent"),
                  "bends the spring; give the load where its stiffness belongs", {});
     for (const char *key : {"stiffness", "load", "exponent"})
-      if (c.law != "spring" && is_given(reading, numbered("contact", i, key)))
+      if (c.law != ClusterLaw::spring && is_given(reading, numbered("contact", i, key)))
         contradict(reading, numbered("contact", i, key), "belongs to law = \"spring\"; leave one of the two out",
                    {law});
   }
@@ -179,12 +187,12 @@ void check_supports(const ClusterStand &stand, Reading &reading)
     const auto needs = [&](const char *k, const bool missing, const char *example) {
       if (missing && reading.usable({key(k), key("type")}))
         reading.add(s.place, fmt::format("support.{} of type {} has no '{}'; add for example {} = \"{}\"", i,
-                                         s.type, k, k, example));
+                                         word_of(s.type), k, k, example));
     };
     needs("stiffness", std::isnan(s.stiffness), "1.08e10 N/m");
-    const bool curved = s.exponent != 1 && (s.type == "radial" || s.type == "isotropic");
+    const bool curved = s.exponent != 1 && (s.type == SupportType::radial || s.type == SupportType::isotropic);
     needs("load", curved && std::isnan(s.load), "1148 kN");
-    if (s.type == "rollers") {
+    if (s.type == SupportType::rollers) {
       needs("half_angle", std::isnan(s.half_angle), "36 deg");
       needs("preload", std::isnan(s.preload), "4.5 kN");
       needs("against", s.against.empty(), "W");

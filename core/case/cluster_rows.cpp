@@ -41,7 +41,7 @@ const std::vector<Field<ClusterSettings>> &cluster_stack_rows()
        "one, the "
        "rolling force is imposed"},
       {"gravity", &T::gravity, "flag", any, 1, "true", "weight of the rolls, along -y"},
-      {"spin", &T::spin, "free | coupled", any, "free", "free",
+      {"spin", &T::spin, "choice", any, ClusterSpin::free, "free",
        "coupled: friction in the contacts lets a vibration turn the rolls, by a tangential spring in each "
        "contact"},
       {"tangential_ratio",
@@ -108,7 +108,7 @@ const std::vector<Field<ClusterRoll>> &cluster_roll_rows()
        R"(["0 mm", "34.8 mm"])",
        "axis of the unloaded roll, x along the rolling direction and y up; when absent it is found from contacts "
        "with rolls that have their place: from one with its direction, from two without"},
-      {"side", &T::side, "below | above", any, "below", "below",
+      {"side", &T::side, "choice", any, PositionSide::below, "below",
        "side of the two rolls on which it lies, when its position follows from contacts"},
   };
   return rows;
@@ -129,7 +129,7 @@ const std::vector<Field<ClusterContact>> &cluster_contact_rows()
        "90 deg",
        "from the first axis to the second, from the rolling direction upwards; places a roll that has no "
        "position"},
-      {"law", &T::law, "power | foeppl | johnson | computed | spring", any, "johnson", "johnson",
+      {"law", &T::law, "choice", any, ClusterLaw::johnson, "johnson",
        "johnson, foeppl: closed forms of the line contact of two cylinders; power: Palmgren's for rollers of "
        "bearings; computed: finite elements of this pair; spring: stiffness, exponent"},
       {"coefficient",
@@ -195,7 +195,7 @@ const std::vector<Field<ClusterSupport>> &cluster_support_rows()
        "its name where a roll has several; that of the roll when absent"},
       {"like", &T::like, "text", any, absent, "R",
        "support of which this one is the mirror image about the vertical"},
-      {"type", &T::type, "radial | isotropic | guide | rollers", any, "radial", "radial",
+      {"type", &T::type, "choice", any, SupportType::radial, "radial",
        "radial: force along the displacement; isotropic: the law upwards, its tangent sideways; guide: along one "
        "direction; rollers: two behind a roll, with preload"},
       {"stiffness",

@@ -1,6 +1,9 @@
 #pragma once
+#include "core/base/choice.h"
+#include "core/base/warning.h"
 #include "core/case/case_file.h"
 #include <array>
+#include <functional>
 #include <limits>
 #include <map>
 #include <optional>
@@ -27,6 +30,7 @@ struct Fallback {
   constexpr Fallback(double n) : kind(Kind::number), number(n) {}
   constexpr Fallback(int n) : kind(Kind::number), number(n) {}
   constexpr Fallback(const char *t) : kind(Kind::text), text(t) {}
+  template <class E, if_choice<E> = 0> constexpr Fallback(E choice) : Fallback(word_of(choice)) {}
 };
 constexpr Fallback required{Fallback::Kind::required};  ///< the key must be there
 constexpr Fallback absent{Fallback::Kind::absent};      ///< may be left out; the meaning says what happens then
@@ -65,17 +69,66 @@ struct Row {
   std::string instead = "";  ///< what may be given in place of a required one, "M1 in [given]"; empty: nothing
 };
 
+/// A member of T that is a choice, an optional one or a list of them, whatever its type: as its words and back.
+template <class T> struct ChoiceMember {
+  std::function<Value(const T &)> words;  ///< "" for an absent one
+  std::function<void(T &, const Value &)> take;
+  std::string choices;  ///< "open | closed"
+  Kind kind = Kind::choice;
+  template <class E, class Of, if_choice<E> = 0>
+  ChoiceMember(E Of::*member)
+      : words([member](const T &record) -> Value { return std::string(word_of(record.*member)); }),
+        take([member](T &record, const Value &value) {
+          record.*member = choice_named<E>(std::get<std::string>(value)).value();
+        }),
+        choices(choices_of<E>())
+  {
+  }
+  template <class E, class Of, if_choice<E> = 0>
+  ChoiceMember(std::optional<E> Of::*member)
+      : words([member](const T &record) -> Value {
+          return std::string(record.*member ? word_of(*(record.*member)) : "");
+        }),
+        take([member](T &record, const Value &value) {
+          record.*member = choice_named<E>(std::get<std::string>(value));
+        }),
+        choices(choices_of<E>())
+  {
+  }
+  template <class E, class Of, if_choice<E> = 0>
+  ChoiceMember(std::vector<E> Of::*member)
+      : words([member](const T &record) -> Value {
+          std::vector<std::string> words;
+          for (const E one : record.*member)
+            words.push_back(word_of(one));
+          return words;
+        }),
+        take([member](T &record, const Value &value) {
+          (record.*member).clear();
+          for (const std::string &word : std::get<std::vector<std::string>>(value))
+            (record.*member).push_back(choice_named<E>(word).value());
+        }),
+        choices(choices_of<E>()), kind(Kind::words)
+  {
+  }
+  template <class Base, std::enable_if_t<std::is_base_of_v<Base, T>, int> = 0>
+  ChoiceMember(const ChoiceMember<Base> &of_base)
+      : words(of_base.words), take(of_base.take), choices(of_base.choices), kind(of_base.kind)
+  {
+  }
+};
+
 template <class T>
-using Member =
-    std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::array<double, 2> T::*,
-                 std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*,
-                 std::vector<std::string> T::*, std::vector<double> T::*, std::vector<std::array<double, 3>> T::*>;
+using Member = std::variant<double T::*, int T::*, bool T::*, std::string T::*, std::array<double, 2> T::*,
+                            std::vector<std::array<double, 2>> T::*, std::array<double, 6> T::*,
+                            std::vector<std::string> T::*, std::vector<double> T::*,
+                            std::vector<std::array<double, 3>> T::*, ChoiceMember<T>>;
 
 /// One input parameter.  Everything that the program says about it is written here, once.
 template <class T> struct Field {
   const char *key;
   Member<T> member;          ///< destination, SI
-  const char *form;          ///< as Row::form; "text" and "path" for those
+  const char *form;          ///< as Row::form; "text" and "path" for those, "choice" for all words of a choice
   Range range;               ///< both ends allowed
   Fallback fallback;         ///< value when the key is absent, `required` or `absent`
   const char *example;       ///< shown in messages, used by the template
@@ -88,7 +141,7 @@ struct Reading {
   std::string file;    ///< the case file as the user named it
   std::string folder;  ///< of the case file; paths of the case start there
   std::vector<Problem> problems;
-  std::vector<Problem> warnings;               ///< unlikely, but not impossible: nothing is refused for these
+  std::vector<Warning> warnings;               ///< unlikely, but not impossible: nothing is refused for these
   std::map<std::string, Place> places;         ///< full key -> place of a value that was read and accepted
   std::map<std::string, std::string> written;  ///< full key -> value as written, "\"420 mm\""
   std::set<std::string> bad;                   ///< full keys whose value is missing or was refused
@@ -166,7 +219,10 @@ std::string range_text(const Row &row);
 
 template <class T> Row row_of(const Field<T> &f)
 {
-  return {f.key, kind_of(f.member.index(), f.form), f.form, f.range, f.fallback, f.example, f.meaning, f.instead};
+  const auto *choice = std::get_if<ChoiceMember<T>>(&f.member);
+  const auto form    = choice && f.form == std::string("choice") ? choice->choices : f.form;
+  const Kind kind    = choice ? choice->kind : kind_of(f.member.index(), form);
+  return {f.key, kind, form, f.range, f.fallback, f.example, f.meaning, f.instead};
 }
 
 template <class T> std::vector<Row> rows_of(const std::vector<Field<T>> &fields)
@@ -179,15 +235,26 @@ template <class T> std::vector<Row> rows_of(const std::vector<Field<T>> &fields)
 
 template <class T> Value member_value(const Field<T> &field, const T &in)
 {
-  Value value;
-  std::visit([&](auto member) { value.emplace<std::decay_t<decltype(in.*member)>>(in.*member); }, field.member);
-  return value;
+  return std::visit(
+      [&](const auto &member) -> Value {
+        if constexpr (std::is_member_pointer_v<std::decay_t<decltype(member)>>)
+          return in.*member;
+        else
+          return member.words(in);
+      },
+      field.member);
 }
 
 template <class T> void set_member(const Field<T> &field, const Value &value, T &out)
 {
-  std::visit([&](auto member) { out.*member = std::get<std::decay_t<decltype(out.*member)>>(value); },
-             field.member);
+  std::visit(
+      [&](const auto &member) {
+        if constexpr (std::is_member_pointer_v<std::decay_t<decltype(member)>>)
+          out.*member = std::get<std::decay_t<decltype(out.*member)>>(value);
+        else
+          member.take(out, value);
+      },
+      field.member);
 }
 
 /// Fills a struct from a section: every row, its default, and a problem for each unknown key.

@@ -247,7 +247,7 @@ std::string suggestion(const std::string &word, const std::vector<std::string> &
   std::string list;
   for (const std::string &candidate : known)
     list += (list.empty() ? "" : ", ") + candidate;
-  return "; known: " + list;
+  return list.empty() ? "" : "; known: " + list;
 }
 
 std::string needed(const Row &row)

@@ -8,35 +8,37 @@
 // bite.fit: measured values to which friction and flow stress are fitted.
 namespace mill {
 namespace {
-bool has(const std::vector<std::string> &words, const std::string &word)
+template <class Word> bool has(const std::vector<Word> &words, const Word &word)
 {
   return std::find(words.begin(), words.end(), word) != words.end();
 }
 
-std::string without(const std::vector<std::string> &words, const std::string &word)
+std::string without(const std::vector<PassMeasure> &all, const PassMeasure one)
 {
   std::string list;
-  for (const std::string &other : words)
-    if (other != word)
-      list += (list.empty() ? "" : ", ") + quoted(other);
+  for (const PassMeasure other : all)
+    if (other != one)
+      list += (list.empty() ? "" : ", ") + quoted(word_of(other));
   return "[" + list + "]";
 }
 
 /// One kind of measured value as a case gives it.
 struct MeasuredKind {
-  const char *word, *name, *example;
+  PassMeasure kind;
+  const char *name, *example;
   bool (*given)(const Pass &pass);
 };
 
 // A stand without a load takes the mean of its force record.
 const MeasuredKind measured_kinds[] = {
-    {"force", "rolling force", "load = \"976.2 kN\"",
+    {PassMeasure::force, "rolling force", "load = \"976.2 kN\"",
      [](const Pass &p) {
        return !std::isnan(p.load) || !p.force_file.empty() || !std::isnan(p.synthetic_range[0]);
      }},
-    {"slip", "forward slip", "forward_slip = \"4.2 %\"",
+    {PassMeasure::slip, "forward slip", "forward_slip = \"4.2 %\"",
      [](const Pass &p) { return !std::isnan(p.forward_slip); }},
-    {"torque", "torque of a roll", "torque = \"17 kN m\"", [](const Pass &p) { return !std::isnan(p.torque); }},
+    {PassMeasure::torque, "torque of a roll", "torque = \"17 kN m\"",
+     [](const Pass &p) { return !std::isnan(p.torque); }},
 };
 
 // How many values are measured; what is asked and not there becomes a problem.
@@ -44,13 +46,13 @@ std::size_t count_measured(const BiteSetup &setup, const std::vector<Pass> &pass
 {
   std::size_t values = 0;
   for (const MeasuredKind &kind : measured_kinds) {
-    if (!has(setup.fit, kind.word))
+    if (!has(setup.fit, kind.kind))
       continue;
     const auto n = std::size_t(std::count_if(passes.begin(), passes.end(), kind.given));
     values += n;
     if (n > 0)
       continue;
-    const std::string rest = without(setup.fit, kind.word);
+    const std::string rest = without(setup.fit, kind.kind);
     contradict(reading, "bite.fit",
                fmt::format("asks for the {}, which no pass gives; add for example {} to a [[pass]]{}", kind.name,
                            kind.example, rest == "[]" ? "" : ", or take " + rest),
@@ -82,8 +84,8 @@ void check_fitted_constants(const BiteSetup &setup, const Friction &friction, Re
 // Friction that is fitted as a factor on that of [strip].
 void check_start(const BiteSetup &setup, const Friction &friction, Reading &reading)
 {
-  const bool wanted =
-      setup.fit_for.empty() ? has(setup.fit, "slip") || setup.fit.size() > 1 : has(setup.fit_for, "friction");
+  const bool wanted = setup.fit_for.empty() ? has(setup.fit, PassMeasure::slip) || setup.fit.size() > 1
+                                            : has<std::string>(setup.fit_for, "friction");
   if (!wanted || !is_zero(friction))
     return;
   const std::string key = reading.places.count("strip.friction") ? "strip.friction" : "strip.friction.law";
@@ -108,7 +110,7 @@ void check_fit(const BiteSetup &setup, const Strip &strip, const std::vector<Pas
     if (passes[i].name == bite_fit)
       contradict(reading, key("name"), "is the name under which bite.fit writes its results; take another",
                  {"bite.fit"});
-    if (passes[i].torque == 0 && has(setup.fit, "torque"))
+    if (passes[i].torque == 0 && has(setup.fit, PassMeasure::torque))
       contradict(reading, key("torque"), "has no standard deviation as a share of it; leave it out", {"bite.fit"});
   }
   const std::size_t values = count_measured(setup, passes, reading);
@@ -118,7 +120,8 @@ void check_fit(const BiteSetup &setup, const Strip &strip, const std::vector<Pas
                            "forward_slip, torque or another [[pass]]",
                            setup.fit_for.size(), values, values == 1 ? "" : "s"),
                {"bite.fit"});
-  if (reading.usable({"bite.theory", "bite.method"}) && setup.method == "slab" && setup.theory == "sims")
+  if (reading.usable({"bite.theory", "bite.method"}) && setup.method == BiteMethod::slab &&
+      setup.theory == SlabTheory::sims)
     contradict(reading, "bite.theory", "has no coefficient of friction that bite.fit could fit", {"bite.fit"});
   check_fitted_constants(setup, strip.friction, reading);
   check_start(setup, strip.friction, reading);

@@ -92,7 +92,7 @@ void check_turning_shafts(const CampbellSettings &campbell, const std::vector<Dr
                           Reading &reading)
 {
   for (std::size_t i = 0; i < orders.size(); ++i) {
-    const bool backup          = orders[i].per_turn_of == "backup roll";
+    const bool backup          = orders[i].per_turn_of == RollKind::backup_roll;
     const std::string diameter = backup ? "campbell.backup_roll_diameter" : "campbell.work_roll_diameter";
     const std::string key      = fmt::format("drive.order.{}.per_turn_of", i);
     if (reading.usable({key, diameter}) &&
@@ -100,7 +100,7 @@ void check_turning_shafts(const CampbellSettings &campbell, const std::vector<Dr
       reading.add(reading.places.count(key) ? reading.place(key)
                                             : reading.place(fmt::format("drive.order.{}.name", i)),
                   fmt::format("drive.order.{} is per turn of the {}, whose size is not known; give {}", i,
-                              orders[i].per_turn_of, diameter));
+                              word_of(orders[i].per_turn_of), diameter));
   }
 }
 }  // namespace mill

@@ -108,7 +108,7 @@ const std::vector<Field<DriveOrder>> &drive_order_rows()
   using T = DriveOrder;
   static const std::vector<Field<T>> rows{
       {"name", &T::name, "text", any, required, "pinion teeth", "unique; names its line in the Campbell diagram"},
-      {"per_turn_of", &T::per_turn_of, "work roll | backup roll", any, "work roll", "work roll",
+      {"per_turn_of", &T::per_turn_of, "choice", any, RollKind::work_roll, "work roll",
        "shaft whose turns are counted"},
       {"count",
        &T::count,

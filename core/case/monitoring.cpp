@@ -123,7 +123,7 @@ const std::vector<Field<BallBearing>> &ball_bearing_rows()
   using T = BallBearing;
   static const std::vector<Field<T>> rows{
       {"name", &T::name, "text", any, required, "axial", "unique; names its lines in an analysis"},
-      {"roll", &T::roll, "work roll | backup roll", any, "work roll", "work roll",
+      {"roll", &T::roll, "choice", any, RollKind::work_roll, "work roll",
        "with which its inner ring turns; its outer ring is at rest"},
       {"balls", &T::balls, "count", {3, 200}, required, "14", "of one row"},
       {"ball_diameter", &T::ball_diameter, "mm", {1, 300}, required, "38.1 mm", "of each ball"},
@@ -184,7 +184,7 @@ Monitoring read_monitoring(const Node &root, Reading &reading)
   if (const std::string key = "monitoring.baseline"; reading.usable({key}) && !monitoring.baseline.empty()) {
     std::error_code error;
     if (!std::filesystem::exists(monitoring.baseline + "/analysis.json", error))
-      doubt(reading, key, "holds no analysis.json; name the folder of an earlier millstand analyse", {});
+      doubt(reading, key, {"holds no analysis.json", "", "name the folder of an earlier millstand analyse"}, {});
   }
   return monitoring;
 }

@@ -16,10 +16,12 @@ void rename(Node &table, const std::string &section, const OldKey &key, Reading 
   for (Node::Entry &entry : table.entries)
     if (entry.key == key.old_name) {
       entry.key = key.name;
-      reading.warnings.push_back(
-          {entry.key_place,
-           fmt::format("{}.{} is the old name of the key {}; write {}", section, key.old_name, key.name, key.name),
-           {}});
+      Warning warning{WarningId::old_key, "",
+                      fmt::format("{}.{} is the old name of the key {}", section, key.old_name, key.name), "",
+                      fmt::format("write {}", key.name)};
+      warning.key   = section + "." + key.name;
+      warning.place = entry.key_place;
+      reading.warnings.push_back(std::move(warning));
     }
 }
 }  // namespace

@@ -95,9 +95,9 @@ KeyList body_keys(const std::string &name, const RoundBody &body, const bool in_
   };
   not_read(body.rigid, "youngs_modulus poisson_ratio");
   not_read(!in_space, "length crown_radius profile");
-  not_read(!in_space || body.profile != "arc", "profile_length profile_drop");
-  not_read(!in_space || body.profile != "log", "profile_load");
-  not_read(!in_space || body.profile != "table", "profile_table");
+  not_read(!in_space || body.profile != EndProfile::arc, "profile_length profile_drop");
+  not_read(!in_space || body.profile != EndProfile::log, "profile_load");
+  not_read(!in_space || body.profile != EndProfile::table, "profile_table");
   return keys_but(name, rows_of(name == "upper" ? upper_body_rows() : lower_body_rows()), idle);
 }
 }  // namespace
@@ -126,26 +126,28 @@ KeyList cylinder_keys(const TwoCylinders &pair, const std::string &result)
 
 KeyList bearing_keys(const RollerBearing &b)
 {
-  const bool fe = b.roller_law == "fe", elastic = b.rings == "elastic", drawn = fe || elastic;
-  const bool three   = b.profile == "three-parameter";
-  const bool rounded = b.profile == "log" || b.profile == "lundberg" || three;
-  const bool tapered = b.type == "four-row tapered";
+  const bool fe = b.roller_law == OneRollerLaw::fe, elastic = b.rings == RingBodies::elastic,
+             drawn   = fe || elastic;
+  const bool three   = b.profile == RollerProfile::three_parameter;
+  const bool rounded = b.profile == RollerProfile::log || b.profile == RollerProfile::lundberg || three;
+  const bool tapered = b.type == BearingType::four_row_tapered;
   // Raceway pressures are compared with the yield pressure afterwards; life is rated after all.
   std::string idle =
       "yield_pressure rib_angle viscosity_ratio contamination raceway_flow_stress raceway_flow_state";
   const auto not_read = [&](const bool condition, const char *names) {
     idle += condition ? std::string(" ") + names : "";
   };
-  not_read(b.profile == "none" && !fe, "slices");
-  not_read(b.profile != "table", "profile_table");
-  not_read(!(b.profile == "crown" || three), "crown_drop");
+  not_read(b.profile == RollerProfile::none && !fe, "slices");
+  not_read(b.profile != RollerProfile::table, "profile_table");
+  not_read(!(b.profile == RollerProfile::crown || three), "crown_drop");
   not_read(!three, "profile_share");
   not_read(!rounded, "profile_load");
   not_read(!std::isnan(b.end_play) || !std::isnan(b.preload), "radial_clearance");
   not_read(!fe, "roller_total_length");
   not_read(!drawn, "roller_cone_angle");
-  not_read(!drawn && !rounded && b.profile != "iso" && b.roller_law != "elastic", "roller_diameter");
-  not_read(!drawn && !rounded && b.roller_law != "elastic",
+  not_read(!drawn && !rounded && b.profile != RollerProfile::iso && b.roller_law != OneRollerLaw::elastic,
+           "roller_diameter");
+  not_read(!drawn && !rounded && b.roller_law != OneRollerLaw::elastic,
            "bore outside_diameter pitch_diameter youngs_modulus poisson_ratio");
   not_read(b.designation.empty(), "designation");
   not_read(b.catalogue.empty(), "catalogue");
@@ -153,8 +155,8 @@ KeyList bearing_keys(const RollerBearing &b)
   not_read(!tapered, "roller_cone_angle cup_angle arrangement end_play preload");
   not_read(!drawn, "width arrangement");
   not_read(!elastic, "chock");
-  not_read(!elastic || b.chock == "rigid", "chock_width chock_height chock_length");
-  not_read(!elastic || b.chock != "block", "chock_support_width chock_support_gap");
+  not_read(!elastic || b.chock == ChockForm::rigid, "chock_width chock_height chock_length");
+  not_read(!elastic || b.chock != ChockForm::block, "chock_support_width chock_support_gap");
   return keys_but("bearing." + b.name, rows_of(bearing_rows()), idle);
 }
 
@@ -163,7 +165,7 @@ KeyList rating_keys(const RollerBearing &b)
   KeyList keys = keys_in("bearing." + b.name, "dynamic_rating static_rating viscosity_ratio contamination "
                                               "roller_diameter pitch_diameter bore outside_diameter arrangement "
                                               "yield_pressure raceway_flow_stress raceway_flow_state");
-  return b.type == "four-row tapered" ? joined(keys, keys_in("bearing." + b.name, "cup_angle")) : keys;
+  return b.type == BearingType::four_row_tapered ? joined(keys, keys_in("bearing." + b.name, "cup_angle")) : keys;
 }
 
 KeyList oil_film_keys(const OilFilmBearing &b)
@@ -205,7 +207,7 @@ KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t 
     return joined(keys, keys_in(pass_section(p), "speed"), keys_in("backup_roll", "barrel_diameter"),
                   oil_film_keys(*film));
   const auto &b = bearing_of(stand.bearings, roll.bearing);
-  if (b.roller_law == "fe") {  // one mesh for the heaviest load that any pass puts on this bearing
+  if (b.roller_law == OneRollerLaw::fe) {  // one mesh for the heaviest load that any pass puts on this bearing
     keys = joined(std::move(keys), KeyList{"work_roll.bearing", "backup_roll.bearing"});
     for (std::size_t other = 0; other < stand.passes.size(); ++other)
       for (const bool at_backup : {false, true})
@@ -235,7 +237,7 @@ KeyList bearing_case_keys(const BearingCase &spec)
   for (const Row &row : rows_of(bearing_model_rows()))  // [model] says again what the bearing says
     if (holds(keys, "bearing." + b.name + "." + row.key))
       keys.push_back("model." + row.key);
-  const char *swept = b.roller_law == "fe" ? "loads" : "";  // the mesh is made for the largest of them
+  const char *swept = b.roller_law == OneRollerLaw::fe ? "loads" : "";  // the mesh is made for the largest of them
   return joined(
       keys_in("load",
               std::string("bearing radial axial tilt cage_angle axial_displacement moment speed ") + swept),
@@ -271,18 +273,20 @@ bool follows_width(const std::string &quantity)
 namespace {
 KeyList measured_keys(const BiteRun &bite)
 {
-  KeyList keys            = keys_in("bite", "fit fit_for");
-  const auto &passes      = *bite.measured;
-  const auto asked        = [&](const char *kind) { return holds(bite.setup.fit, kind); };
+  KeyList keys       = keys_in("bite", "fit fit_for");
+  const auto &passes = *bite.measured;
+  const auto asked   = [&](const PassMeasure kind) {
+    return std::count(bite.setup.fit.begin(), bite.setup.fit.end(), kind) > 0;
+  };
   const std::string strip = "entry_thickness exit_thickness entry_tension exit_tension" +
                             std::string(needs_speed(bite.strip.friction) ? " speed" : "");
   for (std::size_t p = 0; p < passes.size(); ++p) {
     keys = joined(std::move(keys), keys_in(pass_section(p), strip));
-    if (asked("force"))
+    if (asked(PassMeasure::force))
       keys = joined(std::move(keys), load_keys(passes[p], p), keys_in(pass_section(p), "force_deviation"));
-    if (asked("slip"))
+    if (asked(PassMeasure::slip))
       keys = joined(std::move(keys), keys_in(pass_section(p), "forward_slip slip_deviation"));
-    if (asked("torque"))
+    if (asked(PassMeasure::torque))
       keys = joined(std::move(keys), keys_in(pass_section(p), "torque torque_deviation"));
   }
   return joined(keys, keys_in("strip", "width"));
@@ -300,7 +304,7 @@ KeyList slab_keys(const BiteRun &given)
   return joined(bite.whole_width ? keys_in("strip", "width") : KeyList{}, keys_in("strip", both),
                 strip_law_keys(bite.strip), keys_in(pass_section(bite.pass), both + (fast ? " speed" : "")),
                 KeyList{bite.roll_key}, elastic_steel(), keys_in("bite", "arc"),
-                bite.setup.arc == "elastic" || bite.setup.arc == "auto"
+                bite.setup.arc == BiteArc::elastic || bite.setup.arc == BiteArc::automatic
                     ? keys_in("strip", "youngs_modulus poisson_ratio")
                     : KeyList{});
 }
@@ -308,9 +312,9 @@ KeyList slab_keys(const BiteRun &given)
 KeyList bite_keys(const BiteRun &bite)
 {
   const KeyList keys = joined(slab_keys(bite), keys_in("bite", "method"));
-  if (bite.setup.method != "fe")
+  if (bite.setup.method != BiteMethod::fe)
     return joined(keys, keys_in("bite", "theory"));
-  const bool elastic = bite.setup.strip != "rigid-plastic";
+  const bool elastic = bite.setup.strip != BiteStrip::rigid_plastic;
   return joined(keys, keys_in("bite", "strip elements_along elements_through"),
                 elastic ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
 }
@@ -337,8 +341,9 @@ KeyList spring_keys(const FourHigh &stand, const std::string &name, const std::s
 
 KeyList mass_shape_keys(const DynamicsSettings &dynamics)
 {
-  return keys_in("dynamics",
-                 dynamics.mass_source == "fe" ? "mass_source frequency_limit elements_per_radius" : "mass_source");
+  return keys_in("dynamics", dynamics.mass_source == MassSource::fe
+                                 ? "mass_source frequency_limit elements_per_radius"
+                                 : "mass_source");
 }
 
 KeyList detailed_model_keys()
@@ -348,7 +353,8 @@ KeyList detailed_model_keys()
 
 std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, const Half half)
 {
-  const bool measured = dynamics.force_meaning == "measured", apart = measured && dynamics.frame == "open";
+  const bool measured = dynamics.force_meaning == ForceMeaning::measured,
+             apart    = measured && dynamics.frame == FrameForm::open;
   std::vector<std::string> parts;
   for (std::size_t i = 0; i < 6; ++i)
     if (!apart || (i < 3) == (half == Half::upper))
@@ -422,8 +428,8 @@ KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, const 
 {
   const KeyList keys = joined(force_keys(pass, p),
                               keys_in("dynamics", "modal_damping force_meaning frame output_rate contact model"),
-                              dynamics.model != "six-mass" ? detailed_model_keys() : KeyList{});
-  return dynamics.force_meaning == "measured" ? keys : joined(keys, KeyList{"given.C"});
+                              dynamics.model != StandModelKind::six_mass ? detailed_model_keys() : KeyList{});
+  return dynamics.force_meaning == ForceMeaning::measured ? keys : joined(keys, KeyList{"given.C"});
 }
 
 void set_given_inputs(GivenValues &given)

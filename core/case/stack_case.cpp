@@ -287,7 +287,7 @@ void check_stack_rolls(const StackInput &input, const Node &root, Reading &readi
     check_profile(fmt::format("roll.{}", r), roll, reading);
     check_table_length(roll, r, reading);
     check_shaft(roll, r, reading);
-    check_holding(roll, r, input.settings.lower == "listed", reading);
+    check_holding(roll, r, input.settings.lower == LowerHalf::listed, reading);
     check_own_bearing(roll, r, input, root, reading);
     check_saddles(roll, r, reading);
     if (roll.on.size() > 2)
@@ -317,7 +317,7 @@ void check_stack_strip(const StackStripInput &strip, Reading &reading)
       if (lacks(key))
         contradict(reading, "strip.gap", fmt::format("needs {}: the force is that at which the strip has it", key),
                    {});
-  if (strip.law == "modulus" && lacks("modulus"))
+  if (strip.law == StackStripLaw::modulus && lacks("modulus"))
     reading.add(reading.place("strip.law"),
                 "[strip] has law = \"modulus\" and no 'modulus'; add for example modulus = \"300 MPa\", or law = "
                 "\"uniform\"");
@@ -381,7 +381,7 @@ void read_stack_strip(const Node &root, StackInput &input, Reading &reading)
 // law = "bite" takes its slopes from a bite.
 void check_law_of_bite(const StackInput &input, Reading &reading)
 {
-  if (input.strip.law != "bite" || !reading.usable({"strip.law"}))
+  if (input.strip.law != StackStripLaw::bite || !reading.usable({"strip.law"}))
     return;
   const auto given   = [&](const char *k) { return is_in_case(reading, std::string("strip.") + k); };
   const Strip &strip = input.bite;
@@ -399,8 +399,8 @@ void check_law_of_bite(const StackInput &input, Reading &reading)
       contradict(reading, "strip.law", fmt::format("needs {} of the strip", key), {});
   for (const char *key : {"modulus", "entry_modulus", "tension_modulus"})
     if (given(key))
-      doubt(reading, std::string("strip.") + key, "is not used: with law = \"bite\" it follows from the bite",
-            {"strip.law"});
+      doubt(reading, std::string("strip.") + key,
+            {"is not used", "with law = \"bite\" it follows from the bite", ""}, {"strip.law"});
 }
 
 // Pairs of ranges that make a map, and the rolls that they name.
@@ -427,7 +427,7 @@ void check_window(const StackInput &input, Reading &reading)
     needs(one, other);
     needs(other, one);
   }
-  if (given("shift") && input.settings.bending_at == "window")
+  if (given("shift") && input.settings.bending_at == BendingAt::window)
     contradict(reading, "window.shift", "is not computed while bending forces stay in the window; remove it",
                {"stack.bending_at"});
   std::vector<std::string> names;

@@ -201,7 +201,7 @@ std::vector<StackHalf> placed_halves(const StackInput &input, Reading &reading)
       at_strip.push_back(r);
       names += (names.empty() ? "" : ", ") + input.rolls[r].name;
     }
-  const bool listed        = input.settings.lower == "listed";
+  const bool listed        = input.settings.lower == LowerHalf::listed;
   const std::size_t wanted = listed ? 2 : 1;
   if (at_strip.size() != wanted) {
     const char *or_listed =
@@ -209,8 +209,8 @@ std::vector<StackHalf> placed_halves(const StackInput &input, Reading &reading)
     reading.add(input.rolls[at_strip[std::min(wanted, at_strip.size() - 1)]].place,
                 fmt::format("{} rolls carry no other roll and lie at the strip ({}); {} is needed with lower = "
                             "\"{}\": name the others in 'on' of the roll that leans on them{}",
-                            at_strip.size(), names, listed ? "one of each half" : "one", input.settings.lower,
-                            or_listed));
+                            at_strip.size(), names, listed ? "one of each half" : "one",
+                            word_of(input.settings.lower), or_listed));
     return {};
   }
   std::vector<StackHalf> halves;

@@ -100,7 +100,7 @@ StackRoll resolved_roll(const StackInput &input, const Origin &origin, const std
                         const bool inclined)
 {
   const StackRollInput &roll = input.rolls[origin.roll];
-  const bool turned          = origin.made && input.settings.lower == "turned";
+  const bool turned          = origin.made && input.settings.lower == LowerHalf::turned;
   StackRoll result;
   result.name     = (origin.made ? "lower_" : "") + roll.name;
   result.diameter = roll.barrel_diameter;
@@ -116,7 +116,7 @@ StackRoll resolved_roll(const StackInput &input, const Origin &origin, const std
   result.material = material_of(input, roll);
   if (turned)
     turn(result);
-  result.loads = loads_of(roll, origin, result.shift, input.settings.bending_at == "window");
+  result.loads = loads_of(roll, origin, result.shift, input.settings.bending_at == BendingAt::window);
   return result;
 }
 
@@ -125,10 +125,10 @@ StackStrip resolved_strip(const StackStripInput &written, const double roll_radi
   StackStrip strip      = written;
   const auto or_zero    = [](const double value) { return std::isnan(value) ? 0 : value; };
   strip.force           = or_zero(written.given_force);
-  strip.modulus         = written.law == "uniform" ? 0 : or_zero(written.modulus);
-  strip.entry_modulus   = written.law == "uniform"            ? 0
-                          : std::isnan(written.entry_modulus) ? strip.modulus
-                                                              : written.entry_modulus;
+  strip.modulus         = written.law == StackStripLaw::uniform ? 0 : or_zero(written.modulus);
+  strip.entry_modulus   = written.law == StackStripLaw::uniform ? 0
+                          : std::isnan(written.entry_modulus)   ? strip.modulus
+                                                                : written.entry_modulus;
   strip.entry_thickness = or_zero(written.entry_thickness);
   strip.exit_thickness  = or_zero(written.exit_thickness);
   if (std::isnan(written.arc)) {  // Hitchcock's radius
@@ -239,7 +239,7 @@ Stack resolved_stack(const StackInput &input, Reading &reading)
   const std::vector<StackHalf> halves = placed_halves(input, reading);
   if (halves.empty())
     return stack;
-  const bool listed = input.settings.lower == "listed";
+  const bool listed = input.settings.lower == LowerHalf::listed;
   bool inclined     = false;
   for (const auto &parents : halves.front().parents)
     inclined = inclined || parents.size() > 1;

@@ -23,11 +23,11 @@ const std::vector<Field<StackSettings>> &stack_settings_rows()
 {
   using T = StackSettings;
   static const std::vector<Field<T>> rows{
-      {"lower", &T::lower, "mirrored | turned | listed", any, "turned", "turned",
+      {"lower", &T::lower, "choice", any, LowerHalf::turned, "turned",
        "lower half: mirrored about the pass line; turned: also end for end, with the opposite shift and profile; "
        "listed: its rolls are listed too, after those of the upper half. The rolls that are made are called "
        "lower_NAME"},
-      {"bending_at", &T::bending_at, "chock | window", any, "chock", "chock",
+      {"bending_at", &T::bending_at, "choice", any, BendingAt::chock, "chock",
        "place of the bending forces: chock: it moves with the shifted roll; window: it stays in the window"},
   };
   return rows;
@@ -188,7 +188,7 @@ const std::vector<Field<StackStripInput>> &stack_strip_rows()
        absent,
        "4.5 mm",
        "gap between the unloaded work rolls; the force then follows from exit_thickness"},
-      {"law", &T::law, "uniform | modulus | bite", any, "modulus", "modulus",
+      {"law", &T::law, "choice", any, StackStripLaw::modulus, "modulus",
        "line load of the strip: uniform across the width; with the slopes modulus and entry_modulus; or with the "
        "slopes of its bite, which then replace modulus, entry_modulus and tension_modulus"},
       {"modulus",
@@ -290,11 +290,11 @@ const std::vector<Field<StackEngine>> &stack_engine_rows()
 {
   using T = StackEngine;
   static const std::vector<Field<T>> rows{
-      {"model", &T::model, "condensed | beams", any, "condensed", "condensed",
+      {"model", &T::model, "choice", any, StackModel::condensed, "condensed",
        "which of the two engines gives the results; the other is the check next to each of them. condensed: "
        "elastic "
        "solids of revolution whose contact lines feel each other; beams: Timoshenko beams"},
-      {"flattening", &T::flattening, "half-space | local", any, "half-space", "half-space",
+      {"flattening", &T::flattening, "choice", any, StackFlattening::half_space, "half-space",
        "of the beams at the strip: half-space: each place feels the load "
        "on its neighbours; local: only its own, which loses a quarter of the edge drop"},
   };

@@ -95,12 +95,11 @@ void add_template_warning(const std::vector<std::string> &left, Reading &reading
     keys += (i ? ", " : "") + left[i];
   if (left.size() > most_named)
     keys += fmt::format(" and {} more", left.size() - most_named);
-  reading.warnings.push_back(
-      {Place{reading.file},
-       fmt::format("{} values are still those of the template: {}; replace them, or name those "
-                   "that are meant in confirmed = \"...\"",
-                   left.size(), keys),
-       {}});
+  Warning warning{WarningId::template_values, "",
+                  fmt::format("{} values are still those of the template", left.size()), keys,
+                  "replace them, or name those that are meant in confirmed = \"...\""};
+  warning.place = Place{reading.file};
+  reading.warnings.push_back(std::move(warning));
 }
 }  // namespace
 

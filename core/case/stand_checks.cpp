@@ -155,7 +155,7 @@ void check_contact(const std::string &section, const ContactSettings &contact, R
 
 void check_published_force(const DynamicsSettings &dynamics, const GivenValues &given, Reading &reading)
 {
-  if (dynamics.force_meaning != "published" || !reading.usable({"given.K4", "given.C"}))
+  if (dynamics.force_meaning != ForceMeaning::published || !reading.usable({"given.K4", "given.C"}))
     return;
   std::string missing;
   for (const char *key : {"K4", "C"})

@@ -7,14 +7,15 @@
 
 // Parts of one stand against each other: what cannot be is an error, what hardly is a warning.
 namespace mill {
-void doubt(Reading &reading, const std::string &key, const std::string &why,
-           const std::vector<std::string> &others)
+void doubt(Reading &reading, const std::string &key, const Doubt &why, const std::vector<std::string> &others)
 {
-  std::vector<Place> related;
+  Warning warning{WarningId::value_doubtful, "", reading.as_written(key) + " " + why.fact, why.detail, why.remedy};
+  warning.key   = key;
+  warning.place = reading.place(key);
   for (const std::string &other : others)
     if (reading.places.count(other))
-      related.push_back(reading.place(other));
-  reading.warnings.push_back({reading.place(key), reading.as_written(key) + " " + why, std::move(related)});
+      warning.related.push_back(reading.place(other));
+  reading.warnings.push_back(std::move(warning));
 }
 
 namespace {
@@ -60,10 +61,10 @@ void check_neck_in_bore(const OnRoll &seat, Reading &reading)
             seat.bearing.name, millimetres(seat.bearing.bore)),
         {bore});
   else if (seat.roll.neck_diameter < loose_seat * seat.bearing.bore)
-    doubt(
-        reading, neck,
-        fmt::format("is loose in bearing.{}, whose bore is {}", seat.bearing.name, millimetres(seat.bearing.bore)),
-        {bore});
+    doubt(reading, neck,
+          {fmt::format("is loose in bearing.{}, whose bore is {}", seat.bearing.name,
+                       millimetres(seat.bearing.bore))},
+          {bore});
 }
 
 // Half the width of the bearing to both sides of its centre, between barrel and end of the roll.
@@ -83,10 +84,10 @@ void check_place_of_bearing(const OnRoll &seat, Reading &reading)
                {barrel, width});
   else if (roll.neck_length > from_barrel && from_barrel + half > roll.neck_length * rounding_of_units)
     doubt(reading, span,
-          fmt::format("lets bearing.{}, {} wide, stand out beyond the end of the roll: its centre is {} from the "
-                      "barrel end, and the neck {} long",
-                      seat.bearing.name, millimetres(seat.bearing.width), millimetres(from_barrel),
-                      millimetres(roll.neck_length)),
+          {fmt::format("lets bearing.{}, {} wide, stand out beyond the end of the roll", seat.bearing.name,
+                       millimetres(seat.bearing.width)),
+           fmt::format("its centre is {} from the barrel end, and the neck {} long", millimetres(from_barrel),
+                       millimetres(roll.neck_length))},
           {barrel, width});
 }
 
@@ -102,9 +103,10 @@ void check_carrying_length(const std::string &section, const Roll &roll, const d
   std::vector<std::string> related{barrel};
   related.insert(related.end(), keys.begin(), keys.end());
   doubt(reading, span,
-        fmt::format("puts bearing.{} into the barrel: {} {} long, its centre is {} from the barrel end; give a "
-                    "larger span",
-                    roll.bearing, what, millimetres(length), millimetres(from_barrel)),
+        {fmt::format("puts bearing.{} into the barrel", roll.bearing),
+         fmt::format("{} {} long, its centre is {} from the barrel end", what, millimetres(length),
+                     millimetres(from_barrel)),
+         "give a larger span"},
         related);
 }
 
@@ -152,8 +154,9 @@ void check_chock_in_window(const OnRoll &seat, const MillHousing &housing, Readi
                {"housing.window_width"});
   else
     doubt(reading, "housing.window_width",
-          fmt::format("is narrower than the {} assumed for the chock of bearing.{}; give its chock_width",
-                      millimetres(b.chock_width), b.name),
+          {fmt::format("is narrower than the {} assumed for the chock of bearing.{}", millimetres(b.chock_width),
+                       b.name),
+           "", "give its chock_width"},
           {});
 }
 
@@ -199,12 +202,13 @@ void check_chocks_apart(const std::vector<OnRoll> &seats, Reading &reading)
                along = std::abs(work.roll.bearing_span - backup.roll.bearing_span) / 2,
                both  = (work.bearing.chock_length + backup.bearing.chock_length) / 2;
   if (high > axes && along < both)
-    doubt(
-        reading, work.of_bearing("chock_height"),
-        fmt::format("and the chock of the backup roll overlap by {}: half of both heights is {}, the axes are {} "
-                    "apart; this is possible only where one chock lies between the legs of the other",
-                    millimetres(high - axes), millimetres(high), millimetres(axes)),
-        {backup.of_bearing("chock_height")});
+    doubt(reading, work.of_bearing("chock_height"),
+          {fmt::format("and the chock of the backup roll overlap by {}", millimetres(high - axes)),
+           fmt::format(
+               "half of both heights is {}, the axes are {} apart; this is possible only where one chock lies "
+               "between the legs of the other",
+               millimetres(high), millimetres(axes))},
+          {backup.of_bearing("chock_height")});
 }
 
 // Half the rolling force, or a share of it: a load of another order is written in another unit.
@@ -220,9 +224,9 @@ void check_bearing_loads(const FourHigh &stand, Reading &reading)
       const bool backup = share < 1;
       if (roll->bearing_load > (backup ? 2 : 1) * usual || (backup && roll->bearing_load < 0.1 * usual))
         doubt(reading, key,
-              fmt::format("is {:.4g} times {} of {}; is one of the two in another unit?",
-                          roll->bearing_load / usual, backup ? "half the rolling force" : "the rolling force",
-                          reading.as_written(load)),
+              {fmt::format("is {:.4g} times {} of {}", roll->bearing_load / usual,
+                           backup ? "half the rolling force" : "the rolling force", reading.as_written(load)),
+               "", "is one of the two in another unit?"},
               {load});
     }
 }

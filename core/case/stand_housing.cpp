@@ -227,7 +227,7 @@ void drop_counted_chocks(Frame &frame, RollerBearing &bearing, const Reading &re
           "{} is left out of the chain: bearing.{} deflects with its chock (rings = \"elastic\", chock = "
           "\"{}\"), "
           "which the stiffness of the bearing already includes; chock = \"rigid\" leaves the chock to [frame]",
-          reading.as_written(key), bearing.name, bearing.chock));
+          reading.as_written(key), bearing.name, word_of(bearing.chock)));
     frame.*chock.stiffness = INFINITY;
   }
 }

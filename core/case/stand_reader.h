@@ -105,8 +105,11 @@ std::string estimated_lines(const RollerBearing &bearing);
 void contradict(Reading &reading, const std::string &key, const std::string &why,
                 const std::vector<std::string> &others);
 /// The same for what is unlikely: a warning, nothing is refused.
-void doubt(Reading &reading, const std::string &key, const std::string &why,
-           const std::vector<std::string> &others);
+struct Doubt {
+  std::string fact;  ///< what follows the key and its value: "is narrower than .."
+  std::string detail{}, remedy{};
+};
+void doubt(Reading &reading, const std::string &key, const Doubt &why, const std::vector<std::string> &others);
 std::string millimetres(double length);  ///< "4.5 mm"
 std::string degrees(double angle);       ///< "19.66 deg"
 

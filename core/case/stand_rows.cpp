@@ -150,7 +150,7 @@ const std::vector<Field<Roll>> &backup_roll_rows()
          required,
          "2450 mm",
          "between the centres of the two bearings"},
-        {"bending_model", &T::bending_model, "solid | beam", any, "solid", "solid",
+        {"bending_model", &T::bending_model, "choice", any, BendingModel::solid, "solid",
          "source of K_ZW and of the shapes of the rolls: finite elements of the rolls as drawn, or "
          "the "
          "closed forms of stepped beams, which are too stiff at the shoulders"},
@@ -396,21 +396,21 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
   using T = DynamicsSettings;
   static const std::vector<Field<T>> rows{
       {"modal_damping", &T::modal_damping, "%", {0, 50}, 1, "1 %", "ratio of critical, the same in every mode"},
-      {"force_meaning", &T::force_meaning, "measured | disturbance | published", any, "measured", "measured",
+      {"force_meaning", &T::force_meaning, "choice", any, ForceMeaning::measured, "measured",
        "measured: total bite force, K4 and C rest; disturbance: without the reaction of the gap; published: K4 "
        "and C "
        "in parallel"},
       {"output_rate", &T::output_rate, "kHz", {0.1, 10000}, 20, "20 kHz", "samples of the response per second"},
-      {"frame", &T::frame, "open | closed", any, "open", "open",
+      {"frame", &T::frame, "choice", any, FrameForm::open, "open",
        "open: K1 and K7 end at the ground; closed: K1 joins M1 to M6"},
-      {"contact", &T::contact, "linear | curve", any, "linear", "linear",
+      {"contact", &T::contact, "choice", any, ContactSprings::linear, "linear",
        "springs of roll contacts and bearings under the rolling force: linear: their slopes at the working load; "
        "curve: their computed force over compression, which parts at zero force"},
-      {"mass_reference", &T::mass_reference, "mid | mean", any, "mid", "mid",
+      {"mass_reference", &T::mass_reference, "choice", any, MassReference::mid, "mid",
        "displacement the equivalent masses refer to: mid-span or load-weighted mean"},
-      {"mass_source", &T::mass_source, "closed-form | fe", any, "closed-form", "closed-form",
+      {"mass_source", &T::mass_source, "choice", any, MassSource::closed_form, "closed-form",
        "shapes behind the equivalent masses of the rolls: closed forms, or finite elements of the rolls"},
-      {"model", &T::model, "six-mass | beam | craig-bampton", any, "six-mass", "six-mass",
+      {"model", &T::model, "choice", any, StandModelKind::six_mass, "six-mass",
        "what the rolling force drives: the chain of six masses, rolls as beams, or rolls and housing as reduced "
        "finite elements"},
       {"frequency_limit",
@@ -428,7 +428,7 @@ const std::vector<Field<DynamicsSettings>> &dynamics_rows()
        "3",
        "least number of quadratic elements over the radius of a roll in the meshes of craig-bampton; more are "
        "used where the frequency limit needs them"},
-      {"model_files", &T::model_files, "small | all", any, "small", "small",
+      {"model_files", &T::model_files, "choice", any, ModelFileSet::small, "small",
        "small: damping matrix and MATLAB file of a model of more than 100 unknowns are left out of models/; all: "
        "they "
        "are written"},

@@ -34,7 +34,8 @@ struct PassInput : Pass {
 
 /// [model] of kind = "bearing": what of the loaded bearing's model it says again.
 struct BearingModelInput {
-  std::string roller_law, rings;
+  std::optional<OneRollerLaw> roller_law;
+  std::optional<RingBodies> rings;
   int slices = 0;
 };
 

@@ -122,16 +122,18 @@ void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, R
 
 void check_bite_setup(const BiteSetup &setup, const Friction &friction, Reading &reading)
 {
-  if (reading.usable({"bite.theory"}) && setup.theory == "hu-ehmann" && slides(friction))
+  if (reading.usable({"bite.theory"}) && setup.theory == SlabTheory::hu_ehmann && slides(friction))
     contradict(reading, "bite.theory", "is a theory of friction factors; give strip.friction a law of factors",
                {"strip.friction", "strip.friction.law"});
-  if (reading.usable({"bite.theory"}) && setup.theory == "bland-ford" && !slides(friction))
+  if (reading.usable({"bite.theory"}) && setup.theory == SlabTheory::bland_ford && !slides(friction))
     contradict(reading, "bite.theory", "does not accept friction factors; choose karman, orowan or hu-ehmann",
                {"strip.friction.law"});
-  if (reading.usable({"bite.strip", "bite.arc"}) && setup.strip == "elastic-plastic" && setup.arc == "hitchcock")
+  if (reading.usable({"bite.strip", "bite.arc"}) && setup.strip == BiteStrip::elastic_plastic &&
+      setup.arc == BiteArc::hitchcock)
     contradict(reading, "bite.strip",
                "is solved on a rigid roll or on a free arc; set arc = \"elastic\" or \"rigid\"", {"bite.arc"});
-  if (reading.usable({"bite.theory", "bite.arc"}) && setup.arc == "elastic" && setup.theory != "karman")
+  if (reading.usable({"bite.theory", "bite.arc"}) && setup.arc == BiteArc::elastic &&
+      setup.theory != SlabTheory::karman)
     contradict(reading, "bite.arc", "is solved with the theory karman only", {"bite.theory"});
 }
 }  // namespace mill

@@ -99,14 +99,14 @@ const std::vector<Field<BiteSetup>> &bite_rows()
 {
   using T = BiteSetup;
   static const std::vector<Field<T>> rows{
-      {"method", &T::method, "fe | slab", any, "fe", "fe",
+      {"method", &T::method, "choice", any, BiteMethod::fe, "fe",
        "source of K4: finite elements compared with slab theories, or a slab theory alone"},
-      {"theory", &T::theory, "bland-ford | hu-ehmann | karman | orowan | sims", any, "karman", "karman",
+      {"theory", &T::theory, "choice", any, SlabTheory::karman, "karman",
        "slab theory that is compared with the finite elements, or gives K4"},
-      {"arc", &T::arc, "auto | rigid | hitchcock | elastic", any, "auto", "auto",
+      {"arc", &T::arc, "choice", any, BiteArc::automatic, "auto",
        "shape of the loaded roll: its own circle, a larger circle, or any; auto: any for an elastic-plastic "
        "strip"},
-      {"strip", &T::strip, "auto | rigid-plastic | elastic-plastic", any, "auto", "auto",
+      {"strip", &T::strip, "choice", any, BiteStrip::automatic, "auto",
        "strip of the finite-element bite; auto: elastic-plastic for thin hard strip and light passes"},
       {"elements_along",
        &T::elements_along,
@@ -130,7 +130,7 @@ const std::vector<Field<BiteSetup>> &bite_rows()
        20,
        "20 %",
        "share of the contact path left out at each end for K4.path_plateau"},
-      {"fit", &T::fit, "force | slip | torque", any, absent, R"(["force", "slip"])",
+      {"fit", &T::fit, "choice", any, absent, R"(["force", "slip"])",
        "measured values of the passes (load, forward_slip, torque) from which friction and flow stress are found; "
        "when absent they are those of [strip]"},
       {"fit_for", &T::fit_for,

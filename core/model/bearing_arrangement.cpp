@@ -18,7 +18,7 @@ std::string cut_to(const std::string &arrangement, const int rows)
 
 bool counts_its_chock(const RollerBearing &b)
 {
-  return b.rings == "elastic" && b.chock != "rigid";
+  return b.rings == RingBodies::elastic && b.chock != ChockForm::rigid;
 }
 
 std::vector<std::string> usual_arrangements(const int rows)

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/model/material.h"
+#include "core/model/roll_kind.h"
 #include <array>
 #include <string>
 #include <vector>
@@ -17,8 +18,8 @@ struct CampbellSettings {
 
 /// [[drive.order]]: something of the drive that happens `count` times per turn of a roll.
 struct DriveOrder {
-  std::string name;                       ///< "pinion teeth"
-  std::string per_turn_of = "work roll";  ///< work roll | backup roll
-  double count            = 0;            ///< -, behind a gear no whole number
+  std::string name;  ///< "pinion teeth"
+  RollKind per_turn_of = RollKind::work_roll;
+  double count         = 0;  ///< -, behind a gear no whole number
 };
 }  // namespace mill

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/errors.h"
+#include "core/base/warning.h"
 #include "core/model/bearing_case.h"
 #include "core/model/bite_case.h"
 #include "core/model/chatter.h"
@@ -22,7 +23,7 @@ struct Case {
   std::string title;
   std::variant<FourHigh, Lumped, TwoCylinders, BearingCase, BiteCase, ChatterCase, ClusterCase, StackCase> spec;
   std::vector<std::string> left_at_template;  ///< keys whose values are still those of the template
-  std::vector<Problem> warnings;              ///< what is unlikely but not refused, by place
+  std::vector<Warning> warnings;              ///< what is unlikely but not refused
   std::string resolved;                       ///< text of resolved.toml
   std::map<std::string, Place>
       places;  ///< "work_roll.barrel_diameter" -> where its value stands; defaults are absent

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/errors.h"
 #include "core/model/advice.h"
+#include "core/model/linearisation.h"
 #include "core/model/lumped.h"
 #include "core/model/lumped_model.h"
 #include "core/model/material.h"
@@ -55,11 +56,11 @@ struct RollingCondition {
 
 /// How stability is searched and shown.
 struct ChatterAnalysis {
-  std::string linearisation    = "sequential";  ///< sequential | consistent | frozen-friction
-  std::array<double, 2> speeds = {1, 30};       ///< m/s, range searched
-  int map_points               = 60;            ///< along each side of the stability maps; 0: none
-  double disturbance           = 1e-7;          ///< m, of both work rolls at the start of the histories
-  double duration              = 0.6;           ///< s, of the histories
+  Linearisation linearisation  = Linearisation::sequential;
+  std::array<double, 2> speeds = {1, 30};  ///< m/s, range searched
+  int map_points               = 60;       ///< along each side of the stability maps; 0: none
+  double disturbance           = 1e-7;     ///< m, of both work rolls at the start of the histories
+  double duration              = 0.6;      ///< s, of the histories
 };
 
 /// kind = "chatter"

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/model/bite_setup.h"
 #include "core/model/chatter.h"
@@ -6,12 +7,20 @@
 #include "core/model/material.h"
 #include "core/model/pass.h"
 #include "core/model/strip.h"
+#include "core/model/support_type.h"
 #include <array>
 #include <string>
 #include <vector>
 
 // A planar stack of rolls that lean on each other, its supports and its passes, as the case file has them.  SI.
 namespace mill {
+/// Of the two rolls that define its position.
+enum class PositionSide { below, above };
+constexpr auto words_of(PositionSide)
+{
+  return choice_words<PositionSide>("below", "above");
+}
+
 /// [[roll]]
 struct ClusterRoll {
   std::string name;
@@ -22,16 +31,23 @@ struct ClusterRoll {
   double youngs_modulus          = not_given;               ///< Pa; absent: [steel]
   double poisson_ratio           = not_given;               ///< -; absent: [steel]
   std::array<double, 2> position = {not_given, not_given};  ///< m, of the unloaded axis; absent: from contacts
-  std::string side               = "below";  ///< below | above: of the two rolls that define its position
-  Place place;                               ///< of the [[roll]] header
+  PositionSide side              = PositionSide::below;
+  Place place;  ///< of the [[roll]] header
 };
+
+/// Load over approach of two rolls.
+enum class ClusterLaw { power, foeppl, johnson, computed, spring };
+constexpr auto words_of(ClusterLaw)
+{
+  return choice_words<ClusterLaw>("power", "foeppl", "johnson", "computed", "spring");
+}
 
 /// [[contact]] of two rolls.
 struct ClusterContact {
-  std::string pair;                  ///< "W-I"
-  double direction = not_given;      ///< rad, from the first axis to the second, counted from +x to +y
-  std::string like;                  ///< pair of which this one is the mirror image; empty: none
-  std::string law      = "johnson";  ///< power | foeppl | johnson | computed | spring
+  std::string pair;              ///< "W-I"
+  double direction = not_given;  ///< rad, from the first axis to the second, counted from +x to +y
+  std::string like;              ///< pair of which this one is the mirror image; empty: none
+  ClusterLaw law       = ClusterLaw::johnson;
   double coefficient   = 3.84e-5;    ///< of the power law, mm and N
   double length        = not_given;  ///< m; absent: the shorter barrel
   double stiffness     = not_given;  ///< N/m, tangent at `load`: law spring
@@ -46,8 +62,8 @@ struct ClusterContact {
 /// [[support]] of one roll on the ground.
 struct ClusterSupport {
   std::string roll;
-  std::string name;                ///< absent: the roll's
-  std::string type = "radial";     ///< radial | isotropic | guide | rollers
+  std::string name;  ///< absent: the roll's
+  SupportType type = SupportType::radial;
   std::string like;                ///< support of which this one is the mirror image; empty: none
   double stiffness  = not_given;   ///< N/m, tangent at `load`
   double load       = not_given;   ///< N
@@ -99,12 +115,19 @@ struct ClusterVariant {
   Place place;
 };
 
+/// Coupled: tangential springs in the contacts.
+enum class ClusterSpin { free, coupled };
+constexpr auto words_of(ClusterSpin)
+{
+  return choice_words<ClusterSpin>("free", "coupled");
+}
+
 /// [stack]
 struct ClusterSettings {
   std::string strip;                      ///< roll at the strip, or "S-T": upper and lower one
   double strip_stiffness    = not_given;  ///< N/m, between those two; absent: the force is imposed
   bool gravity              = true;
-  std::string spin          = "free";     ///< free | coupled: tangential springs in the contacts
+  ClusterSpin spin          = ClusterSpin::free;
   double tangential_ratio   = 1;          ///< -, tangential over normal stiffness of a contact
   double flattening_modulus = not_given;  ///< Pa, of the roll at the strip in Hitchcock's formula; absent: its own
   double flattening_poisson = not_given;  ///< -

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/roll_kind.h"
 #include <array>
 #include <limits>
 #include <map>
@@ -9,8 +10,8 @@ namespace mill {
 /// [[monitoring.ball_bearing]]: what its faults are heard at.
 struct BallBearing {
   std::string name;
-  std::string roll      = "work roll";  ///< work roll | backup roll, with which its inner ring turns
-  int balls             = 0;            ///< of one row
+  RollKind roll         = RollKind::work_roll;                       ///< with which its inner ring turns
+  int balls             = 0;                                         ///< of one row
   double ball_diameter  = std::numeric_limits<double>::quiet_NaN();  ///< m
   double pitch_diameter = std::numeric_limits<double>::quiet_NaN();  ///< m
   double contact_angle  = 0;                                         ///< rad

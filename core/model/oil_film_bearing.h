@@ -1,5 +1,6 @@
 #pragma once
 #include "core/model/material.h"
+#include "core/model/roller_bearing.h"
 #include <array>
 #include <string>
 #include <vector>
@@ -8,7 +9,7 @@ namespace mill {
 /// Oil-film bearing: a turning sleeve in a bush of full circumference, one film.
 struct OilFilmBearing {
   std::string name;                              ///< the * of [bearing.*]
-  std::string type = "oil-film";                 ///< its only one
+  BearingType type = BearingType::oil_film;      ///< its only one
   double diameter  = 0;                          ///< m, of the sleeve
   double length    = 0;                          ///< m, of the film
   double clearance = 0;                          ///< m, radial: radius of the bush less that of the sleeve

@@ -1,7 +1,9 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/model/advice.h"
+#include "core/model/dynamics_settings.h"
 #include <array>
-#include <string>
+#include <optional>
 
 // What millstand advise may do to a pass and what that must keep: [advice].
 namespace mill {
@@ -19,6 +21,12 @@ struct ProcessAdvice {
   std::array<double, 2> flow_stress     = {1, 1};
 };
 
+enum class AdviceGoal { critical_speed, level };
+constexpr auto words_of(AdviceGoal)
+{
+  return choice_words<AdviceGoal>("critical-speed", "level");
+}
+
 /// What a level or a critical speed asks of the pass that is rolled.  No run of a stand uses it, so that it is not
 /// part of a Case.
 struct RolledAdvice : ProcessAdvice {
@@ -26,10 +34,10 @@ struct RolledAdvice : ProcessAdvice {
   {
     flow_stress = {0.95, 1.05};
   }
-  std::string goal;                ///< "critical-speed" or "level"; empty: by what the case says
-  std::string model     = "beam";  ///< in which every action is repeated and which decides
-  double margin         = 0.10;    ///< -, critical speed >= (1 + margin) working speed
-  double nearer_chatter = 0.01;    ///< -, most that critical over working speed may fall
+  std::optional<AdviceGoal> goal;                ///< absent: by what the case says
+  StandModelKind model  = StandModelKind::beam;  ///< in which every action is repeated and which decides
+  double margin         = 0.10;                  ///< -, critical speed >= (1 + margin) working speed
+  double nearer_chatter = 0.01;                  ///< -, most that critical over working speed may fall
 };
 
 /// [advice] of kind four-high as it is read.

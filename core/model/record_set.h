@@ -1,7 +1,9 @@
 #pragma once
+#include "core/base/choice.h"
 #include <array>
 #include <limits>
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -14,13 +16,28 @@ struct MeasuredLevel {
   double error = 0.03;                                      ///< -, relative standard deviation
 };
 
+enum class RecordRole { fit, check };
+constexpr auto words_of(RecordRole)
+{
+  return choice_words<RecordRole>("fit", "check");
+}
+/// How the force went between its samples.
+enum class BetweenSamples {
+  smooth,  ///< it has nothing above half the rate: a measured force
+  lines    ///< straight lines: a force that a simulation was driven with, F sinc^2(f/rate)
+};
+constexpr auto words_of(BetweenSamples)
+{
+  return choice_words<BetweenSamples>("smooth", "lines");
+}
+
 /// One record of a folder.
 struct RecordEntry {
   std::string file;                                        ///< path
-  std::string role;                                        ///< "fit" | "check" | "": last third is the check
+  std::optional<RecordRole> role;                          ///< absent: the last third is the check
   double load = std::numeric_limits<double>::quiet_NaN();  ///< N, mean rolling force; NaN: that of the record
-  std::string between = "smooth";                          ///< smooth | lines
-  std::map<std::string, std::string> channels;             ///< plant's name -> place
+  BetweenSamples between = BetweenSamples::smooth;
+  std::map<std::string, std::string> channels;  ///< plant's name -> place
 };
 
 /// The records of a folder as its records.toml describes them, or all of them where it has no such file.

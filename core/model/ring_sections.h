@@ -1,6 +1,7 @@
 #pragma once
 #include "core/model/material.h"
 #include "core/model/mesh_file.h"
+#include "core/model/roller_bearing.h"
 #include <Eigen/Core>
 #include <vector>
 
@@ -27,7 +28,7 @@ struct RingSection {
 
 /// What surrounds the cup.
 struct Housing {
-  enum class Kind { block, round, rigid } kind = Kind::block;
+  ChockForm kind       = ChockForm::block;
   double radius        = 0;  ///< m, at which a round housing is held; also that of a block's short harmonics
   double half_length   = 0;  ///< m, along the axis
   double width         = 0;  ///< m, of the block, across the load

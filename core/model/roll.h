@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/model/material.h"
 #include "core/model/roll_geometry.h"
 #include <array>
@@ -6,6 +7,13 @@
 #include <vector>
 
 namespace mill {
+/// Source of K_ZW and of the shapes of the chain.
+enum class BendingModel { solid, beam };
+constexpr auto words_of(BendingModel)
+{
+  return choice_words<BendingModel>("solid", "beam");
+}
+
 /// A roll as drawn.  Work roll and backup roll are the same struct; the case file names their lengths differently.
 struct Roll {
   double barrel_diameter = 0;  ///< m, ground diameter of the barrel
@@ -22,12 +30,11 @@ struct Roll {
   double end_chamfer_depth            = 0;                 ///< m, on the radius
   double axial_shift                  = 0;                 ///< m, upper work roll towards z > 0
   std::array<double, 2> bending_force = {0, 0};  ///< N, chocks at z > 0 and z < 0, towards the backup roll
-  std::string bending_model = "solid";  ///< solid | beam, of the backup roll: where the chain's K_ZW and shapes
-                                        ///< come from
-  std::string bearing;                  ///< name of a [bearing.*]
-  double bearing_mass     = 0;          ///< kg, per side
-  double chock_mass_upper = 0;          ///< kg, per side, in the upper half of the stand
-  double chock_mass_lower = 0;          ///< kg, per side, in the lower half
+  BendingModel bending_model          = BendingModel::solid;  ///< of the backup roll
+  std::string bearing;                                        ///< name of a [bearing.*]
+  double bearing_mass     = 0;                                ///< kg, per side
+  double chock_mass_upper = 0;                                ///< kg, per side, in the upper half of the stand
+  double chock_mass_lower = 0;                                ///< kg, per side, in the lower half
   double bearing_load =
       not_given;  ///< N, radial load of one bearing; absent: F/2 (backup), F/20 assumed (work roll)
 };

@@ -1,10 +1,45 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/model/material.h"
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mill {
+enum class BearingType { four_row_tapered, four_row_cylindrical, oil_film };
+constexpr auto words_of(BearingType)
+{
+  return choice_words<BearingType>("four-row tapered", "four-row cylindrical", "oil-film");
+}
+enum class RollerProfile { none, iso, log, lundberg, three_parameter, crown, table };
+constexpr auto words_of(RollerProfile)
+{
+  return choice_words<RollerProfile>("none", "iso", "log", "lundberg", "three-parameter", "crown", "table");
+}
+enum class OneRollerLaw { fe, iso, palmgren, elastic };
+constexpr auto words_of(OneRollerLaw)
+{
+  return choice_words<OneRollerLaw>("fe", "iso", "palmgren", "elastic");
+}
+enum class RingBodies { elastic, rigid };
+constexpr auto words_of(RingBodies)
+{
+  return choice_words<RingBodies>("elastic", "rigid");
+}
+/// What holds the cup when the rings are elastic.
+enum class ChockForm { block, round, rigid };
+constexpr auto words_of(ChockForm)
+{
+  return choice_words<ChockForm>("block", "round", "rigid");
+}
+/// Test that the flow stress of a raceway comes from.
+enum class RacewayTest { uniaxial, plane_strain };
+constexpr auto words_of(RacewayTest)
+{
+  return choice_words<RacewayTest>("uniaxial", "plane-strain");
+}
+
 /// One set of rollers that gives the published ratings of a bearing.  theory.md 5.9
 struct RollerCandidate {
   int rollers_per_row    = 0;
@@ -18,7 +53,7 @@ struct RollerCandidate {
 /// Roller bearing from what a catalogue gives, and the chock it sits in.  Radial bearings have both angles zero.
 struct RollerBearing {
   std::string name;                        ///< the * of [bearing.*]
-  std::string type;                        ///< "four-row tapered" | "four-row cylindrical"
+  std::optional<BearingType> type;         ///< absent: a catalogue that does not say it
   double bore                = not_given;  ///< m
   double outside_diameter    = not_given;  ///< m
   double width               = not_given;  ///< m
@@ -37,18 +72,18 @@ struct RollerBearing {
   double radial_clearance  = 0;          ///< m, diametral
   double end_play          = not_given;  ///< m, axial; replaces radial_clearance
   double preload           = not_given;  ///< N, axial, of each row; replaces radial_clearance
-  std::string profile      = "none";     ///< none | iso | log | lundberg | three-parameter | crown | table
+  RollerProfile profile    = RollerProfile::none;
   double crown_drop        = not_given;  ///< m, drop of the roller end: crown, three-parameter
   double profile_load      = not_given;  ///< N, on one roller, for which log, lundberg, three-parameter are ground
   double profile_share     = 1;          ///< -, three-parameter: crowned part of the length
   std::vector<std::array<double, 2>> profile_table;  ///< m, (x from mid-roller, drop of one contact)
-  double youngs_modulus      = 206e9;    ///< Pa, bearing steel: rollers, rings, and with them neck and chock
-  double poisson_ratio       = 0.3;      ///< -
-  double yield_pressure      = 4e9;      ///< Pa, contact pressure that a raceway bears without a dent
-  std::string roller_law     = "iso";    ///< fe | iso | palmgren | elastic
-  std::string rings          = "rigid";  ///< elastic | rigid
-  int slices                 = 41;       ///< per roller
-  std::string chock          = "block";  ///< block | round | rigid: what holds the cup when the rings are elastic
+  double youngs_modulus      = 206e9;  ///< Pa, bearing steel: rollers, rings, and with them neck and chock
+  double poisson_ratio       = 0.3;    ///< -
+  double yield_pressure      = 4e9;    ///< Pa, contact pressure that a raceway bears without a dent
+  OneRollerLaw roller_law    = OneRollerLaw::iso;
+  RingBodies rings           = RingBodies::rigid;
+  int slices                 = 41;  ///< per roller
+  ChockForm chock            = ChockForm::block;
   double chock_width         = not_given;  ///< m, across the load
   double chock_height        = not_given;  ///< m, along the load
   double chock_length        = not_given;  ///< m, along the axis
@@ -60,16 +95,16 @@ struct RollerBearing {
   std::vector<std::string> filled;  ///< sentences about what was not given and has been filled in
 
   // What a catalogue says, and what life and limits are rated with: no equilibrium knows of these.
-  std::string designation;                  ///< of the catalogue; empty: the case draws the bearing itself
-  std::string catalogue;                    ///< the user's own file, searched first
-  std::string catalogue_source;             ///< where the catalogue has its figures from
-  double dynamic_rating     = not_given;    ///< N, C as published; absent: from the rollers
-  double static_rating      = not_given;    ///< N, C_0
-  double viscosity_ratio    = not_given;    ///< -, kappa of ISO 281
-  double contamination      = not_given;    ///< -, e_C of ISO 281
-  double raceway_flow       = not_given;    ///< Pa, flow stress of the raceway
-  std::string raceway_state = "uniaxial";   ///< uniaxial | plane-strain: test that raceway_flow comes from
-  std::vector<std::string> estimated;       ///< keys that stand for what the catalogue does not give
+  std::string designation;                ///< of the catalogue; empty: the case draws the bearing itself
+  std::string catalogue;                  ///< the user's own file, searched first
+  std::string catalogue_source;           ///< where the catalogue has its figures from
+  double dynamic_rating     = not_given;  ///< N, C as published; absent: from the rollers
+  double static_rating      = not_given;  ///< N, C_0
+  double viscosity_ratio    = not_given;  ///< -, kappa of ISO 281
+  double contamination      = not_given;  ///< -, e_C of ISO 281
+  double raceway_flow       = not_given;  ///< Pa, flow stress of the raceway
+  RacewayTest raceway_state = RacewayTest::uniaxial;  ///< of raceway_flow
+  std::vector<std::string> estimated;                 ///< keys that stand for what the catalogue does not give
   std::vector<RollerCandidate> candidates;  ///< rollers that give the published ratings; chosen one first
 };
 

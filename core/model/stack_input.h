@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/model/bite_setup.h"
 #include "core/model/chatter.h"
@@ -10,10 +11,21 @@
 
 // kind = "stack" as it is written; core/case/stack_resolution.cpp makes a Stack of it.
 namespace mill {
+enum class LowerHalf { mirrored, turned, listed };
+constexpr auto words_of(LowerHalf)
+{
+  return choice_words<LowerHalf>("mirrored", "turned", "listed");
+}
+enum class BendingAt { chock, window };
+constexpr auto words_of(BendingAt)
+{
+  return choice_words<BendingAt>("chock", "window");
+}
+
 /// [stack]
 struct StackSettings {
-  std::string lower      = "turned";  ///< mirrored | turned | listed
-  std::string bending_at = "chock";   ///< chock | window
+  LowerHalf lower      = LowerHalf::turned;
+  BendingAt bending_at = BendingAt::chock;
 };
 
 /// [roll.saddles]: a backing shaft with rings between saddles.
@@ -46,11 +58,28 @@ struct StackRollInput : Roll {
   }
 };
 
+/// Line load of the strip over its exit thickness.
+enum class StackStripLaw { uniform, modulus, bite };
+constexpr auto words_of(StackStripLaw)
+{
+  return choice_words<StackStripLaw>("uniform", "modulus", "bite");
+}
+enum class StackModel { condensed, beams };
+constexpr auto words_of(StackModel)
+{
+  return choice_words<StackModel>("condensed", "beams");
+}
+enum class StackFlattening { half_space, local };
+constexpr auto words_of(StackFlattening)
+{
+  return choice_words<StackFlattening>("half-space", "local");
+}
+
 /// [strip] and [engine].
 struct StackStripInput : StackStrip {
   double given_force = not_given;  ///< N
   double gap         = not_given;  ///< m, S; replaces the force
-  std::string law    = "modulus";  ///< uniform | modulus | bite
+  StackStripLaw law  = StackStripLaw::modulus;
   // Of its bite, for law = "bite" and for chatter.
   double entry_tension     = 0;          ///< Pa, back tension
   double exit_tension      = 0;          ///< Pa, front tension
@@ -64,8 +93,8 @@ struct StackStripInput : StackStrip {
   }
 };
 struct StackEngine {
-  std::string model      = "condensed";   ///< condensed | beams
-  std::string flattening = "half-space";  ///< half-space | local
+  StackModel model           = StackModel::condensed;
+  StackFlattening flattening = StackFlattening::half_space;
 };
 
 /// [window]: what is computed around the settings of the case; a range that is not given: no map of it.

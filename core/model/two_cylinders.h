@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/model/contact_settings.h"
 #include "core/model/material.h"
 #include <array>
@@ -6,16 +7,33 @@
 #include <vector>
 
 namespace mill {
+enum class BodyShape { cylinder, plane };
+constexpr auto words_of(BodyShape)
+{
+  return choice_words<BodyShape>("cylinder", "plane");
+}
+enum class EndProfile { none, arc, log, table };
+constexpr auto words_of(EndProfile)
+{
+  return choice_words<EndProfile>("none", "arc", "log", "table");
+}
+/// Of the tangential load: across the axes or along them.
+enum class TangentialDirection { across, along };
+constexpr auto words_of(TangentialDirection)
+{
+  return choice_words<TangentialDirection>("across", "along");
+}
+
 /// One of two bodies in contact: a body of revolution about an axis parallel to the contact, or a plane.
 struct RoundBody {
-  std::string shape     = "cylinder";                     ///< cylinder | plane
+  BodyShape shape       = BodyShape::cylinder;
   double diameter       = not_given;                      ///< m, a plane has none
   bool rigid            = false;                          ///< does not deform
   double youngs_modulus = not_given;                      ///< Pa; that of [steel] when not given
   double poisson_ratio  = not_given;                      ///< -; that of [steel] when not given
   double length         = not_given;                      ///< m, of the face; the body goes on when not given
   double crown_radius   = not_given;                      ///< m, of the generator; straight when not given
-  std::string profile   = "none";                         ///< of the ends: none | arc | log | table
+  EndProfile profile    = EndProfile::none;               ///< of the ends
   double profile_length = not_given;                      ///< m, of the arc at each end
   double profile_drop   = not_given;                      ///< m, of the arc at the end
   double profile_load   = not_given;                      ///< N, for which the logarithm is ground
@@ -23,7 +41,7 @@ struct RoundBody {
 
   bool plane() const
   {
-    return shape == "plane";
+    return shape == BodyShape::plane;
   }
 };
 
@@ -35,14 +53,14 @@ struct LineContactSettings : ContactSettings {
 
 /// [contact.space]: bodies of finite length or with a crown.
 struct SpaceContactSettings {
-  std::array<double, 2> loads      = {not_given, not_given};  ///< N, swept range
-  double at                        = not_given;               ///< N, load of the scalar results
-  int samples                      = 10;                      ///< loads in the sweep, logarithmically spaced
-  int rectangles                   = 12;                      ///< over the half width of the contact
-  double tilt                      = 0;          ///< rad, of the axes in the plane of the load, closing at z > 0
-  double friction                  = not_given;  ///< -, Coulomb
-  double tangential_load           = not_given;  ///< N
-  std::string tangential_direction = "across";   ///< across | along the axes
+  std::array<double, 2> loads              = {not_given, not_given};  ///< N, swept range
+  double at                                = not_given;               ///< N, load of the scalar results
+  int samples                              = 10;  ///< loads in the sweep, logarithmically spaced
+  int rectangles                           = 12;  ///< over the half width of the contact
+  double tilt                              = 0;   ///< rad, of the axes in the plane of the load, closing at z > 0
+  double friction                          = not_given;  ///< -, Coulomb
+  double tangential_load                   = not_given;  ///< N
+  TangentialDirection tangential_direction = TangentialDirection::across;
 };
 
 /// kind = "two-cylinders": two bodies of revolution with parallel axes, in plane strain or in space.

@@ -38,12 +38,12 @@ double keep_cache_below(const std::string &folder, const double bytes)
     std::error_code gone;  // removed meanwhile by another process
     if (path.extension() != ".bin" || !fs::is_regular_file(path, gone))
       continue;
-    const auto used  = fs::last_write_time(path, gone);
-    const double own = gone ? 0 : double(fs::file_size(path, gone));
+    const auto used   = fs::last_write_time(path, gone);
+    const double size = gone ? 0 : double(fs::file_size(path, gone));
     if (gone)
       continue;
-    entries.push_back({used, own, path});
-    all += own;
+    entries.push_back({used, size, path});
+    all += size;
   }
   std::sort(entries.begin(), entries.end(), [](const Entry &a, const Entry &b) { return a.used < b.used; });
   double removed = 0;

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/base/each_member.h"
 #include <Eigen/Core>
 #include <algorithm>
@@ -12,8 +13,8 @@
 #include <vector>
 
 // Records as JSON and back, by their each_member.  A number that is not finite is null, an absent optional too; a
-// matrix is a list of its rows.  Reading is patient: an entry that is absent or of another type leaves the member
-// as the record has it from the start, null makes a number NaN.
+// matrix is a list of its rows, a choice its word.  Reading is patient: an entry that is absent or of another type
+// leaves the member as the record has it from the start, null makes a number NaN.
 namespace mill {
 namespace json {
 using Node = nlohmann::ordered_json;
@@ -52,6 +53,8 @@ public:
   {
     if constexpr (is_plain<T>)
       put(node_, value);
+    else if constexpr (has_words<T>)
+      put(node_, std::string(word_of(value)));
     else if constexpr (is_matrix<T>)
       write_matrix(value);
     else {
@@ -112,7 +115,11 @@ public:
   {
     if constexpr (is_plain<T>)
       get(node_, value);
-    else
+    else if constexpr (has_words<T>) {
+      std::string word;
+      get(node_, word);
+      value = choice_named<T>(word).value_or(value);
+    } else
       each_member(*this, value);
   }
   void read(Eigen::VectorXd &vector);

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/each_member.h"
+#include "core/base/warning.h"
 #include "core/model/material.h"
 #include <string>
 #include <vector>
@@ -60,11 +61,12 @@ struct NonlinearRecord {
   double balance       = not_given;  ///< -, energy that is missing at the end over the work of the force
   double duration      = not_given;  ///< s
   bool linear_enough   = false;
-  std::string verdict;
+  std::string verdict;  ///< a sentence
+  std::string found;    ///< the numbers in it
   std::vector<NonlinearSpring> springs;
   std::vector<NonlinearRoll> rolls;
   std::vector<NonlinearMode> modes;  ///< those that strain a spring with a curve
-  std::vector<std::string> notes;
+  std::vector<Warning> notes;        ///< without subject
 };
 
 template <class Io, class R, if_record<R, NonlinearSpring> = 0> void each_member(Io &&io, R &record)
@@ -117,8 +119,8 @@ template <class Io, class R, if_record<R, NonlinearMode> = 0> void each_member(I
 
 template <class Io, class R, if_record<R, NonlinearRecord> = 0> void each_member(Io &&io, R &record)
 {
-  auto &[pass, model, load, force_range, scale_to_part, balance, duration, linear_enough, verdict, springs, rolls,
-         modes, notes] = record;
+  auto &[pass, model, load, force_range, scale_to_part, balance, duration, linear_enough, verdict, found, springs,
+         rolls, modes, notes] = record;
   io("pass", pass);
   io("model", model);
   io("load", load);
@@ -128,6 +130,7 @@ template <class Io, class R, if_record<R, NonlinearRecord> = 0> void each_member
   io("duration", duration);
   io("linear_enough", linear_enough);
   io("verdict", verdict);
+  io("found", found);
   io("springs", springs);
   io("rolls", rolls);
   io("modes", modes);

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include <Eigen/Core>
 #include <array>
 #include <string>
@@ -33,7 +34,9 @@ public:
   }
   template <class T> void add(const T &value)
   {
-    if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
+    if constexpr (has_words<T>)
+      add(std::string(word_of(value)));
+    else if constexpr (std::is_integral_v<T> || std::is_enum_v<T>)
       text += std::to_string(static_cast<long long>(value));
     else if constexpr (std::is_convertible_v<T, std::string>)
       add(std::string(value));

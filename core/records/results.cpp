@@ -1,4 +1,5 @@
 #include "core/records/results.h"
+#include "core/records/json_archive.h"
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -70,7 +71,8 @@ std::string results_json(const Results &results, const std::string &case_name, c
   json["values"] = ordered_json::object();
   for (const auto &[name, parameter] : results.values)
     json["values"][name] = json_of(parameter);
-  json["warnings"]    = results.warnings;
+  json["warnings"] = texts_of(results.warnings);  // for readers that want no parts
+  json::Writer(json["warning_records"]).write(results.warnings);
   json["assumptions"] = results.assumptions;
   if (!results.estimates.empty()) {
     json["estimates"] = ordered_json::array();

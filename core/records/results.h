@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/parameter.h"
+#include "core/base/warning.h"
 #include "core/model/estimate.h"
 #include "core/records/speed_verdict.h"
 #include <map>
@@ -17,7 +18,7 @@ struct EstimateRecord {
 /// All scalar results of a run in the order they were computed.  Names are those of the product's contract.
 struct Results {
   std::vector<std::pair<std::string, Parameter>> values;
-  std::vector<std::string> warnings;  ///< one sentence each, shown in the status banner
+  std::vector<Warning> warnings;  ///< facts that a reader needs to know, in the order of the stages
   std::vector<std::string>
       assumptions;                   ///< values that are not known and were assumed by the run, one sentence each
   std::vector<SpeedVerdict> speeds;  ///< how far each pass is from its critical speed, in the order of the passes

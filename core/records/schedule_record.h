@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/each_member.h"
+#include "core/base/warning.h"
 #include "core/model/material.h"
 #include <array>
 #include <string>
@@ -108,7 +109,7 @@ struct ScheduleRecord {
   std::vector<PassForce> passes;
   std::vector<ScheduleLaw> laws;
   std::vector<DynamicForces> dynamics;
-  std::vector<std::string> notes;  ///< what could not be fitted, one sentence each
+  std::vector<Warning> notes;  ///< what could not be fitted
 };
 
 template <class Io, class R, if_record<R, PassFit> = 0> void each_member(Io &&io, R &record)

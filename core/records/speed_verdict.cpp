@@ -53,6 +53,13 @@ std::string keys_text(const std::vector<std::string> &keys)
   return text;
 }
 
+std::string why_not_searched(const SpeedVerdict &v)
+{
+  if (v.missing.empty())
+    return v.cause;
+  return fmt::format("{} {} not given", keys_text(v.missing), v.missing.size() == 1 ? "is" : "are");
+}
+
 std::string unstable_sentence(const SpeedVerdict &v)
 {
   if (v.speed < v.critical || std::isnan(v.critical))
@@ -102,6 +109,29 @@ void worst_first(std::vector<SpeedVerdict> &verdicts)
   });
 }
 
+SpeedVerdict not_searched(const std::string &pass, const double speed, const std::vector<std::string> &missing)
+{
+  SpeedVerdict v;
+  v.pass    = pass;
+  v.speed   = speed;
+  v.missing = missing;
+  v.remedy  = std::string("Add ") + (missing.size() == 1 ? "it" : "them") +
+             " to the case to have the critical speed searched.";
+  return v;
+}
+
+Warning warning_of(const SpeedVerdict &v, const Place &place)
+{
+  return {WarningId::critical_speed_not_searched,
+          v.pass,
+          "critical speed not searched",
+          why_not_searched(v),
+          std::string("add ") + (v.missing.size() == 1 ? "it" : "them") + " to the case",
+          {v.pass},
+          "",
+          place};
+}
+
 const char *id_of(const SpeedFinding finding)
 {
   switch (finding) {
@@ -134,10 +164,7 @@ std::string sentence_of(const SpeedVerdict &v)
   case SpeedFinding::not_searched:
     break;
   }
-  if (v.missing.empty())
-    return "Critical speed not searched: " + v.cause + ".";
-  return fmt::format("Critical speed not searched: {} {} not given.", keys_text(v.missing),
-                     v.missing.size() == 1 ? "is" : "are");
+  return "Critical speed not searched: " + why_not_searched(v) + ".";
 }
 
 nlohmann::ordered_json json_of(const SpeedVerdict &v)

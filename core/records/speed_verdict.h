@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/parameter.h"
+#include "core/base/warning.h"
 #include <array>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
@@ -44,6 +45,13 @@ struct SpeedVerdict {
   /// 1 - speed/critical; NaN without a critical speed.
   double margin() const;
 };
+
+/// Of a pass whose critical speed is not searched because these keys are missing: "pass.speed".
+SpeedVerdict not_searched(const std::string &pass, double speed, const std::vector<std::string> &missing);
+
+/// The same before a run, as `check` says it.
+/// @param place  of the pass
+Warning warning_of(const SpeedVerdict &not_searched, const Place &place);
 
 /// "not-searched", "below" ..: the finding as run.json holds it.
 const char *id_of(SpeedFinding finding);

@@ -16,7 +16,7 @@ Eigen::MatrixXd balanced(const Eigen::MatrixXd &A)
 }
 }  // namespace
 
-WorkingPoint working_point(bite::RollBite bite, const double speed, const bite::Linearisation scheme)
+WorkingPoint working_point(bite::RollBite bite, const double speed, const Linearisation scheme)
 {
   bite.roll_speed = speed;
   bite.gap_rate   = 0;

@@ -26,7 +26,7 @@ struct WorkingPoint {
 /// diverges
 ///
 /// Cost: 40 us.
-WorkingPoint working_point(bite::RollBite bite, double speed, bite::Linearisation scheme);
+WorkingPoint working_point(bite::RollBite bite, double speed, Linearisation scheme);
 
 /// (2n+2, 2n+2) A of  z' = A z,  z = (x, x', d sigma_e, d sigma_d) in SI.  The flattened radius keeps its value.
 /// theory.md (25.4)

@@ -21,7 +21,7 @@ double pressing(const RollContact &c, const ConstVector &x)
 }  // namespace
 
 ChatterEquations::ChatterEquations(const ChatterStandModel &stand, const WorkingPoint &point,
-                                   const bite::Linearisation scheme, const ChatterRunOptions &options)
+                                   const Linearisation scheme, const ChatterRunOptions &options)
     : structure(stand.structure), contacts(options.contacts),
       roll_bite(bite::unsteady_bite(point.bite, point.state, scheme)),
       steady_moment(bite::steady_moment(roll_bite)), steady(bite::bite_at(roll_bite, steady_moment)),

@@ -21,7 +21,7 @@ public:
   };
 
   /// @throws InputError  density not positive; a contact of another size than the structure
-  ChatterEquations(const ChatterStandModel &stand, const WorkingPoint &point, bite::Linearisation scheme,
+  ChatterEquations(const ChatterStandModel &stand, const WorkingPoint &point, Linearisation scheme,
                    const ChatterRunOptions &options);
 
   /// The strip is between the rolls; changed by the integrator at an edge, since its speed jumps there.

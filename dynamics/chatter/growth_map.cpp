@@ -92,7 +92,7 @@ bite::MapAxis axis_around(const bite::RollBite &bite, const MapQuantity quantity
   return {quantity, Eigen::VectorXd::LinSpaced(n, 0.5 * value, high)};
 }
 
-GrowthMap growth_map(const ChatterStandModel &stand, const bite::RollBite &bite, const bite::Linearisation scheme,
+GrowthMap growth_map(const ChatterStandModel &stand, const bite::RollBite &bite, const Linearisation scheme,
                      const bite::MapAxis &rows, const bite::MapAxis &columns, const int threads)
 {
   const Eigen::Index n = rows.value.size(), m = columns.value.size();

@@ -20,7 +20,7 @@ struct GrowthMap {
 /// @param threads  that share the rows; the result is the same bit for bit with any number
 /// @throws InputError  an axis without values, twice the same quantity, one that the friction law does not have
 /// Cost: 0.1 ms a cell
-GrowthMap growth_map(const ChatterStandModel &stand, const bite::RollBite &bite, bite::Linearisation scheme,
+GrowthMap growth_map(const ChatterStandModel &stand, const bite::RollBite &bite, Linearisation scheme,
                      const bite::MapAxis &rows, const bite::MapAxis &columns, int threads = 2);
 
 /// "reduction" .., "roll_speed": the word of a quantity.

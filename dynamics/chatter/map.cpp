@@ -117,7 +117,7 @@ NoBite classify(const RollBite &bite)
 }
 
 void fill_cell(StabilityMap &map, std::string &message, const Eigen::Index i, const Eigen::Index j,
-               const ChatterStandModel &stand, RollBite bite, const bite::Linearisation scheme)
+               const ChatterStandModel &stand, RollBite bite, const Linearisation scheme)
 {
   try {
     const WorkingPoint point        = working_point(bite, map.speed[i], scheme);
@@ -135,7 +135,7 @@ void fill_cell(StabilityMap &map, std::string &message, const Eigen::Index i, co
 }
 
 void fill_boundary(StabilityMap &map, const Eigen::Index j, const ChatterStandModel &stand, const RollBite &bite,
-                   const bite::Linearisation scheme)
+                   const Linearisation scheme)
 {
   const Eigen::Index n = map.speed.size();
   if (n < 2)
@@ -151,7 +151,7 @@ void fill_boundary(StabilityMap &map, const Eigen::Index j, const ChatterStandMo
 }
 }  // namespace
 
-StabilityMap stability_map(const ChatterStandModel &stand, const RollBite &bite, const bite::Linearisation scheme,
+StabilityMap stability_map(const ChatterStandModel &stand, const RollBite &bite, const Linearisation scheme,
                            const Eigen::VectorXd &speed, const MapQuantity quantity, const Eigen::VectorXd &value,
                            const int threads)
 {

@@ -59,7 +59,7 @@ struct StabilityMap {
 /// @param threads   that share the columns
 /// @throws InputError  an axis without values; a quantity the bite does not have
 /// Cost: 0.07 ms a cell and some 10 ms a column, 200 x 200 some 3 s on two cores.
-StabilityMap stability_map(const ChatterStandModel &stand, const bite::RollBite &bite, bite::Linearisation scheme,
+StabilityMap stability_map(const ChatterStandModel &stand, const bite::RollBite &bite, Linearisation scheme,
                            const Eigen::VectorXd &speed, MapQuantity quantity, const Eigen::VectorXd &value,
                            int threads = 2);
 }  // namespace mill::dynamics

@@ -123,9 +123,8 @@ struct Run {
 };
 }  // namespace
 
-ChatterRun nonlinear_run(const ChatterStandModel &stand, const WorkingPoint &point,
-                         const bite::Linearisation scheme, const Eigen::VectorXd &start,
-                         const ChatterRunOptions &options)
+ChatterRun nonlinear_run(const ChatterStandModel &stand, const WorkingPoint &point, const Linearisation scheme,
+                         const Eigen::VectorXd &start, const ChatterRunOptions &options)
 {
   if (!(options.duration > 0) || !(options.rate > 0) || !std::isfinite(options.duration * options.rate))
     throw InputError(fmt::format("a run needs a duration and a rate above zero, not {} s and {} Hz",

@@ -72,7 +72,7 @@ struct ChatterRun {
 /// @throws InputError  duration, rate or tolerance not positive, a start without a bite
 /// A run that cannot go on (strip torn, gap closed) is returned up to there with its reason.
 /// Cost: 0.1 s per second of small motion of six masses, 0.3 to 0.7 s where every swing has edges.
-ChatterRun nonlinear_run(const ChatterStandModel &stand, const WorkingPoint &point, bite::Linearisation scheme,
+ChatterRun nonlinear_run(const ChatterStandModel &stand, const WorkingPoint &point, Linearisation scheme,
                          const Eigen::VectorXd &start, const ChatterRunOptions &options = {});
 
 /// What a run comes to.

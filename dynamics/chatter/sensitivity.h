@@ -38,7 +38,7 @@ std::vector<StructureNumber> modal_numbers(const ModalModel &modes);
 
 /// What is asked.
 struct SensitivityRequest {
-  bite::Linearisation scheme = bite::Linearisation::sequential;
+  Linearisation scheme = Linearisation::sequential;
   SpeedRange range;            ///< of the search for the critical speed
   double working_speed = 0;    ///< m/s, friction and growth rate are taken there; > 0
   double change        = 0.1;  ///< -, of the finite changes; 0: none

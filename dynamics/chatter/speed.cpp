@@ -328,13 +328,13 @@ CriticalSpeed critical_speed(const MatrixAtSpeed &matrix, const SpeedRange &rang
 }
 
 MatrixAtSpeed matrix_at_speed(const ChatterStandModel &stand, const bite::RollBite &bite,
-                              const bite::Linearisation scheme)
+                              const Linearisation scheme)
 {
   return [=](const double speed) { return chatter_matrix(stand, working_point(bite, speed, scheme).by); };
 }
 
-StandSpeed critical_speed(const ChatterStandModel &stand, const bite::RollBite &bite,
-                          const bite::Linearisation scheme, const SpeedRange &range)
+StandSpeed critical_speed(const ChatterStandModel &stand, const bite::RollBite &bite, const Linearisation scheme,
+                          const SpeedRange &range)
 {
   std::map<double, bite::BiteState> states;
   const auto matrix = [&](const double speed) {

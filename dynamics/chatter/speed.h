@@ -94,12 +94,11 @@ struct StandSpeed : CriticalSpeed {
 /// Critical speed of one stand: at every speed the steady bite with its flattening and film is solved again.
 /// @param bite  its roll_speed is not read
 /// Cost: 70 to 90 working points and eigenproblems, some 8 ms with six masses.
-StandSpeed critical_speed(const ChatterStandModel &stand, const bite::RollBite &bite, bite::Linearisation scheme,
+StandSpeed critical_speed(const ChatterStandModel &stand, const bite::RollBite &bite, Linearisation scheme,
                           const SpeedRange &range = {});
 
 /// Matrix of a stand over its speed.
-MatrixAtSpeed matrix_at_speed(const ChatterStandModel &stand, const bite::RollBite &bite,
-                              bite::Linearisation scheme);
+MatrixAtSpeed matrix_at_speed(const ChatterStandModel &stand, const bite::RollBite &bite, Linearisation scheme);
 
 /// "unstable above 18.207 m/s (128.1 Hz)", with the margin when nothing crosses, and the edges of the bite
 /// with their reason.

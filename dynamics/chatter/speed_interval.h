@@ -22,7 +22,7 @@ struct SpeedQuestion {
   ChatterStandModel stand;   ///< in its modes: M = I, C = 2 damping K^(1/2), where an input moves its structure
   double modal_damping = 0;  ///< -
   bite::RollBite bite;
-  bite::Linearisation scheme = bite::Linearisation::sequential;
+  Linearisation scheme = Linearisation::sequential;
   SpeedRange range;
 };
 

@@ -50,7 +50,7 @@ double Slopes::force(const VariedInput &varied) const
   return sum_of(pass.force, varied) / point.state.force;
 }
 
-Slopes slopes_at(const ChatterStandModel &stand, const bite::RollBite &bite, const bite::Linearisation scheme,
+Slopes slopes_at(const ChatterStandModel &stand, const bite::RollBite &bite, const Linearisation scheme,
                  const double speed, const Crossing *crossing)
 {
   WorkingPoint point                  = working_point(bite, speed, scheme);

@@ -34,8 +34,8 @@ struct Slopes {
 /// @param stand     kept by reference
 /// @param crossing  whose root is differentiated; nullptr: the least stable one
 /// @throws InputError, SolverError  no steady bite there; a double eigenvalue
-Slopes slopes_at(const ChatterStandModel &stand, const bite::RollBite &bite, bite::Linearisation scheme,
-                 double speed, const Crossing *crossing);
+Slopes slopes_at(const ChatterStandModel &stand, const bite::RollBite &bite, Linearisation scheme, double speed,
+                 const Crossing *crossing);
 
 /// d ln v/d ln p of the critical speed, -(d growth/d ln p)/(d growth/d ln v), (27.4).
 double speed_slope(const Slopes &slopes, const VariedInput &varied);

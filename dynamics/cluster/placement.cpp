@@ -129,7 +129,8 @@ std::vector<Eigen::Vector2d> placed_rolls(const ClusterStand &written)
     progress = false;
     for (std::size_t i = 0; i < places.size(); ++i)
       if (!places[i])
-        if (const auto place = place_from(neighbours_of(stand, i, places), stand.rolls[i].side == "below")) {
+        if (const auto place =
+                place_from(neighbours_of(stand, i, places), stand.rolls[i].side == PositionSide::below)) {
           places[i] = place;
           progress  = true;
         }

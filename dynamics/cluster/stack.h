@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/support_type.h"
 #include "dynamics/cluster/contact_law.h"
 #include <Eigen/Core>
 #include <array>
@@ -61,12 +62,7 @@ double bearing_energy(const BearingLaw &law, double d);              ///< J
 
 /// What holds one roll from the ground.
 struct Support {
-  enum class Type {
-    radial,     ///< force along the displacement, the same law in every direction
-    isotropic,  ///< the law in y, its tangent at the force of the pass in x
-    guide,      ///< a spring along one direction
-    rollers     ///< two one-sided rollers with preload behind a roll
-  };
+  using Type = SupportType;
   std::string name;
   int roll  = 0;
   Type type = Type::radial;

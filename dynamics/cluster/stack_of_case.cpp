@@ -40,15 +40,24 @@ ContactLaw law_of(const ClusterStand &stand, const ClusterContact &c, const Comp
   const auto [a, b]      = rolls_of_pair(stand, c.pair);
   const ClusterRoll &one = stand.rolls[std::size_t(a)], &other = stand.rolls[std::size_t(b)];
   const double length = or_else(c.length, std::min(one.barrel_length, other.barrel_length));
-  if (c.law == "power")
+  const auto by_line  = [&](const LineForm form) {
+    return line_law(form, {0.5 * one.barrel_diameter, material_of(one, stand.steel)},
+                     {0.5 * other.barrel_diameter, material_of(other, stand.steel)}, length);
+  };
+  const auto match = computed.find(c.pair);
+  switch (c.law) {
+  case ClusterLaw::power:
     return palmgren_law(length, c.coefficient);
-  if (c.law == "spring")
+  case ClusterLaw::spring:
     return power_law_through(c.stiffness, c.load, c.exponent);
-  if (const auto match = computed.find(c.pair); c.law == "computed" && match != computed.end())
-    return match->second;
-  return line_law(c.law == "foeppl" ? LineForm::foeppl : LineForm::johnson,
-                  {0.5 * one.barrel_diameter, material_of(one, stand.steel)},
-                  {0.5 * other.barrel_diameter, material_of(other, stand.steel)}, length);
+  case ClusterLaw::computed:
+    return match != computed.end() ? match->second : by_line(LineForm::johnson);
+  case ClusterLaw::foeppl:
+    return by_line(LineForm::foeppl);
+  case ClusterLaw::johnson:
+    return by_line(LineForm::johnson);
+  }
+  return {};
 }
 
 Roll roll_of(const ClusterRoll &in, const Material &steel, const Eigen::Vector2d &centre)
@@ -71,11 +80,12 @@ Support support_of(const ClusterStand &stand, const ClusterSupport &in, const st
   s.roll        = roll_named(stand.rolls, in.roll);
   s.direction   = in.direction;
   s.loss_factor = loss_factor;
-  if (in.type == "guide") {
-    s.type = Support::Type::guide;
-    s.law  = {1 / in.stiffness, 1};
-  } else if (in.type == "rollers") {
-    s.type                    = Support::Type::rollers;
+  s.type        = in.type;
+  switch (in.type) {
+  case SupportType::guide:
+    s.law = {1 / in.stiffness, 1};
+    break;
+  case SupportType::rollers: {
     s.law                     = bearing_through(in.stiffness, in.preload, in.exponent);
     s.preload                 = in.preload;
     s.half_angle              = in.half_angle;
@@ -83,8 +93,10 @@ Support support_of(const ClusterStand &stand, const ClusterSupport &in, const st
     s.against                 = roll_named(stand.rolls, in.against);
     const Eigen::Vector2d out = rolls[std::size_t(s.roll)].centre - rolls[std::size_t(s.against)].centre;
     s.direction               = std::atan2(out.y(), out.x());
-  } else {
-    s.type   = in.type == "radial" ? Support::Type::radial : Support::Type::isotropic;
+    break;
+  }
+  case SupportType::radial:
+  case SupportType::isotropic:
     s.law    = bearing_through(in.stiffness, in.load, in.exponent);
     s.across = in.stiffness;
   }
@@ -158,7 +170,7 @@ Stack stack_of(const ClusterStand &written, const ClusterPass &pass, const doubl
   const auto places        = placed_rolls(stand);
   Stack stack;
   stack.gravity = stand.stack.gravity;
-  stack.coupled = stand.stack.spin == "coupled";
+  stack.coupled = stand.stack.spin == ClusterSpin::coupled;
   for (std::size_t i = 0; i < stand.rolls.size(); ++i)
     stack.rolls.push_back(roll_of(stand.rolls[i], stand.steel, places[i]));
   for (const ClusterContact &in : stand.contacts) {

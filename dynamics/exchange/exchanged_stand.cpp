@@ -163,14 +163,14 @@ Eigen::VectorXcd response_of(const StateSpace &system, const double frequency)
 }
 }  // namespace
 
-double difference_from(const StateSpace &form, const DrivenModel &own, const VectorXd &frequency)
+double difference_from(const StateSpace &form, const DrivenModel &driven, const VectorXd &frequency)
 {
-  if (form.A.rows() != own.system.A.rows() || form.C.rows() < own.system.C.rows())
+  if (form.A.rows() != driven.system.A.rows() || form.C.rows() < driven.system.C.rows())
     return INFINITY;
   double worst = 0;
   // Own states are scaled already, [w q; q'].
   std::vector<std::complex<double>> mine;
-  for (const auto &pole : own.system.A.eigenvalues())
+  for (const auto &pole : driven.system.A.eigenvalues())
     if (pole.imag() >= 0)
       mine.push_back(pole);
   const auto theirs = poles_of(form.A);
@@ -186,16 +186,16 @@ double difference_from(const StateSpace &form, const DrivenModel &own, const Vec
       nearest = std::min(nearest, std::abs(other - mine[k]));
     worst = std::max(worst, nearest / std::abs(mine[k]));
   }
-  const Index m = Index(own.labels.size());
-  const auto at = [&](const double f, Eigen::MatrixXcd &all, const Index column) {
-    const Eigen::VectorXcd mine_now = response_of(own.system, f), other = response_of(form, f);
+  const Index m           = Index(driven.labels.size());
+  const auto add_response = [&](const double f, Eigen::MatrixXcd &all, const Index column) {
+    const Eigen::VectorXcd mine_now = response_of(driven.system, f), other = response_of(form, f);
     all.col(column) << mine_now.head(m + 1), other.head(m), other[other.size() - 1];
   };
   constexpr Index n_points = 60;
   const double low = 0.1 * frequency[0], high = 3 * frequency[frequency.size() - 1];
   Eigen::MatrixXcd all(2 * (m + 1), n_points);
   for (Index i = 0; i < n_points; ++i)
-    at(low * std::pow(high / low, double(i) / double(n_points - 1)), all, i);
+    add_response(low * std::pow(high / low, double(i) / double(n_points - 1)), all, i);
   for (Index row = 0; row <= m; ++row) {
     const double largest = all.row(row).cwiseAbs().maxCoeff();
     if (largest > 0)
@@ -204,7 +204,7 @@ double difference_from(const StateSpace &form, const DrivenModel &own, const Vec
   return std::isnan(worst) ? INFINITY : worst;
 }
 
-void add_step_test(ExchangedStand &stand, const DrivenModel &own)
+void add_step_test(ExchangedStand &stand, const DrivenModel &driven)
 {
   stand.step_force = stand.mean_force > 0 ? 0.1 * stand.mean_force : 1e5;
   // The jump takes 1 ns: its end is a sample of the record, the grid begins behind it.
@@ -213,8 +213,8 @@ void add_step_test(ExchangedStand &stand, const DrivenModel &own)
                      Eigen::Vector3d(0, stand.step_force, stand.step_force),
                      {}};
   const double rate    = std::clamp(100 * stand.frequency[stand.frequency.size() - 1], 1e4, 2e5);
-  const auto response  = mill_response(own, record, rate);
-  const VectorXd jumps = own.system.D * stand.step_force;
+  const auto response  = mill_response(driven, record, rate);
+  const VectorXd jumps = driven.system.D * stand.step_force;
   for (const int roll : {0, 1}) {
     const Index column = roll == 0 ? upper_work_roll : lower_work_roll;
     stand.step_peak[roll] =

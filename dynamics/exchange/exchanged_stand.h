@@ -61,10 +61,10 @@ StateSpace first_order_form(const ExchangedStand &stand);
 /// lowest mode to three times the highest one.  theory.md 35.7
 /// @param form  outputs as outputs_of()
 /// @param own   the model that simulate drives
-double difference_from(const StateSpace &form, const DrivenModel &own, const Eigen::VectorXd &frequency);
+double difference_from(const StateSpace &form, const DrivenModel &driven, const Eigen::VectorXd &frequency);
 constexpr double exchange_agreement = 1e-8;
 
 /// Fills step_force and step_peak: the force jumps once from the equilibrium under its mean.
-void add_step_test(ExchangedStand &stand, const DrivenModel &own);
+void add_step_test(ExchangedStand &stand, const DrivenModel &driven);
 constexpr double step_test_begin = 0.01, step_test_end = 0.11;  // s
 }  // namespace mill::dynamics

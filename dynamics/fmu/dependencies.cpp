@@ -119,9 +119,9 @@ std::vector<unsigned> Dependencies::friction_of_bite() const
 bool Dependencies::feels_force(const Variable &acceleration) const
 {
   const std::size_t j = std::size_t(acceleration.index);
-  if (model_.kind == "chain")
+  if (model_.kind == StandKind::chain)
     return model_.bite_row[j] != 0;
-  const bool chatter               = model_.kind == "chatter";
+  const bool chatter               = model_.kind == StandKind::chatter;
   const std::vector<double> &point = chatter ? model_.chatter.point : model_.shape;
   const std::vector<double> &b     = chatter ? model_.chatter.force_row : model_.bite_mode;
   Sum sum;
@@ -133,12 +133,12 @@ bool Dependencies::feels_force(const Variable &acceleration) const
 // Does a point leave the datum under a constant force, or with displaced rolls?
 bool Dependencies::is_displaced(const Variable &displacement) const
 {
-  if (model_.kind == "chain")
+  if (model_.kind == StandKind::chain)
     return true;
   const std::size_t n = model_.n_modes(), j = std::size_t(displacement.index);
   Sum sum;
   for (std::size_t k = 0; k < n; ++k)
-    sum.add(model_.kind == "chatter"
+    sum.add(model_.kind == StandKind::chatter
                 ? model_.chatter.point[j * n + k] * model_.chatter.displaced[k]
                 : model_.shape[j * n + k] * model_.bite_mode[k] / (model_.frequency[k] * model_.frequency[k]));
   return !sum.is_zero();
@@ -189,7 +189,7 @@ std::vector<unsigned> Dependencies::chatter_output(const Variable &output) const
 
 std::vector<unsigned> Dependencies::at_communication(const Variable &output) const
 {
-  if (model_.kind == "chatter")
+  if (model_.kind == StandKind::chatter)
     return chatter_output(output);
   if (output.role == Role::acceleration) {
     // Modal damping couples every mass of a chain with every other one.
@@ -199,7 +199,7 @@ std::vector<unsigned> Dependencies::at_communication(const Variable &output) con
   if (output.role != Role::cell_force)
     return {};
   std::vector<unsigned> all = with(is_mean_force);
-  if (model_.kind != "chain")
+  if (model_.kind != StandKind::chain)
     return model_.load_cell_share != 0 ? all : std::vector<unsigned>();
   const auto springs = with(is_spring);
   return joined(all, model_.share_from_statics
@@ -209,7 +209,7 @@ std::vector<unsigned> Dependencies::at_communication(const Variable &output) con
 
 std::vector<unsigned> Dependencies::at_start(const Variable &unknown) const
 {
-  if (model_.kind == "chatter") {
+  if (model_.kind == StandKind::chatter) {
     if (unknown.role == Role::steady_number)
       return SteadyNumber(unknown.index) == SteadyNumber::friction && is_a_number(model_.chatter.pass.friction)
                  ? with(is_friction)

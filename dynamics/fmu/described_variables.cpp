@@ -17,9 +17,9 @@ std::string spoken(std::string label)
 
 std::string force_text(const ExportedModel &model)
 {
-  const char *meaning = model.force_meaning == "measured"
+  const char *meaning = model.force_meaning == ForceMeaning::measured
                             ? "the whole measured bite force; K4 and C are zero, since their forces are part of it"
-                        : model.force_meaning == "disturbance"
+                        : model.force_meaning == ForceMeaning::disturbance
                             ? "the part of the bite force that the motion of the gap does not cause"
                             : "as published: in parallel with K4 and C, the mean included";
   return fmt::format("rolling force, positive pushes the work rolls apart: {}", meaning);
@@ -90,12 +90,12 @@ std::string bite_reading_text(const Variable &v)
 std::string text_of(const ExportedModel &model, const Variable &v)
 {
   const auto point   = [&] { return spoken(model.data.points[std::size_t(v.index)]); };
-  const bool chatter = model.data.kind == "chatter";
+  const bool chatter = model.data.kind == StandKind::chatter;
   switch (v.role) {
   case Role::time:
     return "time";
   case Role::bite_force:
-    return model.data.kind == "chatter"
+    return model.data.kind == StandKind::chatter
                ? "force in addition to that of the bite, positive pushes the work rolls apart"
                : force_text(model);
   case Role::bite_number:
@@ -108,7 +108,7 @@ std::string text_of(const ExportedModel &model, const Variable &v)
                                    : "radius of the flattened rolls, which the vibration does not change";
   case Role::mean_force:
     return std::string("mean rolling force: displacements count from the state of rest under it") +
-           (model.data.kind == "curves" ? "; it cannot be changed, since the springs are loaded by it at rest"
+           (model.data.kind == StandKind::curves ? "; it cannot be changed, since the springs are loaded by it at rest"
                                         : "");
   case Role::stored_force:
     return "true plays resources/force.csv, linear between its samples, for any F_roll; false does not. Where "

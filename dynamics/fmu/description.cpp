@@ -52,7 +52,7 @@ std::string root_of(const ExportedModel &model, const bool three)
 
 std::string capabilities(const ExportedModel &model, const bool three)
 {
-  const bool chatter = model.data.kind == "chatter";
+  const bool chatter = model.data.kind == StandKind::chatter;
   const char *derive = chatter ? "false" : "true";
   Attributes a;
   a.add("modelIdentifier", model.identifier).add("canHandleVariableCommunicationStepSize", "true");

@@ -23,18 +23,18 @@ std::string table_of(const std::vector<DescribedVariable> &variables)
 
 std::string equations_of(const ExportedModel &model)
 {
-  if (model.data.kind == "chatter")
+  if (model.data.kind == StandKind::chatter)
     return "M x'' + C x' + K x = b (F - F_steady + F_disturbance), F the force of the roll bite by Bland and "
            "Ford's theory at the present gap, gap rate, tensions and entry thickness; the stress of the strip "
            "before "
            "and after the bite grows with the difference of the speeds at its two ends. Slack strip has no "
            "tension, a "
            "strip thinner than the gap carries no force, and work and backup rolls may separate.";
-  if (model.data.kind == "chain")
+  if (model.data.kind == StandKind::chain)
     return "M y'' + (2 zeta modal damping + C b b<sup>T</sup>) y' + K y = b (F - F_mean): masses M, springs K in "
            "a "
            "chain, b = +1 at the upper and -1 at the lower work roll.";
-  if (model.data.kind == "curves")
+  if (model.data.kind == StandKind::curves)
     return "q'' + (2 zeta w + C b b<sup>T</sup>) q' + w<sup>2</sup> q = b (F - F_mean) - sum of r s "
            "rho(r<sup>T</sup> q) in the modes of the stand, y = P q at its points; rho(d) is the force of a "
            "contact or "
@@ -62,7 +62,7 @@ std::string behaviour_of(const ExportedModel &model, const int fmi_version)
       fmi_version == 2 ? "fmi2SetRealInputDerivatives, order 1"
                        : "by the intermediate update, for a client that lists the force among the required "
                          "intermediate variables: the force then runs along a straight line";
-  if (model.data.kind == "chatter")
+  if (model.data.kind == StandKind::chatter)
     return fmt::format(
         R"(<p>Displacements are positive away from the strip and count from the working point. The run begins with both
 work rolls displaced by start_displacement, all else at rest.</p>
@@ -85,7 +85,7 @@ log, and {2}.</p>)",
             : "terminateSimulation is true and lastSuccessfulTime is the moment, so that a client keeps the "
               "rows before it",
         fmi_version == 2 ? "Error" : "Discard");
-  if (model.data.kind == "curves")
+  if (model.data.kind == StandKind::curves)
     return fmt::format(
         R"(<p>Displacements are up positive and count from the state of rest under F_mean, which is that of the case and
 cannot be changed, since the load of the springs at rest belongs to it; a positive F_roll pushes the work rolls apart. The
@@ -100,7 +100,7 @@ default experiment keeps this for every mode.</p>
 (resources/model.json) and cannot be tuned.{2}</p>)",
         slope, 1e6 * model.data.curves.longest_step, stored_force_text(model));
   const auto &last = model.data.frequency;
-  const double f   = model.data.kind == "chain" || last.empty() ? 0 : last.back();
+  const double f   = model.data.kind == StandKind::chain || last.empty() ? 0 : last.back();
   return fmt::format(
       R"(<p>Displacements are up positive and count from the state of rest under F_mean; a positive F_roll pushes the work rolls
 apart. The run begins at rest in the equilibrium under the first force.</p>

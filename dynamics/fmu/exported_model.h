@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/dynamics_settings.h"
 #include "core/records/records.h"
 #include "dynamics/fmu/runtime/model_data.h"
 #include <Eigen/Core>
@@ -23,11 +24,11 @@ struct CheckRun {
 
 /// What an exported unit is made of.
 struct ExportedModel {
-  ModelData data;                             ///< its guid is made from the rest (model_text.h)
-  std::string identifier;                     ///< of C: "four_high_1400"
-  std::string title;                          ///< of the case
-  std::string origin;                         ///< "case four-high-1400, pass 1 at 976.2 kN"
-  std::string force_meaning;                  ///< measured | disturbance | published
+  ModelData data;          ///< its guid is made from the rest (model_text.h)
+  std::string identifier;  ///< of C: "four_high_1400"
+  std::string title;       ///< of the case
+  std::string origin;      ///< "case four-high-1400, pass 1 at 976.2 kN"
+  ForceMeaning force_meaning = ForceMeaning::measured;
   std::string method;                         ///< "six-mass chain"
   std::string program;                        ///< "millstand 0.1.0"
   std::map<std::string, std::string> source;  ///< by variable, where its start value comes from

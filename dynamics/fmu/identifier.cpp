@@ -40,10 +40,10 @@ const char *letters_from(const char *const (&block)[n], const std::uint32_t firs
 // ASCII letters for a code point; null where the tables have none.
 const char *letters_of(const std::uint32_t point)
 {
-  if (const char *found = letters_from(latin, 0xC0, point))
-    return found;
-  if (const char *found = letters_from(greek, 0x386, point))
-    return found;
+  if (const char *letters = letters_from(latin, 0xC0, point))
+    return letters;
+  if (const char *letters = letters_from(greek, 0x386, point))
+    return letters;
   return letters_from(cyrillic, 0x400, point);
 }
 

@@ -43,7 +43,7 @@ std::vector<Terminal> chatter_terminals()
 
 std::vector<Terminal> terminals_of(const ExportedModel &model)
 {
-  std::vector<Terminal> all = model.data.kind == "chatter" ? chatter_terminals() : driven_terminals();
+  std::vector<Terminal> all = model.data.kind == StandKind::chatter ? chatter_terminals() : driven_terminals();
   for (const std::string &point : model.data.points)
     all.push_back(
         {point, "motion of one point", {{"a_" + point, "acceleration"}, {"y_" + point, "displacement"}}, false});

@@ -57,10 +57,10 @@ std::string UnpackedUnit::resources() const
 
 void *UnpackedUnit::symbol(const char *name) const
 {
-  void *found = dlsym(library_, name);
-  if (!found)
+  void *symbol = dlsym(library_, name);
+  if (!symbol)
     throw std::runtime_error(std::string("the library lacks ") + name);
-  return found;
+  return symbol;
 }
 
 namespace {

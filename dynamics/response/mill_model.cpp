@@ -37,10 +37,10 @@ Spring with_film(Spring spring, const ChainFilm &film, const double frequency)
   if (!(film.damper > 0) || !(film.stiffness > spring.stiffness))
     return spring;
   const double rest = 1 / (1 / spring.stiffness - 1 / film.stiffness);
-  const auto at =
+  const auto place =
       reduce::equivalent_in_series(rest, {film.stiffness, film.damper}, std::isnan(frequency) ? 0 : frequency);
-  spring.stiffness = at.stiffness;
-  spring.damper    = at.damper;
+  spring.stiffness = place.stiffness;
+  spring.damper    = place.damper;
   return spring;
 }
 
@@ -69,8 +69,8 @@ Eigen::VectorXd load_cell_row(const bool closed, const double K1, const double K
 
 MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings)
 {
-  const bool measured     = settings.force_meaning == "measured";
-  const bool closed       = settings.frame == "closed";
+  const bool measured     = settings.force_meaning == ForceMeaning::measured;
+  const bool closed       = settings.frame == FrameForm::closed;
   const auto K            = [&](const int i) { return lumped.K[std::size_t(i - 1)].value; };
   const double K4         = measured ? 0 : K(4);
   const double gap_damper = measured || std::isnan(lumped.C.value) ? 0 : lumped.C.value;
@@ -103,7 +103,7 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
   // A disturbance moves the rolls about a state whose mean force the stand carries whole; only the published
   // reading lets K4 take its share of the mean.
   model.load_cell_share =
-      settings.force_meaning == "published" ? model.load_cell.dot(static_displacement(model)) : 1;
+      settings.force_meaning == ForceMeaning::published ? model.load_cell.dot(static_displacement(model)) : 1;
   return model;
 }
 
@@ -187,7 +187,7 @@ void take_films(LumpedModel &model, DynamicsSettings settings, const MassesOnBea
 {
   if (!(model.film[0].damper > 0 || model.film[1].damper > 0))
     return;
-  settings.force_meaning = "disturbance";
+  settings.force_meaning = ForceMeaning::disturbance;
   settings.modal_damping = 0;
   LumpedModel rolling    = model;
   if (std::isnan(rolling.K[3].value))

@@ -46,16 +46,20 @@ Level level(const Eigen::VectorXd &acceleration)
   return {acceleration.cwiseAbs().maxCoeff(), std::sqrt(acceleration.squaredNorm() / double(acceleration.size()))};
 }
 
-std::string output_rate_warning(const double output_rate, const double highest_mode)
+std::optional<Warning> output_rate_warning(const double output_rate, const double highest_mode)
 {
   const double points = output_rate / highest_mode;
   if (points >= 20)
-    return "";
+    return {};
   const double lost = 100 * (1 - std::cos(std::min(M_PI / 2, M_PI / points)));
-  return "output_rate = " + short_number(output_rate / 1e3) + " kHz gives " + short_number(points, 3) +
-         " points per period of the highest mode (" + short_number(highest_mode) +
-         " Hz), so that its peaks may be seen up to " + short_number(lost, 2) + " % low; " +
-         short_number(std::ceil(20 * highest_mode / 1e3), 3) + " kHz would show them";
+  return Warning{WarningId::output_rate,
+                 "",
+                 "output_rate = " + short_number(output_rate / 1e3) + " kHz gives " + short_number(points, 3) +
+                     " points per period of the highest mode (" + short_number(highest_mode) + " Hz)",
+                 "its peaks may be seen up to " + short_number(lost, 2) + " % low",
+                 short_number(std::ceil(20 * highest_mode / 1e3), 3) + " kHz would show them",
+                 {},
+                 "dynamics.output_rate"};
 }
 
 namespace {

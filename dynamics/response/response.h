@@ -1,10 +1,12 @@
 #pragma once
+#include "core/base/warning.h"
 #include "core/records/csv.h"
 #include "core/records/records.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modal_model.h"
 #include "dynamics/response/time_integration.h"
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +49,7 @@ Level level(const Eigen::VectorXd &acceleration);
 
 /// Sentence when the output is too coarse to show the peaks of the highest mode (fewer than 20 points per period:
 /// a peak may be seen up to 1.2 % low); empty when it is fine.
-std::string output_rate_warning(double output_rate, double highest_mode);
+std::optional<Warning> output_rate_warning(double output_rate, double highest_mode);
 
 /// One roll, computed and measured.
 struct RollComparison {

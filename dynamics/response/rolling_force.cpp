@@ -77,17 +77,20 @@ ForceStatistics force_statistics(const ForceRecord &record)
   return s;
 }
 
-std::string bandwidth_warning(const ForceStatistics &statistics, const double highest_mode)
+std::optional<Warning> bandwidth_warning(const ForceStatistics &statistics, const double highest_mode)
 {
   if (statistics.bandwidth < highest_mode)
-    return "the rolling force is sampled at " + hertz(statistics.sample_rate) + " and contains nothing above " +
-           hertz(statistics.bandwidth) + ", but the highest mode is at " + hertz(highest_mode) +
-           ": the accelerations of that mode are missing, not small";
+    return Warning{WarningId::force_band, "",
+                   "the rolling force is sampled at " + hertz(statistics.sample_rate) +
+                       " and contains nothing above " + hertz(statistics.bandwidth) +
+                       ", but the highest mode is at " + hertz(highest_mode),
+                   "the accelerations of that mode are missing, not small"};
   if (statistics.content < highest_mode)
-    return "the content of the rolling force ends near " + hertz(statistics.content) +
-           ", below the highest mode at " + hertz(highest_mode) +
-           ": a sensor or filter of that bandwidth hides the excitation of the mode";
-  return "";
+    return Warning{WarningId::force_band, "",
+                   "the content of the rolling force ends near " + hertz(statistics.content) +
+                       ", below the highest mode at " + hertz(highest_mode),
+                   "a sensor or filter of that bandwidth hides the excitation of the mode"};
+  return {};
 }
 
 ForceRecord synthetic_force(const NoiseSettings &settings)

@@ -1,7 +1,9 @@
 #pragma once
+#include "core/base/warning.h"
 #include "core/records/records.h"
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 
 namespace mill::dynamics {
@@ -24,7 +26,7 @@ ForceStatistics force_statistics(const ForceRecord &record);
 
 /// One or two sentences when the record cannot excite the highest mode; empty when it can.
 /// @param highest_mode  Hz
-std::string bandwidth_warning(const ForceStatistics &statistics, double highest_mode);
+std::optional<Warning> bandwidth_warning(const ForceStatistics &statistics, double highest_mode);
 
 /// A made force record.
 struct NoiseSettings {

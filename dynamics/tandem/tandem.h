@@ -18,11 +18,11 @@ struct TandemStand {
 /// speed.
 struct TandemLine {
   std::vector<TandemStand> stands;
-  std::vector<double> distance;        ///< (N - 1) m, between neighbours
-  double entry_distance      = 0;      ///< m, before the first stand
-  double exit_distance       = 0;      ///< m, behind the last stand
-  double strip_modulus       = 210e9;  ///< Pa
-  bite::Linearisation scheme = bite::Linearisation::sequential;
+  std::vector<double> distance;   ///< (N - 1) m, between neighbours
+  double entry_distance = 0;      ///< m, before the first stand
+  double exit_distance  = 0;      ///< m, behind the last stand
+  double strip_modulus  = 210e9;  ///< Pa
+  Linearisation scheme  = Linearisation::sequential;
 };
 
 /// @throws InputError  no stand; distances that are missing or not above zero; thickness, tension or width that

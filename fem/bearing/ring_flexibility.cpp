@@ -238,11 +238,11 @@ std::vector<std::string> notes(const RingSections &sections, const RingResult &r
   add("The cone and a solid neck of the bearing's width are one body; the inner ring's motion is the mean motion "
       "of "
       "both.");
-  if (sections.housing.kind == Housing::Kind::rigid)
+  if (sections.housing.kind == ChockForm::rigid)
     add("The cup is held on its outside diameter.");
   else
     add("The cup and what surrounds it are one body of one steel: a fit without clearance.");
-  if (sections.housing.kind == Housing::Kind::block)
+  if (sections.housing.kind == ChockForm::block)
     add("The block is held on the face towards the load and free on all others; harmonics from ",
         r.flexibility.chock_harmonics, " on are those of a round housing, from which the block differs by ",
         100 * r.chock_difference, " % in its last harmonic.");

@@ -1,6 +1,8 @@
 #pragma once
 #include <Eigen/Core>
+#include <cmath>
 #include <cstring>
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -68,7 +70,8 @@ struct Reader {
   {
     double exact = 0;
     raw(&exact, sizeof exact);
-    value = int(exact);
+    good  = good && std::abs(exact) <= std::numeric_limits<int>::max();  // not of NaN
+    value = good ? int(exact) : 0;
   }
   void text(std::string &value)
   {
@@ -96,6 +99,8 @@ struct Reader {
     count(cols);
     good =
         good && rows >= 0 && cols >= 0 && std::size_t(rows) * std::size_t(cols) <= bytes.size() / sizeof(double);
+    if constexpr (Array::ColsAtCompileTime != Eigen::Dynamic)
+      good = good && cols == Array::ColsAtCompileTime;
     if (!good)
       return;
     array.resize(rows, cols);

@@ -69,6 +69,8 @@ template <class Archive> void members(Archive &a, FourierRoll &r)
   for (Eigen::Index i = 0; i < orders.size(); ++i)
     orders[i] = order[std::size_t(i)];
   a.array(orders);
+  if (!(orders.size() == 0 || orders.cwiseAbs().maxCoeff() < 1e6) || orders.hasNaN())
+    return a.fail();
   order.resize(std::size_t(orders.size()));
   for (Eigen::Index i = 0; i < orders.size(); ++i)
     order[std::size_t(i)] = int(orders[i]);

@@ -22,7 +22,7 @@ struct FaceRule {
 /// (m, 1 or 2) parameters 0..1 of the nodes of a face.
 Eigen::MatrixXd node_parameters(const Surface &surface);
 /// Outward normal at a point of a face, as long as the face's measure per unit of its parameters.
-Eigen::VectorXd area_vector(const Surface &surface, Eigen::Index face, const Eigen::VectorXd &at);
+Eigen::VectorXd area_vector(const Surface &surface, Eigen::Index face, const Eigen::VectorXd &position);
 
 /// One rule per slave face; empty where nothing faces it.
 std::vector<FaceRule> line_overlaps(const Surface &slave, const Surface &master, double reach);

@@ -98,11 +98,11 @@ MatrixXd shaft_flexibility(const StackRoll &roll, const VectorXd &edge, const Ve
   MatrixXd moments(Index(along.size()), n), shears(Index(along.size()), n);
   for (Index i = 0; i < n; ++i)
     for (Index g = 0; g < moments.rows(); ++g) {
-      const ShaftPoint &at = along[std::size_t(g)];
+      const ShaftPoint &station = along[std::size_t(g)];
       const double a = i < M ? edge[i] : point[i - M], b = i < M ? edge[i + 1] : a;
-      const auto [moment, shear] = moment_and_shear(ends, a, b, at.z);
-      moments(g, i)              = moment * std::sqrt(at.weight / at.bending);
-      shears(g, i)               = shear * std::sqrt(at.weight / at.shear);
+      const auto [moment, shear] = moment_and_shear(ends, a, b, station.z);
+      moments(g, i)              = moment * std::sqrt(station.weight / station.bending);
+      shears(g, i)               = shear * std::sqrt(station.weight / station.shear);
     }
   return moments.transpose() * moments + shears.transpose() * shears;
 }

@@ -88,7 +88,7 @@ RingMeshes mesh_rings(const RingSections &sections, const RingMeshSize &size, co
   out.cup          = write(grid, cup, grid.n_layers - 1, path("cup"));
   out.cone_raceway = write_raceway(cone, fine, path("cone-raceway"));
   out.cup_raceway  = write_raceway(cup, fine, path("cup-raceway"));
-  if (housing.kind == Housing::Kind::block) {
+  if (housing.kind == ChockForm::block) {
     const auto lines  = cup_grid(cup, housing, chock_grid_size(cup, size.chock));
     out.chock         = mesh_chock(cup, housing, size.chock, path("chock"));
     out.chock_section = write(lines, cup, lines.n_layers - 1, path("chock-section"));

@@ -9,7 +9,7 @@ namespace {
 // Distance from the axis to the surface of the housing.
 double outside(const Housing &h, const double theta)
 {
-  if (h.kind == Housing::Kind::round)
+  if (h.kind == ChockForm::round)
     return h.radius;
   const double c = std::abs(std::cos(theta)), s = std::abs(std::sin(theta));
   return std::min(c > 1e-12 ? 0.5 * h.height / c : 1e300, s > 1e-12 ? 0.5 * h.width / s : 1e300);
@@ -19,7 +19,7 @@ double outside(const Housing &h, const double theta)
 std::vector<double> angles(const Housing &h, const double refinement)
 {
   std::vector<double> corners{0};
-  if (h.kind == Housing::Kind::block) {
+  if (h.kind == ChockForm::block) {
     if (h.support_gap > 0)
       corners.push_back(std::atan2(h.support_gap, h.height));
     if (h.support_width < h.width * (1 - 1e-6))
@@ -118,7 +118,7 @@ MeshFile mesh_chock(const RingSection &cup, const Housing &housing, const double
       return "contact";
     if (seat)
       return "neck";
-    if (rim && housing.kind == Housing::Kind::round)
+    if (rim && housing.kind == ChockForm::round)
       return "barrel";
     if (rim && lowest > 0.5 * housing.height * (1 - 1e-9) && middle[1] < half_support && middle[1] > half_gap)
       return "support";

@@ -119,7 +119,7 @@ RingGrid cone_grid(const RingSection &s, const RingGridSize &size)
 
 RingGrid cup_grid(const RingSection &s, const Housing &housing, const RingGridSize &size)
 {
-  const bool rigid  = housing.kind == Housing::Kind::rigid;
+  const bool rigid  = housing.kind == ChockForm::rigid;
   const double last = rigid ? s.half_width : std::max(s.half_width, housing.half_length);
   const Points line = surface_line(s, size, last);
   const auto wall   = growing_steps(size.in_wall);

@@ -15,7 +15,7 @@ std::string support_name(const RollerBearing &b)
 {
   if (!counts_its_chock(b))
     return "cup held";
-  if (b.chock == "round")
+  if (b.chock == ChockForm::round)
     return "round housing";
   if (b.chock_support_gap > 0)
     return "chock on two feet";
@@ -37,7 +37,7 @@ std::vector<ChockSupport> open_supports(const RollerBearing &b)
   add(on_face(b, width / 3, not_given));
   if (b.chock_assumed) {
     RollerBearing held = b;
-    held.chock         = "rigid";
+    held.chock         = ChockForm::rigid;
     add(held);
   }
   return out;

@@ -29,12 +29,12 @@ void require_given(const RollerBearing &b)
   need("width", b.width);
   need("roller_diameter", b.roller_diameter);
   need("roller_length", b.roller_length);
-  if (b.chock == "rigid")
+  if (b.chock == ChockForm::rigid)
     return;
   need("chock_width", b.chock_width);
   need("chock_height", b.chock_height);
   need("chock_length", b.chock_length);
-  if (b.chock == "block")
+  if (b.chock == ChockForm::block)
     need("chock_support_width", b.chock_support_width);
 }
 
@@ -124,15 +124,13 @@ Housing housing(const RollerBearing &b)
 {
   Housing h;
   const double od = b.outside_diameter;
-  if (b.chock == "rigid") {
-    h.kind        = Housing::Kind::rigid;
+  if (b.chock == ChockForm::rigid) {
+    h.kind        = ChockForm::rigid;
     h.radius      = 0.5 * od;
     h.half_length = 0.5 * b.width;
     return h;
   }
-  if (b.chock != "block" && b.chock != "round")
-    refuse(b, "chock = \"", b.chock, "\" must be one of block, round, rigid");
-  h.kind          = b.chock == "round" ? Housing::Kind::round : Housing::Kind::block;
+  h.kind          = b.chock;
   h.radius        = 0.5 * std::min(b.chock_width, b.chock_height);
   h.half_length   = 0.5 * b.chock_length;
   h.width         = b.chock_width;
@@ -142,10 +140,10 @@ Housing housing(const RollerBearing &b)
   if (2 * h.radius <= 1.02 * od)
     refuse(b, "a chock of ", b.chock_width / mm, " x ", b.chock_height / mm,
            " mm leaves no wall around an outside diameter of ", od / mm, " mm");
-  if (h.kind == Housing::Kind::block && h.support_width > h.width)
+  if (h.kind == ChockForm::block && h.support_width > h.width)
     refuse(b, "chock_support_width = ", h.support_width / mm, " mm is more than the chock_width of ", h.width / mm,
            " mm");
-  if (h.kind == Housing::Kind::block && !(h.support_gap >= 0 && h.support_gap < h.support_width))
+  if (h.kind == ChockForm::block && !(h.support_gap >= 0 && h.support_gap < h.support_width))
     refuse(b, "chock_support_gap = ", h.support_gap / mm, " mm leaves nothing of the chock_support_width of ",
            h.support_width / mm, " mm");
   return h;

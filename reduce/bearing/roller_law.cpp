@@ -79,23 +79,28 @@ RingWalls ring_walls(const RollerBearing &b)
   return walls;
 }
 
-double roller_constant(const std::string &law, const double roller_length)
+double roller_constant(const OneRollerLaw law, const double roller_length)
 {
   const double l      = 1e3 * roller_length;             // both constants are stated in N and mm
   const double per_mm = std::pow(1e3, lamina_exponent);  // N/mm^(10/9) -> N/m^(10/9)
-  if (law == "iso")
+  switch (law) {
+  case OneRollerLaw::iso:
     return 35948 * std::pow(l, 8.0 / 9) * per_mm;  // (5.3)
-  if (law == "palmgren")
+  case OneRollerLaw::palmgren:
     return std::pow(std::pow(l, 0.8) / (2 * 3.84e-5), lamina_exponent) * per_mm;  // (5.4)
-  throw InputError("bearing: roller_law \"" + law + "\" is not known; iso or palmgren");
+  case OneRollerLaw::fe:
+  case OneRollerLaw::elastic:
+    break;
+  }
+  throw InputError(std::string("bearing: roller_law \"") + word_of(law) + "\" has no constant; iso or palmgren");
 }
 
 RollerLaw roller_law(const RollerBearing &b)
 {
-  if (b.roller_law == "fe")
+  if (b.roller_law == OneRollerLaw::fe)
     throw InputError("bearing." + b.name +
                      ": roller_law = \"fe\" is computed from a mesh; here iso, palmgren or elastic");
-  if (b.roller_law == "elastic")
+  if (b.roller_law == OneRollerLaw::elastic)
     return elastic_law(b, ring_walls(b));
   RollerLaw law       = sliced_roller(b);
   law.lamina_constant = roller_constant(b.roller_law, b.roller_length) / b.slices;

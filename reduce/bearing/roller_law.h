@@ -46,7 +46,7 @@ RingWalls ring_walls(const RollerBearing &bearing);
 /// @param law  "iso": 35948 l^(8/9) N/mm^(10/9), ISO/TS 16281 (35);
 ///             "palmgren": two contacts of 3.84e-5 Q^0.9 / l^0.8 mm in series, 37310 l^(8/9), (5.4)
 /// @throws InputError  another law
-double roller_constant(const std::string &law, double roller_length);
+double roller_constant(OneRollerLaw law, double roller_length);
 
 /// Law of the bearing's roller by its `roller_law` with profile, slices and effective length.
 ///   iso, palmgren  power form

@@ -21,7 +21,7 @@ double plane_modulus(const RollerBearing &b)
 
 [[noreturn]] void lacks(const RollerBearing &b, const std::string &needs)
 {
-  throw InputError("bearing." + b.name + ": profile = \"" + b.profile + "\" needs " + needs);
+  throw InputError("bearing." + b.name + ": profile = \"" + word_of(b.profile) + "\" needs " + needs);
 }
 
 /// Line load for which the profile is ground, N/m.
@@ -37,7 +37,7 @@ double iso_drop(const RollerBearing &b, const double x)
 {
   const double D = b.roller_diameter, L = b.roller_length;
   const auto curve = [](double u) { return -std::log(1 - u * u); };
-  if (b.type.find("tapered") != std::string::npos)
+  if (b.type == BearingType::four_row_tapered)
     return 0.00045 * D * curve(2 * x / L);  // (5.6a)
   if (L <= 2.5 * D)
     return 0.00035 * D * curve(2 * x / L);  // (5.6b)
@@ -90,23 +90,42 @@ void require_table(const RollerBearing &b, const double reach)
 /// What the profile is made from; throws with the key that is missing.
 void require_dimensions(const RollerBearing &b, const VectorXd &x)
 {
-  const std::string &p = b.profile;
-  const bool logarithm = p == "log" || p == "lundberg" || p == "three-parameter";
-  if (p != "none" && p != "iso" && p != "crown" && p != "table" && !logarithm)
-    throw InputError("bearing." + b.name + ": profile \"" + p +
-                     "\" is not known; none, iso, log, lundberg, three-parameter, crown or table");
-  if ((p == "crown" || p == "three-parameter") && !std::isfinite(b.crown_drop))
+  using P               = RollerProfile;
+  const RollerProfile p = b.profile;
+  const bool logarithm  = p == P::log || p == P::lundberg || p == P::three_parameter;
+  if ((p == P::crown || p == P::three_parameter) && !std::isfinite(b.crown_drop))
     lacks(b, "crown_drop, the drop at the roller end, for example \"20 um\"");
-  if ((p == "iso" || logarithm) && !std::isfinite(b.roller_diameter))
+  if ((p == P::iso || logarithm) && !std::isfinite(b.roller_diameter))
     lacks(b, "roller_diameter");
   if (logarithm && !std::isfinite(pitch_diameter(b)))
     lacks(b, "pitch_diameter, or bore and outside_diameter");
-  if (p == "three-parameter" && !(b.profile_share > 0 && b.profile_share <= 1))
+  if (p == P::three_parameter && !(b.profile_share > 0 && b.profile_share <= 1))
     throw InputError("bearing." + b.name + ": profile_share must be above 0 and at most 1");
-  if (p == "three-parameter" && !(b.crown_drop > 0))
+  if (p == P::three_parameter && !(b.crown_drop > 0))
     throw InputError("bearing." + b.name + ": a three-parameter profile needs a crown_drop above 0");
-  if (p == "table")
+  if (p == P::table)
     require_table(b, x.size() ? x.cwiseAbs().maxCoeff() : 0);
+}
+
+double drop_at(const RollerBearing &b, const double x)
+{
+  switch (b.profile) {
+  case RollerProfile::none:
+    return 0;
+  case RollerProfile::iso:
+    return iso_drop(b, x);
+  case RollerProfile::log:
+    return log_drop(b, x, johns_gohar);
+  case RollerProfile::lundberg:
+    return log_drop(b, x, 0);
+  case RollerProfile::three_parameter:
+    return three_parameter_drop(b, x);
+  case RollerProfile::crown:
+    return b.crown_drop * std::pow(2 * x / b.roller_length, 2);  // (5.8): circle of large radius
+  case RollerProfile::table:
+    return table_drop(b.profile_table, x);
+  }
+  return 0;
 }
 }  // namespace
 
@@ -120,20 +139,8 @@ VectorXd profile_drop(const RollerBearing &b, const VectorXd &x)
 {
   require_dimensions(b, x);
   VectorXd drop = VectorXd::Zero(x.size());
-  for (Eigen::Index k = 0; k < x.size(); ++k) {
-    if (b.profile == "iso")
-      drop[k] = iso_drop(b, x[k]);
-    else if (b.profile == "log")
-      drop[k] = log_drop(b, x[k], johns_gohar);
-    else if (b.profile == "lundberg")
-      drop[k] = log_drop(b, x[k], 0);
-    else if (b.profile == "three-parameter")
-      drop[k] = three_parameter_drop(b, x[k]);
-    else if (b.profile == "crown")
-      drop[k] = b.crown_drop * std::pow(2 * x[k] / b.roller_length, 2);  // (5.8): circle of large radius
-    else if (b.profile == "table")
-      drop[k] = table_drop(b.profile_table, x[k]);
-  }
+  for (Eigen::Index k = 0; k < x.size(); ++k)
+    drop[k] = drop_at(b, x[k]);
   return drop;
 }
 }  // namespace mill::bearing

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/warning.h"
 #include "core/model/material.h"
 #include "core/model/strip.h"
 #include <Eigen/Core>
@@ -76,7 +77,7 @@ struct BiteState {
   Eigen::VectorXd pressure;                    ///< (n) Pa
   Eigen::VectorXd shear;             ///< (n) Pa, on the strip, positive towards the exit (roll faster than strip)
   Eigen::VectorXd slip;              ///< (n) -, strip speed / roll speed - 1 along the arc
-  std::vector<std::string> notes;    ///< where the model leaves its range, one sentence each, for the report
+  std::vector<Warning> notes;        ///< where the model leaves its range, without subject
   std::vector<std::string> remarks;  ///< what happens in the bite, within the range of the model
 };
 

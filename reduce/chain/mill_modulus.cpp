@@ -69,9 +69,9 @@ Deflected deflected_at(const LoadDeflection &part, const double load)
 }
 
 double work_roll_bending(const BentWorkRoll &roll, const double contact_stiffness, const double half_barrel,
-                         const std::string &reference)
+                         const MassReference reference)
 {
-  if (reference != "mean")
+  if (reference != MassReference::mean)
     return roll.deflection(0) - 1 / contact_stiffness;  // (30.3)
   const GaussRule rule = gauss_legendre(20);
   const double end     = std::min(roll.half_strip, half_barrel);

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/dynamics_settings.h"
 #include "reduce/chain/roll_shapes.h"
 #include <Eigen/Core>
 #include <functional>
@@ -56,9 +57,9 @@ Deflected deflected_at(const LoadDeflection &part, double load);
 
 /// Bending of one work roll between the strip and its contact line, as compliance of the gap: m/N, (30.3).
 /// @param contact_stiffness  N/m, K3, even over the barrel
-/// @param reference  "mid": at mid-length; "mean": mean over the strip
+/// @param reference  mid: at mid-length; mean: mean over the strip
 double work_roll_bending(const BentWorkRoll &roll, double contact_stiffness, double half_barrel,
-                         const std::string &reference);
+                         MassReference reference);
 
 /// A stand of modulus M and a strip of plastic slope Q = -dF/dh2.  N/m.  (30.6)-(30.9)
 struct GaugeCoupling {

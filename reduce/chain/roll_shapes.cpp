@@ -73,9 +73,9 @@ BentBackupRoll::BentBackupRoll(const Component &solid, const double half_bearing
   mean                    = q[0];
 }
 
-double BentBackupRoll::flexibility(const std::string &reference) const
+double BentBackupRoll::flexibility(const MassReference reference) const
 {
-  return reference == "mean" ? mean : mid;
+  return reference == MassReference::mean ? mean : mid;
 }
 
 BentBackupRoll times(BentBackupRoll roll, const double factor)

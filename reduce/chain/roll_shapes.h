@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/dynamics_settings.h"
 #include "core/records/component.h"
 #include "reduce/chain/beam_shapes.h"
 #include <Eigen/Core>
@@ -28,8 +29,8 @@ struct BentBackupRoll {
   BentBackupRoll() = default;
   BentBackupRoll(const SteppedBeam &beam);                           ///< (4.7), (4.8a)
   BentBackupRoll(const Component &solid, double half_bearing_span);  ///< (22.13)
-  /// 1/K_ZW.  @param reference  "mid" | "mean"
-  double flexibility(const std::string &reference) const;
+  /// 1/K_ZW
+  double flexibility(MassReference reference) const;
 };
 
 /// The same roll, `factor` times as flexible.

@@ -331,12 +331,12 @@ private:
     MatrixXd flexibility(n, n), rows = MatrixXd::Zero(n, size());
     VectorXd length(n);
     for (Index i = 0; i < n; ++i) {
-      const Index at = pressed[std::size_t(i)];
-      length[i]      = parts.length[at];
+      const Index index = pressed[std::size_t(i)];
+      length[i]         = parts.length[index];
       for (Index j = 0; j < n; ++j)
-        flexibility(i, j) = parts.flattening(at, pressed[std::size_t(j)]) + (i == j ? 1 / k_o : 0);
+        flexibility(i, j) = parts.flattening(index, pressed[std::size_t(j)]) + (i == j ? 1 / k_o : 0);
       for (std::size_t side = 0; side < 2; ++side)
-        rows.row(i) += row_of(side, parts.sides[side].rows[std::size_t(at)]).transpose() / length[i];
+        rows.row(i) += row_of(side, parts.sides[side].rows[std::size_t(index)]).transpose() / length[i];
     }
     const MatrixXd springs = symmetric_part(length.asDiagonal() * flexibility.inverse());
     out.strip_stiffness    = springs.sum();

@@ -50,8 +50,9 @@ void UnknownRow::add_to(Eigen::Ref<VectorXd> f, const double times) const
     f[unknown[i]] += times * factor[i];
 }
 
-RollGroup::RollGroup(const Stack &s, const Stations &at, std::vector<std::size_t> rolls, const bool both_planes)
-    : stiffness({0}), stack(s), stations(at),
+RollGroup::RollGroup(const Stack &s, const Stations &places, std::vector<std::size_t> rolls,
+                     const bool both_planes)
+    : stiffness({0}), stack(s), stations(places),
       axes(both_planes ? std::vector<std::size_t>{1, 0} : std::vector<std::size_t>{1})
 {
   for (const std::size_t roll : rolls) {

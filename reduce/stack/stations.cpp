@@ -56,9 +56,9 @@ std::vector<double> pieces_between(const StackStrip &strip, const double from, c
 }
 }  // namespace
 
-int Stations::place(const double at) const
+int Stations::place(const double position) const
 {
-  return int(std::lower_bound(z.begin(), z.end(), at - same_place) - z.begin());
+  return int(std::lower_bound(z.begin(), z.end(), position - same_place) - z.begin());
 }
 
 Stations stations_of(const Stack &stack, const double longest)

@@ -5,8 +5,8 @@
 namespace mill::reduce {
 /// Places along z that all rolls of a stack share, so that the elements of rolls that touch coincide.
 struct Stations {
-  std::vector<double> z;       ///< m, mill frame, increasing
-  int place(double at) const;  ///< of the station there
+  std::vector<double> z;             ///< m, mill frame, increasing
+  int place(double position) const;  ///< of the station there
   double length(int element) const
   {
     return z[std::size_t(element) + 1] - z[std::size_t(element)];

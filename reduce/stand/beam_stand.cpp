@@ -10,7 +10,8 @@ double given_factor(const FourHigh &stand, const double K_ZW)
   if (std::isnan(K_ZW))
     return 1;
   const SteppedBeam drawn = backup_beam(stand);
-  return K_ZW * (stand.dynamics.mass_reference == "mean" ? mean_flexibility(drawn) : mid_flexibility(drawn));
+  return K_ZW *
+         (stand.dynamics.mass_reference == MassReference::mean ? mean_flexibility(drawn) : mid_flexibility(drawn));
 }
 }  // namespace
 

@@ -22,7 +22,7 @@ StandShapes stand_shapes(const StandModel &model)
           shape("lower backup roll")};
 }
 
-FeMasses fe_masses(const FourHigh &stand, const StandModel &model, const std::string &reference)
+FeMasses fe_masses(const FourHigh &stand, const StandModel &model, const MassReference reference)
 {
   const auto parts    = model_breakdown(stand, model, reference);
   const SixMasses six = six_masses(model, riders_of(stand), reference);

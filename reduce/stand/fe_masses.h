@@ -19,6 +19,6 @@ struct FeMasses {
   std::array<double, 4> integral;  ///< kg, M2..M5: integrals (4.14)-(4.16) with the axis shapes of the model
   std::array<double, 4> solid;     ///< kg, M2..M5: kinetic energy of all material points
 };
-/// @param reference  "mid" | "mean", of the backup rolls
-FeMasses fe_masses(const FourHigh &stand, const StandModel &model, const std::string &reference = "mid");
+/// @param reference  of the backup rolls
+FeMasses fe_masses(const FourHigh &stand, const StandModel &model, MassReference reference = MassReference::mid);
 }  // namespace mill::reduce

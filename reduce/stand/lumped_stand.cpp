@@ -84,7 +84,7 @@ double rest_of_path(const Frame &frame, const SeriesSprings &series, const Chain
          1 / or_series(n.K6, series.K6) + 1 / or_series(n.K7, series.K7) - closing_compliance(frame);
 }
 Reduced reduce_stand(const FourHigh &stand, const ChainNumbers &n, const Rolls &rolls,
-                     const std::string &reference)
+                     const MassReference reference)
 {
   Reduced r;
   const double drawn = 1 / rolls.backup.flexibility(reference);  // (4.8a)
@@ -103,7 +103,7 @@ Reduced reduce_stand(const FourHigh &stand, const ChainNumbers &n, const Rolls &
 }
 
 ChainValues chain_values(const FourHigh &stand, const ChainNumbers &n, const Rolls &rolls,
-                         const std::string &reference)
+                         const MassReference reference)
 {
   const Reduced r  = reduce_stand(stand, n, rolls, reference);
   const Roll &work = stand.work_roll;
@@ -186,17 +186,17 @@ ChainErrors no_errors()
   return unknown;
 }
 
-std::string mass_method(const std::size_t i, const std::string &reference)
+std::string mass_method(const std::size_t i, const MassReference reference)
 {
   if (i == 0 || i == 5)
     return "sum of the reduced masses";
-  return "kinetic energy of the static shape, " + reference + " reference";
+  return std::string("kinetic energy of the static shape, ") + word_of(reference) + " reference";
 }
 
 /// The other reference compared with the chosen one: how much the choice of the reference point moves a mass.
-Check other_reference(const std::size_t i, const std::string &chosen, const ChainValues &other)
+Check other_reference(const std::size_t i, const MassReference chosen, const ChainValues &other)
 {
-  const std::string name = chosen == "mean" ? "mid-span" : "mean";
+  const std::string name = chosen == MassReference::mean ? "mid-span" : "mean";
   return {name + " reference (4.8a)", other[i], "same shape, other reference displacement of the backup roll"};
 }
 
@@ -239,11 +239,11 @@ Parameter damper(const FourHigh &stand)
 /// K_ZW as the chain has it, compared with the other model of the roll.
 Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &rolls)
 {
-  const std::string &reference = stand.dynamics.mass_reference;
-  const double drawn           = 1 / rolls.backup.flexibility(reference);
-  const bool solid             = in.solid && stand.backup_roll.bending_model == "solid";
-  Parameter p = computed_parameter(drawn, "N/m", rolls.backup.method + ", " + reference + " reference", "",
-                                   backup_roll_keys(solid));
+  const MassReference reference = stand.dynamics.mass_reference;
+  const double drawn            = 1 / rolls.backup.flexibility(reference);
+  const bool solid              = in.solid && stand.backup_roll.bending_model == BendingModel::solid;
+  Parameter p = computed_parameter(drawn, "N/m", rolls.backup.method + ", " + word_of(reference) + " reference",
+                                   "", backup_roll_keys(solid));
   if (in.solid) {
     const auto flexibility = [&](const Component &roll) {
       return BentBackupRoll(roll, stand.backup_roll.bearing_span / 2).flexibility(reference);
@@ -313,7 +313,7 @@ Frame frame_on_modulus(const FourHigh &stand, const ChainInputs &inputs)
 {
   if (!is_closed(stand.frame))
     return stand.frame;
-  const bool solid     = inputs.solid && stand.backup_roll.bending_model == "solid";
+  const bool solid     = inputs.solid && stand.backup_roll.bending_model == BendingModel::solid;
   const ChainNumbers n = chain_numbers(stand, inputs);
   const Reduced r      = reduce_stand(stand, n, rolls_as(stand, inputs, solid), stand.dynamics.mass_reference);
   return closed_on_modulus(stand.frame, rest_of_path(r.frame, r.series, n));
@@ -322,19 +322,19 @@ Frame frame_on_modulus(const FourHigh &stand, const ChainInputs &inputs)
 LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const StatedErrors stated)
 {
   LumpedStand result;
-  LumpedModel &model      = result.model;
-  const OperatingPoint at = model.at = inputs.at;
+  LumpedModel &model        = result.model;
+  const OperatingPoint load = model.at = inputs.at;
   const Parameter K3 = given_or(stand, "K3", inputs.K3), K4 = given_or(stand, "K4", inputs.K4),
                   K5 = given_or(stand, "K5", inputs.K5);
   result.K_Zy_upper  = given_or(stand, "K_Zy", inputs.K_Zy_upper);
   result.K_Zy_lower  = given_or(stand, "K_Zy", inputs.K_Zy_lower);
 
-  const std::string &reference = stand.dynamics.mass_reference;
-  const bool solid             = inputs.solid && stand.backup_roll.bending_model == "solid";
-  const auto rolls_of          = [&](const bool meshed) { return rolls_as(stand, inputs, meshed); };
-  const Rolls rolls            = rolls_of(solid);
-  result.K_ZW                  = bending_of(stand, inputs, rolls);
-  ChainNumbers n               = chain_numbers(stand, inputs);
+  const MassReference reference = stand.dynamics.mass_reference;
+  const bool solid              = inputs.solid && stand.backup_roll.bending_model == BendingModel::solid;
+  const auto rolls_of           = [&](const bool meshed) { return rolls_as(stand, inputs, meshed); };
+  const Rolls rolls             = rolls_of(solid);
+  result.K_ZW                   = bending_of(stand, inputs, rolls);
+  ChainNumbers n                = chain_numbers(stand, inputs);
 
   std::vector<UncertainInput> uncertain;
   for (const FrameValue &part : frame_values(stand.frame))
@@ -363,7 +363,8 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
     add_closure(uncertain, stand, inputs);
   }
   const ChainValues values = chain_values(stand, n, rolls, reference);
-  const ChainValues other  = chain_values(stand, n, rolls, reference == "mean" ? "mid" : "mean");
+  const ChainValues other =
+      chain_values(stand, n, rolls, reference == MassReference::mean ? MassReference::mid : MassReference::mean);
   ChainErrors errors =
       stated == StatedErrors::propagated ? propagated_errors(stand, n, rolls, uncertain) : no_errors();
   ChainValues other_model = values;
@@ -389,7 +390,8 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   for (std::size_t i = 0; i < 6; ++i) {
     const bool frame = i == 0 || i == 5;
     Parameter mass   = with_error(
-          computed_parameter(values[i], "kg", mass_method(i, reference), frame ? OperatingPoint() : at, keys[i]), i);
+          computed_parameter(values[i], "kg", mass_method(i, reference), frame ? OperatingPoint() : load, keys[i]),
+          i);
     if (!frame) {
       mass.checks.push_back(other_reference(i, reference, other));
       if (inputs.solid)
@@ -400,7 +402,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   for (std::size_t i = 0; i < 7; ++i) {
     const bool frame = i == 0 || i == 6;
     Parameter p      = with_error(
-             computed_parameter(values[6 + i], "N/m", "series springs", frame ? OperatingPoint() : at, keys[6 + i]),
+             computed_parameter(values[6 + i], "N/m", "series springs", frame ? OperatingPoint() : load, keys[6 + i]),
              6 + i);
     if (inputs.solid && (i == 1 || i == 5))
       add_other_model(p, other_model[6 + i], solid);

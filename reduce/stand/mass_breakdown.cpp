@@ -153,7 +153,7 @@ std::vector<MassBreakdown> chain_breakdown(const FourHigh &stand, const LumpedSt
 }
 
 std::vector<MassBreakdown> model_breakdown(const FourHigh &stand, const StandModel &model,
-                                           const std::string &reference)
+                                           const MassReference reference)
 {
   const StandModel path    = load_path(model);
   const Eigen::VectorXd y  = static_displacement(path);

@@ -13,7 +13,7 @@ namespace mill::reduce {
 std::vector<MassBreakdown> chain_breakdown(const FourHigh &stand, const LumpedStand &chain);
 
 /// M1..M6 by the static shape of a stand model: the integrals of (4.14)-(4.16) part by part.
-/// @param reference  "mid" | "mean", of the backup rolls
+/// @param reference  of the backup rolls
 std::vector<MassBreakdown> model_breakdown(const FourHigh &stand, const StandModel &model,
-                                           const std::string &reference = "mid");
+                                           MassReference reference = MassReference::mid);
 }  // namespace mill::reduce

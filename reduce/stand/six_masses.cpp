@@ -58,7 +58,7 @@ int place_of_unknown(const StandModel &stand, const Eigen::Index i)
 }
 }  // namespace
 
-StandModel chain_stand(const LumpedModel &model, const std::string &frame)
+StandModel chain_stand(const LumpedModel &model, const FrameForm frame)
 {
   StandModel s;
   s.name    = "six-mass";
@@ -72,7 +72,7 @@ StandModel chain_stand(const LumpedModel &model, const std::string &frame)
     s.unknowns.emplace_back();
     s.points.push_back({places[std::size_t(i)], Eigen::VectorXd::Unit(6, i)});
   }
-  const bool closed = frame == "closed";
+  const bool closed = frame == FrameForm::closed;
   for (int j = 0; j < 7; ++j) {
     Eigen::RowVectorXd row =
         Eigen::RowVectorXd::Zero(6);  // above minus below, so that an elastic foundation's force is positive
@@ -109,7 +109,7 @@ std::vector<Rider> riders_of(const FourHigh &stand)
           {"lower chocks", "lower backup chock", 5, 4, 2 * stand.backup_roll.chock_mass_lower}};
 }
 
-SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, const std::string &reference,
+SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, const MassReference reference,
                      const double upper_share)
 {
   const StandModel path   = load_path(stand);
@@ -118,7 +118,7 @@ SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders, 
   for (std::size_t i = 0; i < 6; ++i)
     six.displacement[i] = path.points[i].row.dot(y);
   auto &u = six.displacement;
-  if (reference == "mean") {
+  if (reference == MassReference::mean) {
     u[1] = loaded_mean(path, "K3", places[1], y, u[1]);
     u[4] = loaded_mean(path, "K5", places[4], y, u[4]);
   }

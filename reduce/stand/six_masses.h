@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
 #include "core/model/material.h"
 #include "core/records/stand_model.h"
@@ -11,8 +12,7 @@ struct FourHigh;
 }
 namespace mill::reduce {
 /// The chain as a stand model of six unknowns, "six-mass".
-/// @param frame  "open" or "closed"
-StandModel chain_stand(const LumpedModel &model, const std::string &frame = "open");
+StandModel chain_stand(const LumpedModel &model, FrameForm frame = FrameForm::open);
 
 /// A mass that moves rigidly with one of the points, but is counted at another of M1..M6.
 struct Rider {
@@ -40,11 +40,11 @@ StandModel load_path(const StandModel &stand);
 /// Springs from the differences of the static displacements of the six points of load_path() under a bite force of
 /// 1 N, masses from the kinetic energy of that static shape, part by part.  theory.md (22.10)-(22.12) A chain
 /// returns its own numbers.
-/// @param reference  "mid": rolls at mid-length; "mean": backup rolls by the mean under their contact load
+/// @param reference  mid: rolls at mid-length; mean: backup rolls by the mean under their contact load
 /// @throws InputError  a part that is not held; points that are not in the order of the chain
 /// @param upper_share  -, of a housing's kinetic energy that belongs to M1, the rest for M6; NaN: by its interface
 SixMasses six_masses(const StandModel &stand, const std::vector<Rider> &riders = {},
-                     const std::string &reference = "mid", double upper_share = not_given);
+                     MassReference reference = MassReference::mid, double upper_share = not_given);
 
 /// `chain` with the masses and springs of a stand model: what lumped_model.toml is written from.
 /// Given values of the chain stay as they are.

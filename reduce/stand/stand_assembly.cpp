@@ -192,7 +192,7 @@ void add_frame(Assembly &a, const FourHigh &stand, const StandSprings &springs, 
     a.s.load_cell = K * (below - lower);  // compression of what lies under the chock
     return;
   }
-  const bool closed = stand.dynamics.frame == "closed";
+  const bool closed = stand.dynamics.frame == FrameForm::closed;
   a.add_spring("K1", springs.K1, closed ? Eigen::VectorXd(upper - lower) : upper);
   a.add_spring("K7", springs.K7, lower);
   a.s.load_cell = closed ? Eigen::VectorXd(springs.K1 * (upper - lower)) : Eigen::VectorXd(-springs.K7 * lower);
@@ -271,7 +271,7 @@ StandSprings stand_springs(const FourHigh &stand, const LumpedStand &chain, cons
   s.M6         = m.M[5].value;
   s.K3         = m.K[2].value;
   s.K5         = m.K[4].value;
-  s.K4         = stand.dynamics.force_meaning == "measured" ? 0 : m.K[3].value;
+  s.K4         = stand.dynamics.force_meaning == ForceMeaning::measured ? 0 : m.K[3].value;
   s.K_Zy_upper = chain.K_Zy_upper.value;
   s.K_Zy_lower = chain.K_Zy_lower.value;
   if (stand.given.count("K_ZW"))

@@ -1,5 +1,6 @@
 // The first screen of the page: a verdict, the numbers that a mill is judged by, the stand to scale, and the
 // warnings.
+#include "core/base/name_part.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
 #include "report/front/cards.h"
@@ -23,13 +24,9 @@ bool has_failed(const Run &run)
   return run.status != "ok" && run.status != "warnings";
 }
 
-// A sentence begins with a capital; a key of the case ("output_rate", "strip.width") and the name of a pass stay
-// as they are written.
-std::string upper_first(const Run &run, std::string text)
+// A sentence begins with a capital; a key of the case ("output_rate", "strip.width") stays as it is written.
+std::string upper_first(std::string text)
 {
-  for (const PassInfo &pass : run.manifest.passes)
-    if (!pass.name.empty() && text.rfind(pass.name + ":", 0) == 0)
-      return text;
   const std::string word = text.substr(0, text.find_first_of(" :,"));
   if (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos)
     text[0] = char(text[0] - 'a' + 'A');
@@ -98,22 +95,40 @@ std::string verdict(const Run &run)
 
 // Warnings -----------------------------------------------------------------------------------------------------
 
-// A warning up to where its explanation begins.
-std::size_t end_of_fact(const std::string &warning)
+// The name of a pass stays as it is written.
+bool is_pass(const Run &run, const std::string &subject)
 {
-  for (const char *mark : {"; ", ". "})
-    if (const auto position = warning.find(mark); position != std::string::npos && position > 30)
-      return position;
-  return warning.size();
+  return std::any_of(run.manifest.passes.begin(), run.manifest.passes.end(),
+                     [&](const PassInfo &pass) { return with_plain_names(pass.name) == subject; });
 }
 
-std::string fact_item(const Run &run, const std::string &warning)
+std::string fact_of(const Run &run, const Warning &warning)
 {
-  const std::size_t end = end_of_fact(warning);
-  if (end + 2 >= warning.size())
-    return "<li>" + escaped(upper_first(run, warning)) + "</li>\n";
-  return "<li><details><summary>" + escaped(upper_first(run, warning.substr(0, end))) + "</summary>" +
-         escaped(upper_first(run, warning.substr(end + 2))) + "</details></li>\n";
+  if (warning.subject.empty())
+    return upper_first(warning.fact);
+  return (is_pass(run, warning.subject) ? warning.subject : upper_first(warning.subject)) + ": " + warning.fact;
+}
+
+std::string place_of(const Warning &warning)
+{
+  if (warning.key.empty())
+    return "";
+  return "<div class=\"place\"><code>" + escaped(warning.key) + "</code>" +
+         (warning.place.line > 0 ? ", line " + std::to_string(warning.place.line) : "") + "</div>";
+}
+
+// The fact, and folded what follows from it, what to do and where.
+std::string fact_item(const Run &run, const Warning &warning)
+{
+  const std::string fact  = escaped(fact_of(run, warning)),
+                    begin = std::string("<li data-id=\"") + id_of(warning.id) + "\">";
+  std::string more;
+  for (const std::string &part : {warning.detail, warning.remedy})
+    if (!part.empty())
+      more += "<div>" + escaped(upper_first(part)) + "</div>";
+  more += place_of(warning);
+  return more.empty() ? begin + fact + "</li>\n"
+                      : begin + "<details><summary>" + fact + "</summary>" + more + "</details></li>\n";
 }
 
 std::string known(const Run &run)

@@ -168,8 +168,8 @@ void pass_part(Page &page, const Run &run, const PassInfo &pass, const Nonlinear
         "amplitude at the mode's frequency from which a contact parts in every period; f, 2f and 3f are "
         "accelerations of the work roll that moves most under " +
             significant(data.force_range / 2e3, 3) + " kN, half of the record's range.");
-  for (const std::string &note : data.notes)
-    page.paragraph(escaped(note) + ".");
+  for (const Warning &note : data.notes)
+    page.paragraph(escaped(text_of(note)) + ".");
 }
 }  // namespace
 

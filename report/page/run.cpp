@@ -116,16 +116,29 @@ EstimateInfo estimate_of(const Json &entry)
   return e;
 }
 
+// A run of an earlier version kept the texts alone.
+std::vector<Warning> warnings_of(const Json &json)
+{
+  std::vector<Warning> stored, once;
+  if (const Json records = list_at(json, "warning_records"); !records.empty())
+    json::Reader(records).read(stored);
+  else
+    for (const std::string &text : texts_at(json, "warnings"))
+      stored.push_back(warning_of_text(text));
+  for (Warning &warning : stored)  // two passes may give the same one
+    if (std::find(once.begin(), once.end(), warning) == once.end())
+      once.push_back(std::move(warning));
+  return once;
+}
+
 // Returns the run_id; empty when the file states none.
 std::string read_results(const std::string &path, Run &run)
 {
   const Json json = parsed(path, read_text(path));
   try {
-    run.case_name = json.at("case").get<std::string>();
-    run.status    = json.at("status").get<std::string>();
-    for (const std::string &warning : texts_at(json, "warnings"))  // two passes may give the same one
-      if (std::find(run.warnings.begin(), run.warnings.end(), warning) == run.warnings.end())
-        run.warnings.push_back(warning);
+    run.case_name   = json.at("case").get<std::string>();
+    run.status      = json.at("status").get<std::string>();
+    run.warnings    = warnings_of(json);
     run.assumptions = texts_at(json, "assumptions");
     for (const Json &entry : list_at(json, "estimates"))
       run.estimates.push_back(estimate_of(entry));

@@ -1,5 +1,6 @@
 #pragma once
 #include "core/base/parameter.h"
+#include "core/base/warning.h"
 #include "core/records/csv.h"
 #include "core/records/speed_verdict.h"
 #include <map>
@@ -72,7 +73,8 @@ struct Run {
   std::string case_name;
   std::string status;  ///< "ok", "warnings" or anything else, which is a failure
   std::vector<Result> results;
-  std::vector<std::string> warnings, assumptions;
+  std::vector<Warning> warnings;
+  std::vector<std::string> assumptions;
   std::vector<EstimateInfo> estimates;  ///< the one that costs most accuracy first
   Manifest manifest;
   std::map<std::string, Table> tables;  ///< by path in the run directory without ending: "curves/modes"

@@ -193,6 +193,18 @@ std::string row_of_output(const Run &run, const std::string &result)
   return result_name(parts);
 }
 
+std::string warning_reference()
+{
+  std::string text =
+      "\n## Warnings\n\nA run warns of what its reader needs to know. `warning_records` of `results.json` has a "
+      "record for each: `id`, `subject` (what it is about), `fact`, `detail` (what follows from it), `remedy`, "
+      "`concerns` (names of results, or their first part), `key` and `place` (file, line, column) of the case. "
+      "`warnings` has the same as one text each.\n\n| id | meaning |\n| --- | --- |\n";
+  for (const WarningRow &row : warning_rows())
+    text += std::string("| `") + row.word + "` | " + row.meaning + " |\n";
+  return text;
+}
+
 std::string output_reference(const std::vector<Run> &runs)
 {
   std::vector<OutputRow> rows;
@@ -235,6 +247,6 @@ std::string output_reference(const std::vector<Run> &runs)
   for (const OutputGroup &group : output_groups)
     table(&group);
   table(nullptr);
-  return text;
+  return text + warning_reference();
 }
 }  // namespace mill::report

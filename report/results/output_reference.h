@@ -9,6 +9,9 @@ namespace mill::report {
 /// words in capitals and numbers by N: "bite.pass 1.force" -> "bite.PASS.force".
 std::string row_of_output(const Run &run, const std::string &result);
 
+/// The part of the page that lists what a run may warn of.
+std::string warning_reference();
+
 /// The page: for each row the meaning, the unit, the method of the first run that has it and the equation that its
 /// source cites, grouped by the first part of the name.
 /// @param runs  finished runs that together have every kind of result

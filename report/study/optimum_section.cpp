@@ -31,8 +31,8 @@ std::string flat_range(const json &optimum, const std::size_t key)
       low  = std::min(low, number_in(point["inputs"][key]));
       high = std::max(high, number_in(point["inputs"][key]));
     }
-  const double at = number_in(optimum["inputs"][key]);
-  return significant(std::min(low, at), 4) + " .. " + significant(std::max(high, at), 4);
+  const double optimal = number_in(optimum["inputs"][key]);
+  return significant(std::min(low, optimal), 4) + " .. " + significant(std::max(high, optimal), 4);
 }
 
 std::string input_table(const json &document)

@@ -11,7 +11,7 @@ using namespace mill;
 using namespace mill::dynamics;
 
 namespace {
-constexpr auto in_sequence = bite::Linearisation::sequential;
+constexpr auto in_sequence = Linearisation::sequential;
 
 constexpr std::array<double, 6> mass{119e3, 75e3, 9.2e3, 9.2e3, 75e3, 36.5e3};
 constexpr std::array<double, 6> stiffness{6.9e10, 3.0e10, 6.06e10, 6.06e10, 4.4e10, 10.1e10};

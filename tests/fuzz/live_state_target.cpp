@@ -18,7 +18,7 @@ live::TwinModel some_twin()
     mass.value = 2e4;
   for (auto &spring : model.chain.K)
     spring.value = 5e9;
-  model.dynamics.force_meaning = "measured";
+  model.dynamics.force_meaning = mill::ForceMeaning::measured;
   model.dynamics.modal_damping = 0.03;
   model.hash                   = "hash";
   return model;

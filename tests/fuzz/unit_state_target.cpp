@@ -61,21 +61,21 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *data, const std::size_
   static const auto chatter           = started(std::string(MILL_UNIT_FOLDER) + "chatter/");
   static const auto chain             = started(std::string(MILL_UNIT_FOLDER) + "chain/");
   static const std::string of_chatter = state_of(*chatter), of_chain = state_of(*chain);
-  fmu::Instance &unit    = data[0] % 2 ? *chain : *chatter;
-  const std::string &own = data[0] % 2 ? of_chain : of_chatter;
+  fmu::Instance &unit      = data[0] % 2 ? *chain : *chatter;
+  const std::string &state = data[0] % 2 ? of_chain : of_chatter;
   if (std::getenv("MILL_FUZZ_SEED"))  // what this unit writes, to begin a corpus
-    fwrite(own.data() + head, 1, own.size() - head, stdout);
+    fwrite(state.data() + head, 1, state.size() - head, stdout);
   const std::string body = text_of(data + 1, size - 1);
   try_state(unit, body);
   std::uint64_t number[3];
-  std::memcpy(number, own.data() + 8, sizeof number);
+  std::memcpy(number, state.data() + 8, sizeof number);
   number[1] = body.size();
   number[2] = 14695981039346656037u;
   for (const char byte : body)
     number[2] = (number[2] ^ std::uint64_t(static_cast<unsigned char>(byte))) * 1099511628211u;
-  std::string forged = own.substr(0, head) + body;
+  std::string forged = state.substr(0, head) + body;
   std::memcpy(&forged[8], number, sizeof number);
   try_state(unit, forged);
-  try_state(unit, own);  // back to where the next input begins
+  try_state(unit, state);  // back to where the next input begins
   return 0;
 }

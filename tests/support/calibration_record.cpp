@@ -19,10 +19,10 @@ LumpedModel set_r()
   return model;
 }
 
-dynamics::MillModel chain_of(const LumpedModel &model, const std::string &frame)
+dynamics::MillModel chain_of(const LumpedModel &model, const FrameForm frame)
 {
   DynamicsSettings settings;
-  settings.force_meaning = "measured";
+  settings.force_meaning = ForceMeaning::measured;
   settings.frame         = frame;
   settings.modal_damping = 0.01;
   return dynamics::mill_model(model, settings);
@@ -61,7 +61,7 @@ Recipe recipe(const std::string &name)
               in["force_band"][1],
               in["density"],
               {},
-              name == "closed" ? "closed" : "open",
+              name == "closed" ? FrameForm::closed : FrameForm::open,
               in["F0"]};
   const auto labels = chain_of(set_r()).labels;
   for (std::string place : in["sensors"].get<std::vector<std::string>>()) {
@@ -85,18 +85,18 @@ Record record(const Recipe &recipe)
       (name[0] == 'M' ? model.M[std::size_t(name[1] - '1')] : model.K[std::size_t(name[1] - '1')]).value *=
           std::exp(value);
   }
-  const auto own = dynamics::modes(chain_of(model, recipe.frame));
+  const auto stand_modes = dynamics::modes(chain_of(model, recipe.frame));
   const auto force =
       synthetic::band_force(recipe.seed, recipe.n, recipe.rate, recipe.force_rms, 0, recipe.highest);
   Eigen::MatrixXd all = Eigen::MatrixXd::Zero(recipe.n, 6);
   if (of_mode.empty())
-    all = synthetic::response({own.frequency, own.shape, {}, {}, zeta}, force.drive, recipe.rate);
+    all = synthetic::response({stand_modes.frequency, stand_modes.shape, {}, {}, zeta}, force.drive, recipe.rate);
   for (Eigen::Index i = 0; i < 6 && !of_mode.empty(); ++i) {
     const auto other           = of_mode.find(std::size_t(i));
     const double ratio         = zeta * (other == of_mode.end() ? 1 : std::exp(other->second));
-    const Eigen::VectorXd gain = own.shape.col(i).transpose() * chain_of(model, recipe.frame).b;
-    all += synthetic::modal_response(own.frequency.segment(i, 1), gain, ratio, force.drive, recipe.rate) *
-           own.shape.col(i).transpose();
+    const Eigen::VectorXd gain = stand_modes.shape.col(i).transpose() * chain_of(model, recipe.frame).b;
+    all += synthetic::modal_response(stand_modes.frequency.segment(i, 1), gain, ratio, force.drive, recipe.rate) *
+           stand_modes.shape.col(i).transpose();
   }
   Record made{force.force.array() + recipe.mean_force, {}};
   made.acceleration.resize(recipe.n, Eigen::Index(recipe.places.size()));

@@ -12,7 +12,7 @@
 namespace calibration {
 /// Set R: what the case says.
 mill::LumpedModel set_r();
-mill::dynamics::MillModel chain_of(const mill::LumpedModel &model, const std::string &frame = "open");
+mill::dynamics::MillModel chain_of(const mill::LumpedModel &model, mill::FrameForm frame = mill::FrameForm::open);
 mill::twin::FittedStand stand_r();
 /// K1, K2, K3, K5, K6, K7, zeta with the priors of the entries.
 std::vector<mill::twin::Unknown> unknowns_r();
@@ -24,7 +24,7 @@ struct Recipe {
   double rate, force_rms, highest;   ///< Hz, N, Hz
   double density;                    ///< m/s2 / sqrt(Hz), of each sensor
   std::vector<Eigen::Index> places;  ///< masses, from 0
-  std::string frame = "open";
+  mill::FrameForm frame = mill::FrameForm::open;
   double mean_force;
   Recipe check() const;
 };

@@ -8,7 +8,7 @@ inline mill::RollerBearing demo_bearing(const double cup_angle_deg = 19.66)
   constexpr double degree = M_PI / 180;
   mill::RollerBearing b;
   b.name              = "trb";
-  b.type              = "four-row tapered";
+  b.type              = mill::BearingType::four_row_tapered;
   b.bore              = 0.2667;
   b.outside_diameter  = 0.3556;
   b.width             = 0.230188;

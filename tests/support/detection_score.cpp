@@ -121,15 +121,15 @@ void score_growth(Score &score, const Content &content, const Analysis &analysis
 {
   if (content.growth > 0) {
     ++score.growing;
-    const bool found =
+    const bool detected =
         std::any_of(analysis.findings.begin(), analysis.findings.end(), [&](const Finding &finding) {
           return std::abs(finding.frequency - content.growth_frequency) < 5 + 2 * bin &&
                  std::any_of(finding.evidence.begin(), finding.evidence.end(), [](const std::string &sentence) {
                    return sentence.find("grows at +") != std::string::npos;
                  });
         });
-    score.growth_found += found;
-    if (found)
+    score.growth_found += detected;
+    if (detected)
       return;
     score.missed += fmt::format("{}: growth of {:+.2f} 1/s at {:.1f} Hz not found, {:.1f} to {:.1f} s\n", name,
                                 content.growth, content.growth_frequency, content.growth_from, content.growth_to);

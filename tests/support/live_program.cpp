@@ -50,10 +50,10 @@ LiveProgram::LiveProgram(std::vector<std::string> words, const std::string &fold
   const std::regex address("http://127\\.0\\.0\\.1:([0-9]+)/#(\\S+)\n");
   for (const double until = steady_seconds() + 20; url_.empty();) {
     const std::string text = printed();
-    if (std::smatch found; std::regex_search(text, found, address)) {
-      url_   = found.str().substr(0, found.str().size() - 1);
-      port_  = std::atoi(found[1].str().c_str());
-      token_ = found[2];
+    if (std::smatch match; std::regex_search(text, match, address)) {
+      url_   = match.str().substr(0, match.str().size() - 1);
+      port_  = std::atoi(match[1].str().c_str());
+      token_ = match[2];
     } else if (steady_seconds() > until || waitpid(pid_, nullptr, WNOHANG) == pid_) {
       throw std::runtime_error("millstand live has not said its page: " + text);
     }

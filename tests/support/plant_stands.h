@@ -59,14 +59,14 @@ inline void expect_values_inside_their_intervals(const Calibration &done)
 struct WrongStand {
   std::string name;
   std::map<std::string, double> truth;  // ln of factors on the case
-  std::string frame = "open";
+  mill::FrameForm frame = mill::FrameForm::open;
 };
 
 inline std::vector<WrongStand> wrong_stands()
 {
   const double lost = std::log(0.05), heavy = std::log(1.5), light = std::log(0.6);
   return {
-      {"closed frame", {}, "closed"},
+      {"closed frame", {}, mill::FrameForm::closed},
       {"lost contact, upper", {{"K3", lost}}},
       {"lost contact, lower", {{"K5", lost}}},
       {"work roll of another mill, upper", {{"M3", heavy}}},

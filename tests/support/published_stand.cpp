@@ -14,7 +14,7 @@ mill::LumpedModel published_stand()
   return stand;
 }
 
-mill::DynamicsSettings settings(const std::string &force_meaning, const double modal_damping)
+mill::DynamicsSettings settings(const mill::ForceMeaning force_meaning, const double modal_damping)
 {
   mill::DynamicsSettings result;
   result.force_meaning = force_meaning;
@@ -25,15 +25,18 @@ mill::DynamicsSettings settings(const std::string &force_meaning, const double m
 ParameterSet parameter_set(const std::string &name)
 {
   struct Choice {
-    const char *meaning;
+    mill::ForceMeaning meaning;
     double modal, gap_damper;  // -, N s/m
   };
-  const std::map<std::string, Choice> choices = {
-      {"P1", {"published", 0, 1.91141e8}},    {"P2", {"published", 0, 1.91141e5}},
-      {"P3", {"published", 0.01, 1.91141e5}}, {"P4", {"published", 0.02, 0}},
-      {"Q1", {"measured", 0.02, 1.91141e8}},  {"R1", {"measured", 0.02, 1.91141e8}},
-      {"R2", {"disturbance", 0.02, 0}},       {"R3", {"measured", 0.03, 0}}};
-  const Choice choice = choices.at(name);
+  const std::map<std::string, Choice> choices = {{"P1", {mill::ForceMeaning::published, 0, 1.91141e8}},
+                                                 {"P2", {mill::ForceMeaning::published, 0, 1.91141e5}},
+                                                 {"P3", {mill::ForceMeaning::published, 0.01, 1.91141e5}},
+                                                 {"P4", {mill::ForceMeaning::published, 0.02, 0}},
+                                                 {"Q1", {mill::ForceMeaning::measured, 0.02, 1.91141e8}},
+                                                 {"R1", {mill::ForceMeaning::measured, 0.02, 1.91141e8}},
+                                                 {"R2", {mill::ForceMeaning::disturbance, 0.02, 0}},
+                                                 {"R3", {mill::ForceMeaning::measured, 0.03, 0}}};
+  const Choice choice                         = choices.at(name);
   ParameterSet set{published_stand(), settings(choice.meaning, choice.modal)};
   set.stand.C.value = choice.gap_damper;  // a measured force leaves it out, as it does K4
   if (name[0] == 'R') {

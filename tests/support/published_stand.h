@@ -8,7 +8,7 @@
 mill::LumpedModel published_stand();
 
 /// Open frame, given meaning of the force and modal damping ratio.
-mill::DynamicsSettings settings(const std::string &force_meaning, double modal_damping);
+mill::DynamicsSettings settings(mill::ForceMeaning force_meaning, double modal_damping);
 
 /// One of the parameter sets P1..R3 of the reference file: its model, and its settings.
 struct ParameterSet {

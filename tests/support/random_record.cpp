@@ -53,11 +53,11 @@ struct Noise {
 };
 
 // A mode under white noise: two poles; peak of its density against a floor.
-double resonator_gain(const double f, const double damping, const double rate, const double at)
+double resonator_gain(const double f, const double damping, const double rate, const double frequency)
 {
   const double w = 2 * M_PI * f / rate, r = std::exp(-damping * w),
                a               = 2 * r * std::cos(w * std::sqrt(1 - damping * damping));
-  const std::complex<double> q = std::polar(1.0, -2 * M_PI * at / rate);
+  const std::complex<double> q = std::polar(1.0, -2 * M_PI * frequency / rate);
   return 1 / std::norm(1.0 - a * q + r * r * q * q);
 }
 

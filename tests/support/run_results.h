@@ -17,6 +17,15 @@ inline double value(const nlohmann::json &results, const std::string &name)
   return results.at("values").at(name).at("value").get<double>();
 }
 
+/// The first warning with this id, by its parts; null without one.
+inline nlohmann::json warning_with(const nlohmann::json &results, const std::string &id)
+{
+  for (const auto &record : results.at("warning_records"))
+    if (record.at("id") == id)
+      return record;
+  return nullptr;
+}
+
 /// @param values  results_of(..).at("values")
 inline double of(const nlohmann::json &values, const std::string &name, const char *member = "value")
 {

@@ -154,8 +154,8 @@ void write_motion(const fs::path &run, const fs::path &stem)
                                                       .with("acceleration_x [m/s2]", -1e7 * x)
                                                       .with("acceleration_y [m/s2]", -1e7 * y));
   const VectorXd f = VectorXd::LinSpaced(1000, 2, 2000);
-  const VectorXd a = f.unaryExpr([](const double at) {
-    return 0.3 * std::exp(-std::pow((at - 100) / 3, 2)) + 0.8 * std::exp(-std::pow((at - 530) / 3, 2)) + 1e-4;
+  const VectorXd a = f.unaryExpr([](const double load) {
+    return 0.3 * std::exp(-std::pow((load - 100) / 3, 2)) + 0.8 * std::exp(-std::pow((load - 530) / 3, 2)) + 1e-4;
   });
   write_csv(
       stem.string() + "-spectrum.csv",

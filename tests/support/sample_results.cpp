@@ -154,9 +154,10 @@ ordered_json sample_results(const SampleRun &sample, const SampleChain &chain)
     results["values"] = chain_results(chain);
     add_peaks(results["values"]);
   }
-  results["warnings"] = ordered_json::array();
+  results["warnings"] = results["warning_records"] = ordered_json::array();
   if (sample.warnings)
-    results["warnings"].push_back("pass 1: the force record ends at 1000 Hz, 30 % above the highest mode");
+    results["warning_records"].push_back(
+        {{"id", "force-band"}, {"subject", "pass 1"}, {"fact", "the force record ends at 1000 Hz"}});
   results["assumptions"] = {"work-roll bearings carry F/20 each", "every mode has 1 % of critical damping"};
   return results;
 }

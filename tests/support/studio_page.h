@@ -55,9 +55,9 @@ protected:
   }
   std::string text(const std::string &selector)
   {
-    const nlohmann::json found =
+    const nlohmann::json element =
         browser->run("const e = document.querySelector('" + selector + "'); return e ? e.textContent : ''");
-    return found.is_string() ? found.get<std::string>() : "";
+    return element.is_string() ? element.get<std::string>() : "";
   }
   // What stands in the picture, as one text.
   std::string picture()

@@ -10,7 +10,7 @@
 
 using namespace mill;
 
-SampleStand sample_stand(const std::string &force_meaning, const double damping, const double gap_damper)
+SampleStand sample_stand(const ForceMeaning force_meaning, const double damping, const double gap_damper)
 {
   LumpedModel lumped = published_stand();
   lumped.K[2].value = lumped.K[4].value = 4.02e10;
@@ -27,13 +27,13 @@ SampleStand sample_stand(const std::string &force_meaning, const double damping,
   model.step                = 5e-5;
   fmu::ModelData &data      = model.data;
   data.runtime              = fmu::runtime_version;
-  data.kind                 = "chain";
+  data.kind                 = fmu::StandKind::chain;
   data.points               = {"upper_frame",     "upper_backup_roll", "upper_work_roll",
                                "lower_work_roll", "lower_backup_roll", "lower_frame"};
   data.modal_damping        = damping;
-  data.gap_damper           = force_meaning == "measured" ? 0 : gap_damper;
+  data.gap_damper           = force_meaning == ForceMeaning::measured ? 0 : gap_damper;
   data.mean_force           = 976e3;
-  data.share_from_statics   = force_meaning == "published";
+  data.share_from_statics   = force_meaning == ForceMeaning::published;
   data.load_cell_spring     = 6;
   for (Eigen::Index i = 0; i < 6; ++i) {
     data.mass.push_back(chain.M[i]);
@@ -52,7 +52,7 @@ fmu::ExportedModel in_modes(const SampleStand &stand)
   const auto modes           = dynamics::modes(stand.chain);
   const Eigen::VectorXd bite = modes.shape.transpose() * stand.chain.b;
   const Eigen::VectorXd cell = modes.shape.transpose() * stand.chain.load_cell;
-  data.kind                  = "modal";
+  data.kind                  = fmu::StandKind::modal;
   data.mass.clear(), data.springs.clear(), data.bite_row.clear();
   for (Eigen::Index k = 0; k < 6; ++k) {
     data.frequency.push_back(modes.frequency[k]);

@@ -15,7 +15,7 @@ struct SampleStand {
 };
 /// The published stand with line contacts, force of the given meaning.
 /// @param gap_damper  N s/m, C; used when the force is not measured
-SampleStand sample_stand(const std::string &force_meaning = "measured", double damping = 0.01,
+SampleStand sample_stand(mill::ForceMeaning force_meaning = mill::ForceMeaning::measured, double damping = 0.01,
                          double gap_damper = 0);
 
 /// The same in its modes, as a detailed stand is exported.

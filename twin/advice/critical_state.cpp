@@ -3,7 +3,7 @@
 
 namespace mill::twin {
 CriticalState critical_state(const dynamics::ChatterStandModel &stand, const bite::RollBite &bite,
-                             const bite::Linearisation scheme, const dynamics::SpeedRange &range,
+                             const Linearisation scheme, const dynamics::SpeedRange &range,
                              const double working_speed)
 {
   using dynamics::Verdict;

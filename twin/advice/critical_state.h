@@ -19,5 +19,5 @@ struct CriticalState {
 };
 /// Cost: one search, some 10 ms with six masses.
 CriticalState critical_state(const dynamics::ChatterStandModel &stand, const bite::RollBite &bite,
-                             bite::Linearisation scheme, const dynamics::SpeedRange &range, double working_speed);
+                             Linearisation scheme, const dynamics::SpeedRange &range, double working_speed);
 }  // namespace mill::twin

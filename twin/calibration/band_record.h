@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/record_set.h"
 #include "twin/spectra/fourier.h"
 #include <Eigen/Core>
 #include <vector>
@@ -15,12 +16,6 @@ struct BandRecord {
   /// force holds above half the rate moves the stand too, and the samples fold it back into the band:
   /// modal_columns().
   double line_step = 0;  ///< s
-};
-
-/// How the force went between its samples.
-enum class BetweenSamples {
-  smooth,  ///< it has nothing above half the rate: a measured force
-  lines    ///< straight lines: a force that a simulation was driven with, F sinc^2(f/rate)
 };
 
 /// sin(x)/x of half the angle w step: what straight lines between samples leave of a harmonic is its square.

@@ -19,9 +19,9 @@ struct Scan {
   FitSettings settings;
   Fit at(const Eigen::VectorXd &start, const Eigen::Index fixed) const
   {
-    FitSettings own = settings;
-    own.covariance  = fixed < 0;
-    return minimised(problem, start, fit.noise, own, fixed);
+    FitSettings each = settings;
+    each.covariance  = fixed < 0;
+    return minimised(problem, start, fit.noise, each, fixed);
   }
   double deviance(const Fit &other) const
   {
@@ -94,28 +94,6 @@ Eigen::VectorXd end_of_interval(const Scan &scan, const Eigen::Index spring, con
   }
   theta[spring] = centre + side * reach;
   return theta;
-}
-
-/// Minima of a profile between whose and any lower point the curve rises by at least 1.
-std::vector<Eigen::Index> minima_of(const Eigen::VectorXd &deviance)
-{
-  std::vector<Eigen::Index> minima;
-  for (Eigen::Index i = 0; i < deviance.size(); ++i) {
-    const auto rises = [&](const Eigen::Index by) {
-      double highest = deviance[i];
-      for (Eigen::Index k = i + by; k >= 0 && k < deviance.size(); k += by) {
-        highest = std::max(highest, deviance[k]);
-        if (deviance[k] < deviance[i])
-          return highest > deviance[i] + 1;
-      }
-      return true;  // an end of the scan: nothing lower on this side
-    };
-    // a fall that continues beyond the end of the scan is not a minimum
-    const bool inside = i > 0 && i + 1 < deviance.size();
-    if (inside && rises(-1) && rises(1))
-      minima.push_back(i);
-  }
-  return minima;
 }
 
 /// A free minimum that a profile led to.

@@ -1,5 +1,6 @@
 #pragma once
 #include "twin/calibration/fit.h"
+#include "twin/calibration/mode_scan.h"
 #include <functional>
 #include <string>
 #include <vector>
@@ -27,7 +28,8 @@ struct ScannedFit {
   std::vector<Basin> basins;          ///< other minima with a deviance below 100, lowest first
   Eigen::MatrixXd interval;           ///< (p, 2) theta, 95 %: deviance 3.84 of scanned springs, else 1.96 sd
   std::vector<Eigen::VectorXd> ends;  ///< (p) all unknowns at the ends of the intervals that profiles gave
-  int starts_over = 0;                ///< how often a scan found a lower minimum and all began again
+  int starts_over             = 0;    ///< how often a scan found a lower minimum and all began again
+  std::vector<ModeScan> modes = {};   ///< of modes that the records hardly show
 };
 
 /// Intervals of the best fit: by profiles of the springs that were scanned.

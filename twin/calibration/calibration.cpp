@@ -60,7 +60,7 @@ Eigen::Index index_of(const std::vector<Unknown> &unknowns, const std::string &n
 Eigen::VectorXd start_of(const CalibrationInput &in, const MeasuredResponse &data)
 {
   CalibrationInput moved   = in;
-  const Eigen::Index delay = index_of(in.unknowns, "delay");
+  const Eigen::Index delay = index_of(in.unknowns, delay_name);
   if (delay >= 0) {
     const Eigen::VectorXd zero = Eigen::VectorXd::Zero(Eigen::Index(in.unknowns.size()));
     // noise of all that is measured: an early misfit of one mode must not decide about the delay
@@ -178,7 +178,7 @@ namespace {
 Eigen::VectorXd case_of(const CalibrationInput &in, const Eigen::VectorXd &theta)
 {
   Eigen::VectorXd before = Eigen::VectorXd::Zero(theta.size());
-  if (const Eigen::Index delay = index_of(in.unknowns, "delay"); delay >= 0)
+  if (const Eigen::Index delay = index_of(in.unknowns, delay_name); delay >= 0)
     before[delay] = theta[delay];
   return before;
 }
@@ -216,10 +216,9 @@ RecordFit record_fit(const CalibrationInput &in, const Eigen::VectorXd &theta, c
 std::vector<std::string> ratios_that_suffice(const CalibrationInput &in, const Fit &joint, const RecordParts &fit,
                                              const RecordParts &check)
 {
-  const Eigen::Index common = index_of(in.unknowns, "zeta");
-  const bool some_free      = std::any_of(in.unknowns.begin(), in.unknowns.end(), [](const Unknown &u) {
-    return u.name.size() > 4 && u.name.compare(0, 4, "zeta") == 0;
-  });
+  const Eigen::Index common = index_of(in.unknowns, ratios_name);
+  const bool some_free      = std::any_of(in.unknowns.begin(), in.unknowns.end(),
+                                     [](const Unknown &u) { return moves(u) == Moves::ratio; });
   if (common < 0 || some_free)
     return {};
   std::vector<Unknown> unknowns;
@@ -232,7 +231,7 @@ std::vector<std::string> ratios_that_suffice(const CalibrationInput &in, const F
   const StandAt trial = stand_at(in.stand, in.unknowns, joint.estimate);
   for (Eigen::Index k = 0; k < trial.frequency.size() && trial.frequency[k] < 2 * M_PI * in.high; ++k) {
     const Unknown &zeta = in.unknowns[std::size_t(common)];
-    unknowns.push_back({fmt::format("zeta{}", k + 1), zeta.prior_sd, zeta.prior});
+    unknowns.push_back({ratio_name(k), zeta.prior_sd, zeta.prior});
     start.push_back(joint.estimate[common]);
   }
   const Fit joint_fit =
@@ -242,10 +241,11 @@ std::vector<std::string> ratios_that_suffice(const CalibrationInput &in, const F
   for (std::size_t i = 0; i < unknowns.size(); ++i) {
     const bool far =
         std::abs(joint_fit.estimate[Eigen::Index(i)] - unknowns[i].prior) > far_from_prior * unknowns[i].prior_sd;
-    if (far && unknowns[i].name.compare(0, 4, "zeta") != 0 && unknowns[i].name != "delay")
+    if (moves(unknowns[i]) == Moves::delay)
+      continue;
+    if (far && !moves_damping(unknowns[i]))
       return {};
-    if (unknowns[i].name != "delay")
-      names.push_back(unknowns[i].name);
+    names.push_back(unknowns[i].name);
   }
   for (const RecordParts *record : {&fit, &check})
     if (wrong_bands(bands_at(in, unknowns, joint_fit.estimate, record->data, record->pieces)).worst)
@@ -298,6 +298,22 @@ Table response_table(const CalibrationInput &in, const Eigen::VectorXd &theta)
 }
 }  // namespace
 
+namespace {
+/// Scans of springs and of modes, again where a mode shows a lower minimum.
+ScannedFit scan_of(const CalibrationInput &in, const FitProblem &problem, Fit start, const FitSettings &settings,
+                   const Progress &progress)
+{
+  for (int again = 0;; ++again) {
+    ScannedFit scan = scanned(problem, start, settings, [&](const double f) { progress.at("basins", f); });
+    std::optional<Eigen::VectorXd> lower;
+    scan.modes = scanned_modes(in.stand, problem, scan.best, in.unknowns, in.high, settings, lower);
+    if (!lower || again == 2)
+      return scan;
+    start = fitted(problem, *lower, settings);
+  }
+}
+}  // namespace
+
 Calibration calibrate(const CalibrationInput &in, const Progress &progress)
 {
   if (!in.force_recorded)
@@ -308,11 +324,11 @@ Calibration calibrate(const CalibrationInput &in, const Progress &progress)
   const Eigen::VectorXd start = start_of(in, data);
   const FitSettings settings{3, 60, 1e-4, in.threads};
   progress.at("fit", 0);
-  const Fit first = fitted(in.stand, in.unknowns, start, data, settings);
-  result.scan     = scanned(in.stand, first, data, settings, [&](const double f) { progress.at("basins", f); });
-  result.unknowns = judged(result.scan, result.scan.best.sd());
-  result.identification       = identification(result.scan.best.information, in.unknowns);
-  result.unseen               = unseen_directions(result.identification, in.stand);
+  const Fit first       = fitted(in.stand, in.unknowns, start, data, settings);
+  result.scan           = scan_of(in, recorded_force(in.stand, in.unknowns, data), first, settings, progress);
+  result.unknowns       = judged(result.scan, result.scan.best.sd());
+  result.identification = identification(result.scan.best.information, in.unknowns);
+  result.unseen         = unseen_directions(result.identification, in.stand);
   const Eigen::VectorXd scale = result.scan.best.sd().cwiseInverse();
   result.correlation          = scale.asDiagonal() * result.scan.best.covariance * scale.asDiagonal();
   keep_priors([&](const std::vector<Unknown> &unknowns) { return recorded_force(in.stand, unknowns, data); },
@@ -330,7 +346,7 @@ Calibration calibrate(const CalibrationInput &in, const Progress &progress)
   result.fit_seconds   = seconds_of(data);
   result.check_seconds = seconds_of(check);
   result.response      = response_table(in, theta);
-  if (index_of(in.unknowns, "delay") < 0)
+  if (index_of(in.unknowns, delay_name) < 0)
     result.delay = clock_delay(in.stand, result.scan.best, data, in.fit, in.rate, in.low, in.high, settings);
   const Eigen::VectorXd as_it_is = case_of(in, result.scan.best.estimate);
   result.case_deviance =

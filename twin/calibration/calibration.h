@@ -15,7 +15,7 @@
 namespace mill::twin {
 struct CalibrationInput {
   FittedStand stand;
-  std::vector<Unknown> unknowns;     ///< "delay" among them where two clocks are to be aligned
+  std::vector<Unknown> unknowns;     ///< the delay among them where two clocks are to be aligned
   std::vector<std::string> sensors;  ///< (m) "upper_work_roll"
   std::vector<Eigen::Index> places;  ///< (m) masses, from 0
   double rate = 0;                   ///< Hz

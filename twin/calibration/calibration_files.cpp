@@ -21,7 +21,7 @@ Results values_of(const Calibration &result, const bool written)
   Results values;
   const OperatingPoint at("{} of the records", {{result.fit_seconds, "s", ".4g"}});
   for (const Calibrated &u : result.unknowns) {
-    const bool delay            = u.name == "delay";
+    const bool delay            = moves(u) == Moves::delay;
     const ChangeInterval change = change_interval(u, written);
     Parameter p;
     p.value          = delay ? change.value : std::exp(change.value);
@@ -36,7 +36,7 @@ Results values_of(const Calibration &result, const bool written)
       p.checks = {{"95 % from", std::exp(change.low), ""},
                   {"95 % to", std::exp(change.high), ""},
                   {"with all freed", std::exp(u.estimate), "with what is not identified free as well"}};
-    values.add(delay ? "delay" : "factor." + u.name, p);
+    values.add(delay ? delay_name : "factor." + u.name, p);
   }
   const auto misfit = [&](const std::string &name, const double value, const std::string &of,
                           const double seconds) {

@@ -87,7 +87,7 @@ ClockDelay clock_delay(const FittedStand &stand, const Fit &fit, const MeasuredR
 {
   std::vector<Unknown> unknowns = fit.unknowns;
   const auto last               = Eigen::Index(unknowns.size());
-  unknowns.push_back({"delay", longest_clock_delay, 0});
+  unknowns.push_back({delay_name, longest_clock_delay, 0});
   Eigen::VectorXd start(last + 1), prior(last);
   for (Eigen::Index i = 0; i < last; ++i)
     prior[i] = unknowns[std::size_t(i)].prior;

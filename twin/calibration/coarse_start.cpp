@@ -18,7 +18,7 @@ Eigen::Index length_of_bin(const double bin, const double rate)
 /// A stiffness or mass whose nearest minimum is often a false one; damping moves no resonance.
 bool is_wide(const Unknown &unknown)
 {
-  return unknown.prior_sd > 0.15 && unknown.name.compare(0, 4, "zeta") != 0;  // ln
+  return unknown.prior_sd > 0.15 && !moves_damping(unknown);  // ln
 }
 
 /// Draws of the unknowns from their priors, spread evenly (a Sobol sequence through the normal quantile).

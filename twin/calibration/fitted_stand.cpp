@@ -5,19 +5,9 @@
 #include <algorithm>
 #include <cmath>
 #include <complex>
-#include <cstdlib>
 
 namespace mill::twin {
 namespace {
-/// Number of the mode of "f2" or "zeta2", from 0; -1: none.
-Eigen::Index mode_of(const std::string &name, const std::string &head, const Eigen::Index n)
-{
-  if (name.size() <= head.size() || name.compare(0, head.size(), head) != 0)
-    return -1;
-  const Eigen::Index i = std::atoi(name.c_str() + head.size()) - 1;
-  return i >= 0 && i < n ? i : -1;
-}
-
 const dynamics::Spring *spring_of(const dynamics::MillModel &chain, const std::string &name)
 {
   for (const dynamics::Spring &spring : chain.springs)
@@ -112,20 +102,28 @@ dynamics::SlopedStand slopes_at(const FittedStand &stand, const std::vector<Unkn
 /// Ratios, frequencies, gain and delay at theta; the modes follow springs and masses already.
 void apply_modal(StandAt &trial, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta)
 {
-  const Eigen::Index n = trial.frequency.size();
   for (std::size_t p = 0; p < unknowns.size(); ++p) {
-    const std::string &name = unknowns[p].name;
+    const auto [what, mode] = moved_by(unknowns[p].name);
     const double factor     = std::exp(theta[Eigen::Index(p)]);
-    if (name == "zeta")
+    switch (what) {
+    case Moves::parts:
+      break;
+    case Moves::ratios:
       trial.damping *= factor;
-    else if (const auto i = mode_of(name, "zeta", n); i >= 0)
-      trial.damping[i] *= factor;
-    else if (const auto k = mode_of(name, "f", n); k >= 0)
-      trial.frequency[k] *= factor;
-    else if (name == "gain")
+      break;
+    case Moves::ratio:
+      trial.damping[mode] *= factor;
+      break;
+    case Moves::frequency:
+      trial.frequency[mode] *= factor;
+      break;
+    case Moves::gain:
       trial.force *= factor;
-    else if (name == "delay")
+      break;
+    case Moves::delay:
       trial.delay = theta[Eigen::Index(p)];
+      break;
+    }
   }
 }
 
@@ -161,16 +159,14 @@ void add_change(StandAt &trial, const dynamics::SlopedStand &slopes, const std::
   for (std::size_t s = 0; s < slopes.names.size(); ++s)
     if (moves(name, slopes.names[s]))
       add_parts(trial, slopes, s, K, C, M);
-  const auto ratio = mode_of(name, "zeta", n), mode = mode_of(name, "f", n);
-  if (name == "zeta" || ratio >= 0 || mode >= 0) {
+  const auto [what, mode] = moved_by(name);
+  if (what == Moves::ratios || what == Moves::ratio || what == Moves::frequency) {
     K = C = Eigen::MatrixXd::Zero(n, n);
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double damper = 2 * trial.damping[i] * trial.frequency[i];
-      if (i == mode)
-        K(i, i) = 2 * trial.frequency[i] * trial.frequency[i];
-      if (i == mode || i == ratio || name == "zeta")
-        C(i, i) = damper;
-    }
+    for (Eigen::Index i = 0; i < n; ++i)
+      if (i == mode || what == Moves::ratios)
+        C(i, i) = 2 * trial.damping[i] * trial.frequency[i];
+    if (what == Moves::frequency)
+      K(mode, mode) = 2 * trial.frequency[mode] * trial.frequency[mode];
   }
   trial.stiffness.push_back(K);
   trial.damper.push_back(C);
@@ -256,12 +252,12 @@ StandAt stand_at(const FittedStand &stand, const std::vector<Unknown> &unknowns,
   const Eigen::Index n = stand.damping.size();
   bool parts = false, frequencies = false;
   for (const Unknown &unknown : unknowns) {
-    const std::string &name = unknown.name;
-    const bool frequency = mode_of(name, "f", n) >= 0, part = is_part(stand, name);
-    frequencies = frequencies || frequency;
-    parts       = parts || part;
-    if (!part && !frequency && name != "zeta" && name != "gain" && name != "delay" && mode_of(name, "zeta", n) < 0)
-      throw InputError("\"" + name + "\": this stand has no spring, mass or damping ratio of this name");
+    const auto [what, mode] = moved_by(unknown.name);
+    const bool part         = what == Moves::parts;
+    frequencies             = frequencies || what == Moves::frequency;
+    parts                   = parts || part;
+    if (part ? !is_part(stand, unknown.name) : mode >= n)
+      throw InputError("\"" + unknown.name + "\": this stand has no spring, mass or damping ratio of this name");
   }
   require(!parts || !frequencies, "springs and frequencies of modes are not fitted together");
   StandAt trial;
@@ -274,5 +270,19 @@ StandAt stand_at(const FittedStand &stand, const std::vector<Unknown> &unknowns,
   for (const Unknown &unknown : unknowns)
     add_change(trial, slopes, unknown.name);
   return trial;
+}
+Eigen::MatrixXd frequency_slopes(const StandAt &trial)
+{
+  const Eigen::Index n  = trial.frequency.size();
+  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, Eigen::Index(trial.stiffness.size()));
+  for (std::size_t p = 0; p < trial.stiffness.size(); ++p)
+    for (Eigen::Index i = 0; i < n; ++i) {
+      const double square = trial.frequency[i] * trial.frequency[i];
+      if (trial.stiffness[p].size())
+        slope(i, Eigen::Index(p)) += 0.5 * trial.stiffness[p](i, i) / square;
+      if (trial.mass[p].size())
+        slope(i, Eigen::Index(p)) -= 0.5 * trial.mass[p](i, i);
+    }
+  return slope;
 }
 }  // namespace mill::twin

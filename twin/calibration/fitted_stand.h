@@ -1,28 +1,14 @@
 #pragma once
 #include "dynamics/response/mill_model.h"
 #include "twin/calibration/reduced_stand.h"
+#include "twin/calibration/unknown.h"
 #include <Eigen/Core>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 // The stand whose springs and damping ratios are fitted, and how its modes follow them.  theory.md 44
 namespace mill::twin {
-/// A number that is fitted: theta = ln of a factor on the value of the case; of the delay seconds.
-struct Unknown {
-  /// "K3"    a spring of the chain that is not zero, or a connection of a detailed stand
-  /// "M2"    a mass of the chain, or of a detailed stand the mass of a part, "mass upper work roll"
-  /// "K1/K7" springs and masses that one factor moves together
-  /// "zeta"  the damping ratios of all modes by one factor; "zeta2" that of the second mode
-  /// "f2"    the frequency of the second mode alone, with its shape and ratio kept; not together with springs
-  /// "gain"  all accelerations by one factor
-  /// "delay" s, by which the accelerations are later than the force (two clocks)
-  std::string name;
-  double prior_sd = std::numeric_limits<double>::infinity();  ///< standard deviation of theta before the record
-  double prior    = 0;                                        ///< theta before the record
-};
-
 /// What the case says.
 struct FittedStand {
   dynamics::MillModel chain;  ///< empty where there is a detailed stand
@@ -60,4 +46,8 @@ struct StandAt {
 
 /// @throws InputError  an unknown that the stand does not have
 StandAt stand_at(const FittedStand &stand, const std::vector<Unknown> &unknowns, const Eigen::VectorXd &theta);
+
+/// (n, p) d ln w_i / d theta_p: half of what the dynamic stiffness of the mode changes by at its own frequency.
+/// (45.10)
+Eigen::MatrixXd frequency_slopes(const StandAt &trial);
 }  // namespace mill::twin

@@ -20,12 +20,12 @@ std::vector<Eigen::Index> borders_of(const BandRecord &band, const double dampin
 }
 
 /// The narrowest relative half-width of the modes in a band.
-double narrowest(const StandAt &at, const BandRecord &band)
+double narrowest(const StandAt &stand, const BandRecord &band)
 {
   double least = 1;
-  for (Eigen::Index i = 0; i < at.frequency.size(); ++i)
-    if (band.angular.size() > 0 && at.frequency[i] < band.angular[band.angular.size() - 1])
-      least = std::min(least, at.damping[i]);
+  for (Eigen::Index i = 0; i < stand.frequency.size(); ++i)
+    if (band.angular.size() > 0 && stand.frequency[i] < band.angular[band.angular.size() - 1])
+      least = std::min(least, stand.damping[i]);
   return least;
 }
 }  // namespace

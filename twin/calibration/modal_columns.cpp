@@ -33,83 +33,84 @@ private:
 };
 
 /// The whole acceleration of the modes in the samples: the force on the masses less what springs and dampers take.
-void hold_lines(ModalColumns &c, const StandAt &at, const BandRecord &band, const Block &block)
+void hold_lines(ModalColumns &c, const StandAt &stand, const BandRecord &band, const Block &block)
 {
-  for (Eigen::Index i = 0; i < at.frequency.size(); ++i) {
-    const HeldMode held(at.frequency[i], at.damping[i], band.line_step);
+  for (Eigen::Index i = 0; i < stand.frequency.size(); ++i) {
+    const HeldMode held(stand.frequency[i], stand.damping[i], band.line_step);
     for (Eigen::Index b = 0; b < block.size; ++b) {
       const double w = band.angular[block.first + b], sinc = sinc_of(w, band.line_step);
       const Complex sampled =
-          band.force[block.first + b] / (sinc * sinc) * std::polar(1.0, -w * at.delay) * at.force[i];
+          band.force[block.first + b] / (sinc * sinc) * std::polar(1.0, -w * stand.delay) * stand.force[i];
       c.driven(b, i) = sampled * (1.0 - held(std::polar(1.0, w * band.line_step)));
     }
   }
 }
 }  // namespace
 
-ModalColumns modal_columns(const StandAt &at, const BandRecord &band, const Block &block)
+ModalColumns modal_columns(const StandAt &stand, const BandRecord &band, const Block &block)
 {
-  const Eigen::Index n = at.frequency.size();
+  const Eigen::Index n = stand.frequency.size();
   ModalColumns c;
   c.admittance.resize(block.size, n);
   c.driven.resize(block.size, n);
   for (Eigen::Index b = 0; b < block.size; ++b) {
     const double w                = band.angular[block.first + b];
-    const std::complex<double> up = -w * w * band.force[block.first + b] * std::polar(1.0, -w * at.delay);
+    const std::complex<double> up = -w * w * band.force[block.first + b] * std::polar(1.0, -w * stand.delay);
     for (Eigen::Index i = 0; i < n; ++i) {
-      const double re = (at.frequency[i] - w) * (at.frequency[i] + w),
-                   im = 2 * at.damping[i] * at.frequency[i] * w, size = re * re + im * im;
+      const double re = (stand.frequency[i] - w) * (stand.frequency[i] + w),
+                   im = 2 * stand.damping[i] * stand.frequency[i] * w, size = re * re + im * im;
       c.admittance(b, i) = std::complex<double>(re / size, -im / size);
-      c.driven(b, i)     = up * at.force[i] * c.admittance(b, i);
+      c.driven(b, i)     = up * stand.force[i] * c.admittance(b, i);
     }
   }
   if (band.line_step > 0)
-    hold_lines(c, at, band, block);
+    hold_lines(c, stand, band, block);
   return c;
 }
 
-void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unknown> &unknowns,
+void add_derivatives(ModalColumns &c, const StandAt &stand, const std::vector<Unknown> &unknowns,
                      const BandRecord &band, const Block &block, const Eigen::VectorXd &transient)
 {
   const auto w            = band.angular.segment(block.first, block.size).array();
-  const Eigen::Index n    = at.frequency.size();
+  const Eigen::Index n    = stand.frequency.size();
   Eigen::ArrayXXcd motion = c.driven, folded;
   if (band.line_step > 0) {
     for (Eigen::Index b = 0; b < block.size; ++b) {
       const double wb  = w[b];
-      const Complex up = -wb * wb * band.force[block.first + b] * std::polar(1.0, -wb * at.delay);
+      const Complex up = -wb * wb * band.force[block.first + b] * std::polar(1.0, -wb * stand.delay);
       for (Eigen::Index i = 0; i < n; ++i)
-        motion(b, i) = up * at.force[i] * c.admittance(b, i);
+        motion(b, i) = up * stand.force[i] * c.admittance(b, i);
     }
     folded = c.driven - motion;  // next to g F (1 - sinc^2)
   }
-  for (Eigen::Index i = 0; i < at.frequency.size(); ++i) {
+  for (Eigen::Index i = 0; i < stand.frequency.size(); ++i) {
     // beta is scaled by 1/w_i, so that both numbers of a mode have the same size
-    const double alpha = transient[2 * i], beta = transient[2 * i + 1] / at.frequency[i];
+    const double alpha = transient[2 * i], beta = transient[2 * i + 1] / stand.frequency[i];
     for (Eigen::Index b = 0; b < block.size; ++b)
       motion(b, i) += std::complex<double>(alpha, beta * w[b]) * c.admittance(b, i);
   }
   for (std::size_t p = 0; p < unknowns.size(); ++p) {
     Eigen::ArrayXXcd d;
-    if (unknowns[p].name == "gain")
+    if (moves(unknowns[p]) == Moves::gain)
       d = c.driven;
-    else if (unknowns[p].name == "delay") {
+    else if (moves(unknowns[p]) == Moves::delay) {
       d = c.driven;
       for (Eigen::Index b = 0; b < block.size; ++b)
         d.row(b) *= std::complex<double>(0, -w[b]);
     } else {
-      const Eigen::MatrixXcd still = motion.matrix() * at.stiffness[p], moving = motion.matrix() * at.damper[p];
+      const Eigen::MatrixXcd still  = motion.matrix() * stand.stiffness[p],
+                             moving = motion.matrix() * stand.damper[p];
       d.resize(block.size, still.cols());
       for (Eigen::Index i = 0; i < still.cols(); ++i)
         for (Eigen::Index b = 0; b < block.size; ++b)
           d(b, i) = -(still(b, i) + std::complex<double>(0, w[b]) * moving(b, i)) * c.admittance(b, i);
-      if (at.mass[p].size()) {
-        const Eigen::MatrixXcd heavy = motion.matrix() * at.mass[p];
+      if (stand.mass[p].size()) {
+        const Eigen::MatrixXcd heavy = motion.matrix() * stand.mass[p];
         for (Eigen::Index i = 0; i < heavy.cols(); ++i)
           for (Eigen::Index b = 0; b < block.size; ++b)
             d(b, i) += w[b] * w[b] * heavy(b, i) * c.admittance(b, i);
         if (folded.size())
-          d -= (folded.matrix() * at.mass[p]).array();
+          d -= (folded.matrix() * stand.mass[p]).array();
       }
     }
     c.derivative.push_back(std::move(d));

@@ -19,11 +19,11 @@ struct ModalColumns {
   std::vector<Eigen::ArrayXXcd> derivative;  ///< (p) of the modal accelerations to theta
 };
 
-ModalColumns modal_columns(const StandAt &at, const BandRecord &band, const Block &block);
+ModalColumns modal_columns(const StandAt &stand, const BandRecord &band, const Block &block);
 
 /// Of a force in straight lines the slopes are those of what is not folded back, and of the masses' share in that.
 /// (44.3): -A_p x / d for what changes the stand; the driven part itself for gain and delay.
 /// @param transient  (2 n) alpha_i and beta_i w_i of each mode
-void add_derivatives(ModalColumns &c, const StandAt &at, const std::vector<Unknown> &unknowns,
+void add_derivatives(ModalColumns &c, const StandAt &stand, const std::vector<Unknown> &unknowns,
                      const BandRecord &band, const Block &block, const Eigen::VectorXd &transient);
 }  // namespace mill::twin

@@ -34,9 +34,9 @@ public:
     AtFrequency here{-w * w * (at.shape * x), Eigen::MatrixXcd(at.shape.rows(), Eigen::Index(unknowns.size()))};
     for (std::size_t p = 0; p < unknowns.size(); ++p) {
       auto slope = here.slope.col(Eigen::Index(p));
-      if (unknowns[p].name == "gain")
+      if (moves(unknowns[p]) == Moves::gain)
         slope = here.H;
-      else if (unknowns[p].name == "delay")
+      else if (moves(unknowns[p]) == Moves::delay)
         slope = Complex(0, -w) * here.H;
       else
         slope = w * w * (at.shape * at.change(p, x, w).cwiseQuotient(d));
@@ -174,7 +174,7 @@ WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<
                                     const double force_rms, const double bandwidth,
                                     const std::vector<std::string> &springs)
 {
-  std::vector<Unknown> unknowns{{"zeta"}};
+  std::vector<Unknown> unknowns{{ratios_name}};
   for (const std::string &name : springs)
     unknowns.push_back({name});
   const CaseResponse response(stand, unknowns);
@@ -190,7 +190,7 @@ WhiteForceLevels white_force_levels(const FittedStand &stand, const std::vector<
     for (Eigen::Index q = 0; q < p; ++q)
       slope.col(q) += SF * width * (seen.H.conjugate().cwiseProduct(seen.slope.col(q))).real();
   }
-  WhiteForceLevels levels{square.cwiseSqrt(), {"zeta", "bandwidth"}, Eigen::MatrixXd(m, p + 1)};
+  WhiteForceLevels levels{square.cwiseSqrt(), {ratios_name, "bandwidth"}, Eigen::MatrixXd(m, p + 1)};
   levels.names.insert(levels.names.end(), springs.begin(), springs.end());
   const Eigen::VectorXd edge = SF * bandwidth * at_places(response(bandwidth), places).H.cwiseAbs2();
   levels.slope.col(0)        = slope.col(0).cwiseQuotient(square);

@@ -6,24 +6,8 @@
 
 namespace mill::twin {
 namespace {
-constexpr double determined_within = 0.02;  // ln of a frequency, to each side
-constexpr double worth_a_name      = 0.3;   // of the largest contribution to a deviation
-
-/// (n, p) d ln w_i / d theta_p: half of what the dynamic stiffness of the mode changes by at its own frequency.
-Eigen::MatrixXd frequency_slopes(const StandAt &trial)
-{
-  const Eigen::Index n  = trial.frequency.size();
-  Eigen::MatrixXd slope = Eigen::MatrixXd::Zero(n, Eigen::Index(trial.stiffness.size()));
-  for (std::size_t p = 0; p < trial.stiffness.size(); ++p)
-    for (Eigen::Index i = 0; i < n; ++i) {
-      const double square = trial.frequency[i] * trial.frequency[i];
-      if (trial.stiffness[p].size())
-        slope(i, Eigen::Index(p)) += 0.5 * trial.stiffness[p](i, i) / square;
-      if (trial.mass[p].size())
-        slope(i, Eigen::Index(p)) -= 0.5 * trial.mass[p](i, i);
-    }
-  return slope;
-}
+constexpr double determined_within = 0.005;  // ln of a frequency, to each side: what is asked of a calibration
+constexpr double worth_a_name      = 0.3;    // of the largest contribution to a deviation
 
 std::vector<std::string> largest_parts(const std::vector<Unknown> &unknowns, const Eigen::ArrayXd &part)
 {
@@ -63,10 +47,17 @@ std::vector<PredictedMode> predicted_modes(const FittedStand &stand, const Scann
   for (const Basin &basin : scan.basins)
     if (basin.deviance < other_basin)
       cover(basin.at);
+  for (const ModeScan &mode : scan.modes)
+    for (std::size_t k = 0; mode.has_several_places() && k < mode.theta.size(); ++k)
+      if (mode.deviance[Eigen::Index(k)] < mode.allowed) {
+        const double there = frequency_at(mode.theta[k])[mode.mode];
+        low[mode.mode]     = std::min(low[mode.mode], there);
+        high[mode.mode]    = std::max(high[mode.mode], there);
+      }
   std::vector<PredictedMode> modes;
   for (Eigen::Index i = 0; i < value.size() && centre[i] < highest; ++i) {
     PredictedMode mode{before[i], value[i], low[i], high[i], {}};
-    if (std::log(mode.high / mode.low) > 2 * determined_within)
+    if (std::log(std::max(mode.high / mode.frequency, mode.frequency / mode.low)) > determined_within)
       mode.rests_on =
           largest_parts(unknowns, slope.row(i).transpose().array().abs() * scan.best.sd().array().eval());
     modes.push_back(std::move(mode));

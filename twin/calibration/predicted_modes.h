@@ -18,8 +18,9 @@ struct PredictedMode {
 };
 
 /// Modes up to `highest`.  The interval is that of the joint fit by its covariance, and covers the calibrated
-/// stand, the ends of the intervals of the scanned springs and other minima below deviance 9.  A mode is
-/// determined where the interval reaches at most 2 % to both sides.  (45.10)
+/// stand, the ends of the intervals of the scanned springs, other minima below deviance 9, and other places that
+/// the records allow for the resonance (mode_scan.h).  A mode is determined where the interval reaches at most 0.5
+/// % to both sides.  (45.10)
 /// @param scan     of the unknowns of the stand alone
 /// @param kept     (p) theta of the calibrated case
 /// @param highest  Hz

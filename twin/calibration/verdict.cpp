@@ -38,13 +38,13 @@ void add_ratio_refusal(std::vector<std::string> &refusals, const Calibration &c)
 int freed(const Calibration &c)
 {
   return int(
-      std::count_if(c.unknowns.begin(), c.unknowns.end(), [](const Calibrated &u) { return u.name != "delay"; }));
+      std::count_if(c.unknowns.begin(), c.unknowns.end(), [](const Calibrated &u) { return moves(u) != Moves::delay; }));
 }
 
 bool any_identified(const Calibration &c)
 {
   return std::any_of(c.unknowns.begin(), c.unknowns.end(),
-                     [](const Calibrated &u) { return u.identified && u.name != "delay"; });
+                     [](const Calibrated &u) { return u.identified && moves(u) != Moves::delay; });
 }
 
 /// Deviance that the case exceeds by chance alone with the probability of a normal deviate.
@@ -97,7 +97,7 @@ void add_other_refusals(std::vector<std::string> &refusals, const CalibrationInp
   for (std::size_t i = 0; i < c.unknowns.size(); ++i) {
     const Calibrated &u = c.unknowns[i];
     const double moved  = (u.estimate - in.unknowns[i].prior) / u.prior_sd;
-    if (u.name == "delay") {
+    if (moves(u) == Moves::delay) {
       const double limit = 1 / (20 * in.high);
       if (u.sd > limit)
         refusals.push_back(fmt::format("the delay of the clocks is uncertain by {:.3g} ms; up to {:.0f} Hz "

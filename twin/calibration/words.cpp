@@ -56,7 +56,7 @@ ChangeInterval change_interval(const Calibrated &u, const bool written)
 ShownChange shown_change(const Calibrated &unknown, const bool written)
 {
   const ChangeInterval change = change_interval(unknown, written);
-  const bool delay            = unknown.name == "delay";
+  const bool delay            = moves(unknown) == Moves::delay;
   const auto in_unit          = [&](const double theta) { return delay ? 1e3 * theta : 100 * std::expm1(theta); };
   const double width          = in_unit(change.high) - in_unit(change.low);
   const int decimals          = width > 0 ? std::clamp(int(std::ceil(1.5 - std::log10(width))), 0, 8) : 2;

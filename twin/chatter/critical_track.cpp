@@ -196,8 +196,7 @@ CriticalInterval CriticalTrack::interval(const bite::RollBite &bite, const std::
 double scheme_spread(const ChatterModel &model, const bite::RollBite &bite)
 {
   double low = ChatterInputs::none, high = ChatterInputs::none;
-  for (const auto scheme :
-       {bite::Linearisation::sequential, bite::Linearisation::implicit, bite::Linearisation::frozen_friction}) {
+  for (const auto scheme : {Linearisation::sequential, Linearisation::implicit, Linearisation::frozen_friction}) {
     const auto critical = dynamics::critical_speed(model.stand, bite, scheme, model.range);
     if (critical.verdict != dynamics::Verdict::crossing)
       return ChatterInputs::none;

@@ -13,7 +13,7 @@ namespace mill::twin {
 struct ChatterModel {
   dynamics::ChatterStandModel stand;
   bite::RollBite bite;  ///< the case's; thicknesses and tensions are replaced by what is measured
-  bite::Linearisation scheme = bite::Linearisation::sequential;
+  Linearisation scheme = Linearisation::sequential;
   dynamics::SpeedRange range;
   std::vector<dynamics::StructureNumber> numbers;  ///< of the stand, for the interval; may be empty
 };

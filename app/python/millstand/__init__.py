@@ -11,7 +11,7 @@ A case is read or made, changed by key, checked and run; results come with units
 
 import atexit as _atexit
 
-from ._errors import InputError, Place, Problem, SolverError, SystemError
+from ._errors import InputError, Place, Problem, SolverError, SystemError, WarningRecord
 from ._millstand import (
     Bearing,
     BearingState,
@@ -50,5 +50,5 @@ _atexit.register(_finish_left_work)
 __all__ = [
     "Analysis", "Bearing", "BearingState", "Calibration", "Case", "Chain", "Chatter", "Check", "Curves", "InputError",
     "Modes", "PairState", "Place", "Problem", "Record", "Result", "RollPair", "Run", "SolverError", "StabilityMap",
-    "Study", "SweepTable", "SystemError", "bar", "load", "new", "record", "study", "sweep",
+    "Study", "SweepTable", "SystemError", "WarningRecord", "bar", "load", "new", "record", "study", "sweep",
 ]

@@ -9,7 +9,7 @@ import numpy.typing as npt
 __all__ = [
     "Analysis", "Bearing", "BearingState", "Calibration", "Case", "Chain", "Chatter", "Check", "Curves", "InputError",
     "Modes", "PairState", "Place", "Problem", "Record", "Result", "RollPair", "Run", "SolverError", "StabilityMap",
-    "Study", "SweepTable", "SystemError", "bar", "load", "new", "record", "study", "sweep",
+    "Study", "SweepTable", "SystemError", "WarningRecord", "bar", "load", "new", "record", "study", "sweep",
 ]
 
 __version__: str
@@ -31,6 +31,16 @@ class Problem(NamedTuple):
     value: str
     remedy: str
     related: tuple[Place, ...] = ...
+
+class WarningRecord(NamedTuple):
+    id: str
+    subject: str
+    fact: str
+    detail: str
+    remedy: str
+    concerns: tuple[str, ...]
+    key: str
+    place: Place
 
 class InputError(ValueError):
     def __init__(self, text: str, problems: Iterable[Problem] = ()) -> None: ...
@@ -109,6 +119,8 @@ class Run:
     def summary(self) -> str: ...
     @property
     def warnings(self) -> list[str]: ...
+    @property
+    def warning_records(self) -> list[WarningRecord]: ...
     @property
     def assumptions(self) -> list[str]: ...
     @property
@@ -219,6 +231,8 @@ class BearingState:
     def L10mr(self) -> Result: ...
     @property
     def warnings(self) -> list[str]: ...
+    @property
+    def warning_records(self) -> list[WarningRecord]: ...
     @property
     def assumptions(self) -> list[str]: ...
     def __getitem__(self, name: str) -> Result: ...

@@ -27,6 +27,24 @@ class Problem(NamedTuple):
         return f"{self.place}: {self.message}" if self.place.file else self.message
 
 
+class WarningRecord(NamedTuple):
+    """A warning of a run by its parts; docs/output.md has the ids."""
+
+    id: str
+    subject: str
+    fact: str
+    detail: str
+    remedy: str
+    concerns: tuple
+    key: str
+    place: Place
+
+    def __str__(self):
+        head = f"{self.subject}: {self.fact}" if self.subject else self.fact
+        rest = "; ".join(part for part in (self.detail, self.remedy) if part)
+        return head + ((": " if self.detail else "; ") + rest if rest else "")
+
+
 class InputError(ValueError):
     """A mistake in a case, a record or an argument; str() is what the program prints."""
 

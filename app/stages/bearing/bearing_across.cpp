@@ -9,7 +9,7 @@ namespace mill {
 namespace {
 bool on_block(const RollerBearing &b)
 {
-  return b.rings == "elastic" && b.chock == "block";
+  return b.rings == RingBodies::elastic && b.chock == ChockForm::block;
 }
 
 // The chock seen along the pass line: its height lies across the load then, and all of that side is the support.
@@ -35,11 +35,11 @@ double across(const bearing::BearingModel &model, const BearingQuestion &q)
   return stiffness_along(bearing::BearingAssembly(model).solve(loading), loading, 0);
 }
 
-double by_law(const BearingQuestion &q, const std::string &law)
+double by_law(const BearingQuestion &q, const OneRollerLaw law)
 {
   RollerBearing b = with_row_places(q.bearing);
   b.roller_law    = law;
-  b.rings         = "rigid";
+  b.rings         = RingBodies::rigid;
   return across(bearing::rigid_model(b), q);
 }
 }  // namespace
@@ -59,7 +59,8 @@ Eigen::VectorXd all_across(RunContext &run, const BearingStudy &s)
       on_block(q.bearing) ? with_support(run, q.bearing, s.parts, on_liner(q.bearing)) : s.parts;
   const auto n = Eigen::Index(parts.companions.size());
   Eigen::VectorXd all(3 + n);
-  all.head<3>() << across(parts.model, q), by_law(q, "iso"), s.parts.roller ? not_given : by_law(q, "palmgren");
+  all.head<3>() << across(parts.model, q), by_law(q, OneRollerLaw::iso),
+      s.parts.roller ? not_given : by_law(q, OneRollerLaw::palmgren);
   for (Eigen::Index i = 0; i < n; ++i)
     all[3 + i] = across(parts.companions[std::size_t(i)].model, q);
   return all;

@@ -73,7 +73,7 @@ Table roller_table(const BearingStudy &s)
   return t;
 }
 
-RollerBearing with_law(RollerBearing b, const std::string &law)
+RollerBearing with_law(RollerBearing b, const OneRollerLaw law)
 {
   b.roller_law = law;
   return b;
@@ -115,10 +115,10 @@ Table law_table(const BearingStudy &s)
     });
     add("slices", by_law(s.parts.model.roller));
   }
-  for (const char *law : {"iso", "palmgren", "elastic"})
-    if (std::string(law) != "elastic" || std::isfinite(b.bore + b.outside_diameter + b.roller_diameter)) {
+  for (const OneRollerLaw law : {OneRollerLaw::iso, OneRollerLaw::palmgren, OneRollerLaw::elastic})
+    if (law != OneRollerLaw::elastic || std::isfinite(b.bore + b.outside_diameter + b.roller_diameter)) {
       const auto other = bearing::roller_law(with_law(b, law));
-      add(law, by_law(other));
+      add(word_of(law), by_law(other));
     }
   return t;
 }
@@ -211,10 +211,11 @@ void write_bearing(RunContext &run, const BearingStudy &s)
   write_curve(run, curve::bearing_tangent, name, tangent_table(s));
   write_curve(run, curve::bearing_cage, name, readings.table("cage", [&] { return cage_table(s); }));
   if (s.parts.roller && s.at.roller_load.maxCoeff() > largest_contact_load(s.parts))
-    run.warn(fmt::format(
-        "bearing {}: the heaviest roller carries {:.4g} kN, contact elements are meshed up to {:.4g} kN "
-        "(4.5 GPa at most); its pressure map and its tilt are left out",
-        s.question.bearing.name, s.at.roller_load.maxCoeff() / 1e3, largest_contact_load(s.parts) / 1e3));
+    run.warn({WarningId::bearing_pressure_map, "bearing " + s.question.bearing.name,
+              fmt::format("the heaviest roller carries {:.4g} kN, contact elements are meshed up to {:.4g} kN "
+                          "(4.5 GPa at most)",
+                          s.at.roller_load.maxCoeff() / 1e3, largest_contact_load(s.parts) / 1e3),
+              "its pressure map and its tilt are left out"});
   else if (s.parts.roller) {
     write_curve(run, curve::bearing_tilt, name, readings.table("tilt", [&] { return tilt_table(s); }));
     std::optional<fem::RollerContactState> heaviest;

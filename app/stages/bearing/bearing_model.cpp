@@ -119,7 +119,7 @@ bearing::RacewayDatum datum_of(const RollerBearing &b)
 // cup.
 double land_of(RollerBearing b)
 {
-  b.chock = "rigid";
+  b.chock = ChockForm::rigid;
   return bearing::ring_sections(b, datum_of(b)).cone.land;
 }
 
@@ -153,9 +153,9 @@ RollerBearing with_row_places(RollerBearing b)
 
 RollerBearing between_rigid_rings(RollerBearing b)
 {
-  if (b.roller_law == "fe")
-    b.roller_law = "iso";
-  b.rings = "rigid";
+  if (b.roller_law == OneRollerLaw::fe)
+    b.roller_law = OneRollerLaw::iso;
+  b.rings = RingBodies::rigid;
   return with_row_places(std::move(b));
 }
 
@@ -205,9 +205,9 @@ CondensedParts condensed_parts(RunContext &run, const RollerBearing &b, const do
 {
   CondensedParts parts;
   std::vector<IndependentStage> stages;
-  if (b.rings == "elastic")
+  if (b.rings == RingBodies::elastic)
     stages.push_back([&](RunContext &part_run) { parts.rings = condensed_rings(part_run, b, datum_of(b)); });
-  if (b.roller_law == "fe") {
+  if (b.roller_law == OneRollerLaw::fe) {
     const auto setup = setup_of(b, bearing::ring_walls(b), land_of(b), largest_load);
     const auto name  = "roller of bearing " + b.name;
     stages.push_back(
@@ -246,12 +246,14 @@ BearingParts with_support(RunContext &run, const RollerBearing &b, BearingParts 
 
 std::string roller_inputs(const RollerBearing &b, const double largest_load)
 {
-  return b.roller_law == "fe" ? inputs_of(setup_of(b, bearing::ring_walls(b), land_of(b), largest_load)) : "";
+  return b.roller_law == OneRollerLaw::fe
+             ? inputs_of(setup_of(b, bearing::ring_walls(b), land_of(b), largest_load))
+             : "";
 }
 
 std::string ring_inputs(const RollerBearing &b)
 {
-  return b.rings == "elastic" ? inputs_of(bearing::ring_sections(b, datum_of(b))) : "";
+  return b.rings == RingBodies::elastic ? inputs_of(bearing::ring_sections(b, datum_of(b))) : "";
 }
 
 BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load,
@@ -260,13 +262,13 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
   BearingParts parts;
   parts.model.bearing = with_row_places(b);
   auto supports       = also;
-  if (b.rings == "elastic") {
+  if (b.rings == RingBodies::elastic) {
     const auto open = bearing::open_supports(b);
     supports.insert(supports.begin(), open.begin(), open.end());
   }
   auto condensed     = condensed_parts(run, b, largest_load, supports);
   parts.surroundings = std::move(condensed.surroundings);
-  if (b.roller_law == "fe") {
+  if (b.roller_law == OneRollerLaw::fe) {
     const auto walls      = bearing::ring_walls(b);
     parts.law_depth_inner = walls.inner;
     parts.law_depth_outer = walls.outer;
@@ -277,7 +279,7 @@ BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double
     parts.model.roller = bearing::with_limits(fem::fe_roller_law(*parts.roller, b.slices, drop_of(b)));
   } else
     parts.model.roller = bearing::with_limits(bearing::roller_law(b));
-  if (b.rings == "elastic")
+  if (b.rings == RingBodies::elastic)
     add_rings(run, b, *condensed.rings, parts);
   return parts;
 }
@@ -304,7 +306,7 @@ namespace {
 // What presses every roller at rest, between rigid rings and by the standard's law; N.  0: nothing.
 double load_at_rest(RollerBearing b)
 {
-  b.roller_law         = "iso";
+  b.roller_law         = OneRollerLaw::iso;
   const auto law       = bearing::roller_law(b);
   const double pressed = bearing::approach_offset(b, law);
   return pressed > 0 ? bearing::roller_load(law, pressed, 0).load : 0;
@@ -345,14 +347,14 @@ void check_fit(const Case &the_case, const RollerBearing &b, std::vector<Problem
 // Refuses a drawing that cannot be meshed, before anything is computed.
 void check_drawing(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
 {
-  if (b.rings != "elastic" && b.roller_law != "fe")
+  if (b.rings != RingBodies::elastic && b.roller_law != OneRollerLaw::fe)
     return;
   try {
-    if (b.rings == "elastic")
+    if (b.rings == RingBodies::elastic)
       bearing::ring_sections(b, datum_of(b));
     else
       land_of(b);
-    if (b.profile != "none")
+    if (b.profile != RollerProfile::none)
       drop_of(b)(0);
   } catch (const InputError &e) {
     problems.push_back({place_of(the_case, "bearing." + b.name + ".type"), e.problems.at(0).message, {}});

@@ -173,7 +173,7 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
     std::vector<Check> checks;
     if (std::isfinite(iso))
       checks.push_back({"ISO/TS 16281, rigid rings", iso, ""});
-    if (std::isfinite(rigid) && b.rings == "elastic")
+    if (std::isfinite(rigid) && b.rings == RingBodies::elastic)
       checks.push_back({"the same rollers, rigid rings", rigid, ""});
     add(name, beyond,
         "bearing load at which the " + what + " takes the published total" +

@@ -221,7 +221,7 @@ void add_speeds(RatingResults &out, const RatedBearing &r)
     out.run.assume(
         fmt::format("bearing.{}: the lives are in revolutions only, since the speed of the shaft is not "
                     "known; give {} for hours",
-                    b.name, out.run.the_case.kind == "four-high" ? "pass.speed" : "load.speed"));
+                    b.name, std::holds_alternative<FourHigh>(out.run.the_case.spec) ? "pass.speed" : "load.speed"));
     return;
   }
   const auto hours = [&](const char *name) {

@@ -1,4 +1,5 @@
 #include "app/stages/bearing/bearing_readings.h"
+#include "app/run/error_warnings.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/records/cache_entry.h"
@@ -79,7 +80,7 @@ void BearingReadings::keep(RunContext &run)
     write_cache_entry(file, readings_kind, key, writer.bytes);
     grown = false;
   } catch (const InputError &e) {
-    run.warn(std::string("readings of a bearing could not be kept for the next run: ") + e.what());
+    run.warn(not_kept("readings of a bearing", e));
   }
 }
 }  // namespace mill

@@ -247,11 +247,17 @@ void warn_of_arrangement(RunContext &run, const std::string &prefix, const Beari
     tilting = prefix + ".tilting between rigid rings: " +
               range([&](const auto &state) { return bearing::stiffness_along(state, s.loading, 4); },
                     "{:.3g} .. {:.3g} kN m/mrad; ", 1e-6);
-  run.warn(fmt::format(
-      "bearing {}: arrangement is not given; {} is assumed, and {}.tilting, the axial forces of the rows "
-      "and, under tilt, their shares depend on it (alternatives: {}). {}{}. Give bearing.{}.arrangement as the "
-      "drawing shows it",
-      b.name, arrangement_name(b.arrangement, b.rows), prefix, others, tilting, shares, b.name));
+  const std::string key = "bearing." + b.name + ".arrangement";
+  run.warn(
+      {WarningId::bearing_arrangement,
+       "bearing " + b.name,
+       "arrangement is not given",
+       fmt::format("{} is assumed, and {}.tilting, the axial forces of the rows and, under tilt, their shares "
+                   "depend on it (alternatives: {}). {}{}",
+                   arrangement_name(b.arrangement, b.rows), prefix, others, tilting, shares),
+       fmt::format("give {} as the drawing shows it", key),
+       {prefix},
+       key});
 }
 
 void say_supports(RunContext &run, const std::string &prefix, const BearingStudy &s)
@@ -280,24 +286,39 @@ void note_bearing(RunContext &run, const std::string &prefix, const BearingStudy
     run.assume(
         fmt::format("bearing.{}.pitch_diameter is not given: {:.5g} mm, the mean of bore and outside diameter",
                     b.name, 1e3 * bearing::pitch_diameter(b)));
-  const int loaded = s.at.loaded_rollers.maxCoeff();
+  const std::string subject = "bearing " + b.name;
+  const int loaded          = s.at.loaded_rollers.maxCoeff();
   if (loaded <= 2)
-    run.warn(fmt::format("bearing {}: of {} rollers of a row {} carr{} {}; with a clearance of {:.4g} mm the "
-                         "stiffness depends on the position of the cage",
-                         b.name, b.rollers_per_row, loaded, loaded == 1 ? "ies" : "y",
-                         s.question.radial > 0 ? fmt::format("{:.4g} kN", s.question.radial / 1e3) : "the load",
-                         1e3 * b.radial_clearance));
+    run.warn(
+        {WarningId::bearing_few_rollers,
+         subject,
+         fmt::format("of {} rollers of a row {} carr{} {}", b.rollers_per_row, loaded, loaded == 1 ? "ies" : "y",
+                     s.question.radial > 0 ? fmt::format("{:.4g} kN", s.question.radial / 1e3) : "the load"),
+         fmt::format("with a clearance of {:.4g} mm the stiffness depends on the position of the cage",
+                     1e3 * b.radial_clearance),
+         "",
+         {prefix}});
   const double heaviest = s.at.roller_load.maxCoeff();
   if (std::isfinite(b.roller_diameter) && std::isfinite(bearing::pitch_diameter(b))) {
     const double pressure = bearing::elastic_roller(b, heaviest, b.roller_diameter / 2).inner_peak_pressure;
     if (pressure > b.yield_pressure)
-      run.warn(
-          fmt::format("bearing {}: the heaviest roller presses its inner raceway with {:.0f} MPa under {:.4g} kN; "
-                      "bearing.{}.yield_pressure is {:.0f} MPa, beyond which elastic stiffnesses end",
-                      b.name, pressure / 1e6, heaviest / 1e3, b.name, b.yield_pressure / 1e6));
+      run.warn({WarningId::bearing_yield,
+                subject,
+                fmt::format("the heaviest roller presses its inner raceway with {:.0f} MPa under {:.4g} kN",
+                            pressure / 1e6, heaviest / 1e3),
+                fmt::format("bearing.{}.yield_pressure is {:.0f} MPa, beyond which elastic stiffnesses end",
+                            b.name, b.yield_pressure / 1e6),
+                "",
+                {prefix},
+                "bearing." + b.name + ".yield_pressure"});
   }
   if (s.at.row_share.minCoeff() < 0)
-    run.warn(fmt::format("bearing {}: the tilt loads a row on the far side (its share is {:.3g} %)", b.name,
-                         100 * s.at.row_share.minCoeff()));
+    run.warn({WarningId::bearing_far_row,
+              subject,
+              fmt::format("the tilt loads a row on the far side (its share is {:.3g} %)",
+                          100 * s.at.row_share.minCoeff()),
+              "",
+              "",
+              {prefix}});
 }
 }  // namespace mill

@@ -16,14 +16,14 @@
 
 namespace mill {
 namespace {
-RollerBearing by_standard(RollerBearing b, const std::string &law)
+RollerBearing by_standard(RollerBearing b, const OneRollerLaw law)
 {
   b.roller_law = law;
-  b.rings      = "rigid";
+  b.rings      = RingBodies::rigid;
   return b;
 }
 
-bearing::BearingModel standard_model(const BearingQuestion &q, const std::string &law)
+bearing::BearingModel standard_model(const BearingQuestion &q, const OneRollerLaw law)
 {
   auto model              = bearing::rigid_model(by_standard(with_row_places(q.bearing), law));
   model.cage_angle        = q.cage_angle;
@@ -58,11 +58,11 @@ std::vector<BearingVariant> companions_of(const BearingStudy &s)
   }
   if (!s.parts.roller) {
     // Without elements the spread of the published laws is how well the law of one roller is known.
-    const bool is_iso = s.question.bearing.roller_law == "iso";
+    const bool is_iso = s.question.bearing.roller_law == OneRollerLaw::iso;
     out.push_back({"another law of one roller", s.parts.model});
-    auto &other = out.back().model;
-    other.roller =
-        bearing::with_limits(bearing::roller_law(by_standard(other.bearing, is_iso ? "palmgren" : "iso")));
+    auto &other  = out.back().model;
+    other.roller = bearing::with_limits(
+        bearing::roller_law(by_standard(other.bearing, is_iso ? OneRollerLaw::palmgren : OneRollerLaw::iso)));
   }
   return out;
 }
@@ -105,7 +105,7 @@ std::vector<StudyVariant> named(const std::vector<BearingVariant> &variants,
 // The radial stiffness by the models that the case does not use.
 void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const std::string &rigid_name)
 {
-  const bool elastic      = s.question.bearing.rings == "elastic";
+  const bool elastic      = s.question.bearing.rings == RingBodies::elastic;
   const std::string other = elastic ? "rigid rings" : "another law of one roller";
   const auto add = [&](const std::string &name, const bearing::AssemblyState &state, const std::string &note) {
     s.tangent_checks.push_back({name, bearing::radial_tangent(state, s.loading), note});
@@ -185,18 +185,41 @@ OperatingPoint operating_point(const BearingStudy &s)
   return load_text;
 }
 
+namespace {
+std::string law_name(const OneRollerLaw law)
+{
+  switch (law) {
+  case OneRollerLaw::fe:
+    return "contact FEM of one roller";
+  case OneRollerLaw::iso:
+    return "ISO/TS 16281 laminae";
+  case OneRollerLaw::palmgren:
+    return "Palmgren, two contacts in series";
+  case OneRollerLaw::elastic:
+    return "elastic line contact";
+  }
+  return "";
+}
+
+std::string seat_name(const ChockForm chock)
+{
+  switch (chock) {
+  case ChockForm::block:
+    return "block chock";
+  case ChockForm::round:
+    return "round housing";
+  case ChockForm::rigid:
+    return "cup held";
+  }
+  return "";
+}
+}  // namespace
+
 std::string model_name(const RollerBearing &b)
 {
-  const std::string law = b.roller_law == "fe"         ? "contact FEM of one roller"
-                          : b.roller_law == "iso"      ? "ISO/TS 16281 laminae"
-                          : b.roller_law == "palmgren" ? "Palmgren, two contacts in series"
-                                                       : "elastic line contact";
-  if (b.rings != "elastic")
-    return law + ", rigid rings";
-  return law + ", elastic rings, " +
-         (b.chock == "rigid"   ? "cup held"
-          : b.chock == "round" ? "round housing"
-                               : "block chock");
+  if (b.rings != RingBodies::elastic)
+    return law_name(b.roller_law) + ", rigid rings";
+  return law_name(b.roller_law) + ", elastic rings, " + seat_name(b.chock);
 }
 
 double largest_roller_load(const BearingQuestion &q)
@@ -215,9 +238,10 @@ double largest_roller_load(const BearingQuestion &q)
   }
   if (std::isfinite(q.axial_displacement)) {
     const double approach = std::abs(q.axial_displacement) * std::sin(q.bearing.cup_angle);
-    const double each     = bearing::roller_constant("iso", q.bearing.roller_length) * std::pow(approach, 10. / 9);
-    const double even     = each * q.bearing.rows * q.bearing.rollers_per_row * std::cos(q.bearing.cup_angle) / 5;
-    bound                 = std::max(bound, roller_load_bound(q.bearing, radial + even, q.tilt));
+    const double each =
+        bearing::roller_constant(OneRollerLaw::iso, q.bearing.roller_length) * std::pow(approach, 10. / 9);
+    const double even = each * q.bearing.rows * q.bearing.rollers_per_row * std::cos(q.bearing.cup_angle) / 5;
+    bound             = std::max(bound, roller_load_bound(q.bearing, radial + even, q.tilt));
   }
   return bound;
 }
@@ -226,7 +250,7 @@ namespace {
 bearing::BearingModel with_rigid_rings(bearing::BearingModel model)
 {
   model.rings         = {};
-  model.bearing.rings = "rigid";
+  model.bearing.rings = RingBodies::rigid;
   return model;
 }
 
@@ -248,15 +272,16 @@ SolvedBearing solve_all(RunContext &run, BearingStudy &s)
     curve = assembly.curve(loadings);
     state = assembly.solve(s.loading);
   };
-  run_side_by_side(run, {[&](RunContext &part_run) {
-                           bearing::BearingAssembly assembly(s.parts.model);
-                           s.curve = assembly.curve(loadings);
-                           out.at  = solve_or_keep(part_run, s, assembly);
-                         },
-                         [&](RunContext &) { by(standard_model(q, "iso"), standard_curve, out.standard); },
-                         [&](RunContext &) { by(rigid_model, rigid_curve, out.rigid); }});
+  run_side_by_side(run,
+                   {[&](RunContext &part_run) {
+                      bearing::BearingAssembly assembly(s.parts.model);
+                      s.curve = assembly.curve(loadings);
+                      out.at  = solve_or_keep(part_run, s, assembly);
+                    },
+                    [&](RunContext &) { by(standard_model(q, OneRollerLaw::iso), standard_curve, out.standard); },
+                    [&](RunContext &) { by(rigid_model, rigid_curve, out.rigid); }});
   run.progress.at("bearing " + q.bearing.name, 0.8);
-  out.palmgren        = bearing::BearingAssembly(standard_model(q, "palmgren")).solve(s.loading);
+  out.palmgren        = bearing::BearingAssembly(standard_model(q, OneRollerLaw::palmgren)).solve(s.loading);
   out.slice_deviation = s.slice_deviation = deviation_of_slices(s.parts, out.at.roller_load.maxCoeff());
   out.companions                          = solved_all(run, s, companions_of(s));
   out.supports                            = solved_all(run, s, s.parts.supports);
@@ -296,8 +321,9 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
   s.standard_curve.states         = std::move(solved.standard_curve);
   s.rigid_curve.states            = std::move(solved.rigid_curve);
   if (s.curve.failure)
-    run.warn(fmt::format("bearing {}: {}; the curve ends at {} of {} loads", q.bearing.name, s.curve.failure->what,
-                         s.curve.states.size(), q.loads.size()));
+    run.warn({WarningId::bearing_curve_ends, "bearing " + q.bearing.name,
+              fmt::format("the curve ends at {} of {} loads", s.curve.states.size(), q.loads.size()),
+              s.curve.failure->what, s.curve.failure->remedy});
   s.at              = std::move(solved.at);
   s.standard        = std::move(solved.standard);
   s.rigid           = std::move(solved.rigid);

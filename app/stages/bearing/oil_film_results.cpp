@@ -4,6 +4,7 @@
 #include "core/case/provenance.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
+#include "core/records/result_names.h"
 #include "reduce/bearing/oil_film/closed_forms.h"
 #include "reduce/bearing/oil_film/parabolic_film.h"
 #include <Eigen/LU>
@@ -272,7 +273,11 @@ void note_oil_film(RunContext &run, const OilFilmStudy &s, const bool in_chain)
       "the loss would be {:.3g} kW in place of {:.3g} kW",
       name, state.power_streamers / 1e3, state.power_loss / 1e3));
   if (state.temperature > 273.15 + 90)
-    run.warn(fmt::format("bearing {}: the film is at {:.3g} degC; babbitt softens and oil ages above 90 degC",
-                         name, state.temperature - 273.15));
+    run.warn({WarningId::oil_film_hot,
+              "bearing " + name,
+              fmt::format("the film is at {:.3g} degC", state.temperature - 273.15),
+              "babbitt softens and oil ages above 90 degC",
+              "",
+              {result_name({"bearing", name})}});
 }
 }  // namespace mill

@@ -167,8 +167,8 @@ void write_aspects(RunContext &run, const BiteStudy &study)
     karman[i]      = slab(Theory::karman);
     orowan[i]      = slab(Theory::orowan);
     FlowQuestion q = cheap(study, bite, "over the aspect");
-    q.setup.strip  = "rigid-plastic";  // the aspect is a matter of plastic flow between rigid rolls
-    q.setup.arc    = "rigid";
+    q.setup.strip  = BiteStrip::rigid_plastic;  // the aspect is a matter of plastic flow between rigid rolls
+    q.setup.arc    = BiteArc::rigid;
     questions.push_back(std::move(q));
   }
   const auto points = solve_flow_points(run, questions);

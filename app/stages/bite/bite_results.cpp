@@ -340,55 +340,69 @@ void add_bite_spring(RunContext &run, const BiteSpring &spring)
 }
 
 namespace {
-void note_force(RunContext &run, const BiteStudy &s, const std::string &where)
+std::vector<std::string> concerned_by(const BiteStudy &s)
+{
+  return {family::bite_spring, result_name({family::bite, s.question.pass})};
+}
+
+void note_force(RunContext &run, const BiteStudy &s, const std::string &subject)
 {
   if (std::isnan(s.question.force) || s.question.stress_fitted_to_force)
     return;  // a stress that was fitted to the force says nothing of the case
   const double force = s.chosen().state.force;
   const bool fitted  = is_fitted(s);
-  const std::string sentence =
-      fmt::format("{}{} give {} by {}; {} is {}", where,
+  const std::string forces =
+      fmt::format("{} give {} by {}; {} is {}",
                   fitted ? "the fitted flow stress and friction" : "strip.flow_stress and strip.friction",
                   in_kN(force), model_text(s.chosen()), s.question.force_name, in_kN(s.question.force));
   if (agrees_with_force(s))
-    run.assume(sentence);
+    run.assume(subject + ": " + forces);
   else
-    run.warn(
-        fmt::format("{}, {:+.0f} %: K4 is that of the former", sentence, 100 * (force / s.question.force - 1)));
+    run.warn({WarningId::bite_force, subject,
+              fmt::format("{}, {:+.0f} %", forces, 100 * (force / s.question.force - 1)),
+              "K4 is that of the former", fitted ? "" : force_remedy, concerned_by(s)});
 }
 }  // namespace
 
 void note_bite(RunContext &run, const BiteStudy &s)
 {
-  const std::string where = "bite of " + s.question.pass + ": ";
-  for (const std::string &note : s.chosen().state.notes)
-    run.warn(where + note);
+  const std::string subject = "bite of " + s.question.pass, where = subject + ": ";
+  for (Warning note : s.chosen().state.notes) {
+    note.subject  = subject;
+    note.concerns = concerned_by(s);
+    run.warn(std::move(note));
+  }
   for (const std::string &remark : s.chosen().state.remarks)
     run.assume(where + remark);
   if (!s.failures.empty()) {
     std::string causes;
     for (const std::string &failure : s.failures)
       causes += (causes.empty() ? "" : "; ") + failure;
-    run.warn(where + "the value is that of " + model_text(s.chosen()) +
-             ", because the finite elements found no solution: " + causes);
+    run.warn({WarningId::bite_model_refused, subject,
+              "the value is that of " + model_text(s.chosen()) + ", because the finite elements found no solution",
+              causes, "", concerned_by(s)});
   }
   if (!s.slab().refused.empty())
-    run.warn(where + "the slab theory for comparison has no solution: " + s.slab().refused);
-  const bool free_arc = s.chosen().key == "karman-elastic-arc" ||
-                        (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == "elastic");
+    run.warn({WarningId::bite_model_refused, subject, "the slab theory for comparison has no solution",
+              s.slab().refused, "", concerned_by(s)});
+  const bool free_arc =
+      s.chosen().key == "karman-elastic-arc" ||
+      (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == BiteArc::elastic);
   if (free_arc)
     run.assume(where +
                "strip.exit_thickness is the smallest thickness of the strip under elastic rolls; the strip "
                "springs back from there to bite." +
                s.question.pass + ".exit_thickness");
   if (s.beyond_circle())
-    run.warn(where +
-             (s.find("karman-elastic-arc")
-                  ? "the error estimates include the distance to the free arc, which is not a circle"
-                  : "no free arc was found to compare with: force and K4 are stated without an error estimate"));
+    run.warn(s.find("karman-elastic-arc")
+                 ? Warning{WarningId::bite_arc_error, subject,
+                           "the error estimates include the distance to the free arc, which is not a circle", "",
+                           "", concerned_by(s)}
+                 : Warning{WarningId::bite_arc_error, subject, "no free arc was found to compare with",
+                           "force and K4 are stated without an error estimate", "", concerned_by(s)});
   for (const BiteAnswer &answer : s.answers)
     if (!answer.refused.empty() && answer.key != "fe" && &answer != &s.slab())
       run.assume(where + answer.key + " has no answer: " + answer.refused);
-  note_force(run, s, where);
+  note_force(run, s, subject);
 }
 }  // namespace mill

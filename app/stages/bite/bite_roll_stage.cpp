@@ -58,7 +58,7 @@ meshes::BiteRollSize section_size(const BiteQuestion &q)
   size.radius = q.bite.roll_radius;
   size.arc    = std::sqrt(size.radius * (strip.entry_thickness - strip.exit_thickness));
   // Elastic zones and the flattening make the contact of a light pass much longer than its rigid arc.
-  if (q.setup.strip == "elastic-plastic")
+  if (q.setup.strip == BiteStrip::elastic_plastic)
     size.reach = std::clamp(0.6 * size.radius / size.arc, 1.2, 4.8);  // within 40 degrees of the roll
   return size;
 }

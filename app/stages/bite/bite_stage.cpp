@@ -52,12 +52,44 @@ void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &
   }
 }
 
+// A theory that was asked for and that has no answer ends the run, whatever the others say; on the free arc it is
+// asked on the section of the roll, which only a run meshes.
+void check_theory(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass,
+                  std::vector<Problem> &problems)
+{
+  if (setup.method != BiteMethod::slab || setup.arc == BiteArc::elastic || !setup.fit.empty())
+    return;
+  const auto refuse = [&](const std::string &why) {
+    problems.push_back({pass.place, "pass \"" + pass.name + "\": " + why, {}});
+  };
+  try {
+    const BiteSetup settled = settled_setup(setup, bite::regime_of(bite));
+    bite::SlabModel model   = slab_model(settled);
+    model.curve_points      = 0;
+    if (model.arc == bite::Arc::hitchcock)
+      bite::solve_slab(bite, model);
+  } catch (const InputError &e) {
+    refuse(e.problems.front().message);
+  } catch (const SolverError &e) {
+    refuse(e.report.what + (e.report.remedy.empty() ? "" : "; " + e.report.remedy));
+  }
+}
+
+void check_whole_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass,
+                      std::vector<Problem> &problems)
+{
+  const std::size_t before = problems.size();
+  check_pass(bite, setup, pass, problems);
+  if (problems.size() == before)
+    check_theory(bite, setup, pass, problems);
+}
+
 // Measured values are checks of the computed ones; after a fit the agreement of the force is by construction.
 void add_measured(BiteQuestion &q, const Pass &pass)
 {
   q.measured_slip   = pass.forward_slip;
   q.measured_torque = pass.torque;
-  if (std::count(q.setup.fit.begin(), q.setup.fit.end(), "force") > 0)
+  if (std::count(q.setup.fit.begin(), q.setup.fit.end(), PassMeasure::force) > 0)
     q.force_deviation = pass.force_deviation;
 }
 
@@ -93,13 +125,32 @@ void check_bites(const Case &the_case)
   std::vector<Problem> problems;
   if (const auto *stand = std::get_if<FourHigh>(&the_case.spec); stand && !stand->given.count("K4"))
     for (const Pass &pass : stand->passes)
-      check_pass(bite_of(stand->strip, pass, stand->work_roll.barrel_diameter, stand->steel), stand->bite, pass,
-                 problems);
+      check_whole_pass(bite_of(stand->strip, pass, stand->work_roll.barrel_diameter, stand->steel), stand->bite,
+                       pass, problems);
   if (const auto *bite = std::get_if<BiteCase>(&the_case.spec))
     for (const Pass &pass : bite->passes)
-      check_pass(bite_of(bite->strip, pass, bite->roll_diameter, bite->steel), bite->bite, pass, problems);
+      check_whole_pass(bite_of(bite->strip, pass, bite->roll_diameter, bite->steel), bite->bite, pass, problems);
   if (!problems.empty())
     throw InputError(std::move(problems));
+}
+
+std::optional<Warning> bite_without_theory(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass)
+{
+  if (setup.method == BiteMethod::slab || !setup.fit.empty())
+    return {};
+  BiteQuestion q;
+  q.bite  = bite;
+  q.setup = setup;
+  q.pass  = pass.name;
+  try {
+    auto warning = bite_without_theory(q);
+    if (warning)
+      warning->place = pass.place;
+    return warning;
+  } catch (const InputError &) {  // check_bites() says so
+  } catch (const SolverError &) {
+  }
+  return {};
 }
 
 BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,

@@ -16,6 +16,10 @@ bite::RollBite bite_of(const Strip &strip, const Pass &pass, double roll_diamete
 /// @throws InputError  with the place of every such pass
 void check_bites(const Case &the_case);
 
+/// What a run says of a pass for which only finite elements can have an answer (app/stages/bite/bite_study.h), at
+/// its place; nothing where check_bites() refuses it, or where the strip is fitted.
+std::optional<Warning> bite_without_theory(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass);
+
 /// K4 of one pass of a stand, by the model of [bite]; its combined stiffness (plastic slope in series with both
 /// arcs) is that of the chain.
 /// @param first   true: add K4.* to the results

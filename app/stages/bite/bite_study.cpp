@@ -3,6 +3,7 @@
 #include "app/stages/bite/strip_flow_stage.h"
 #include "core/base/errors.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/result_names.h"
 #include "reduce/bite/slab/flattening.h"
 #include <algorithm>
 #include <cmath>
@@ -37,7 +38,7 @@ BiteAnswer ask(const BiteStudy &study, const std::string &key, const bite::SlabM
 std::vector<std::pair<std::string, bite::SlabModel>> models_beside(const BiteQuestion &q)
 {
   const bool factors = !slides(q.bite.strip.friction);
-  const Arc arc      = q.setup.arc == "rigid" ? Arc::rigid : Arc::hitchcock;
+  const Arc arc      = q.setup.arc == BiteArc::rigid ? Arc::rigid : Arc::hitchcock;
   std::vector<std::pair<std::string, bite::SlabModel>> models{{"karman-rigid", {Theory::karman, Arc::rigid}},
                                                               {"karman", {Theory::karman, arc}},
                                                               {"orowan", {Theory::orowan, arc}}};
@@ -47,14 +48,14 @@ std::vector<std::pair<std::string, bite::SlabModel>> models_beside(const BiteQue
     models.push_back({"bland-ford", {Theory::bland_ford, arc}});
   if (factors || plain_coefficient(q.bite.strip.friction) >= 0.25)  // it takes the strip as sticking
     models.push_back({"sims", {Theory::sims, arc}});
-  if (q.setup.arc == "elastic" || (q.setup.arc == "hitchcock" && q.curves))
+  if (q.setup.arc == BiteArc::elastic || (q.setup.arc == BiteArc::hitchcock && q.curves))
     models.push_back({"karman-elastic-arc", {Theory::karman, Arc::elastic}});
   return models;
 }
 
 std::string key_of(const BiteSetup &setup)
 {
-  return setup.arc == "elastic" ? "karman-elastic-arc" : setup.theory;
+  return setup.arc == BiteArc::elastic ? "karman-elastic-arc" : word_of(setup.theory);
 }
 
 // The section of the roll, where a model of the study needs one.
@@ -78,8 +79,8 @@ void add_section(RunContext &run, BiteStudy &study)
 std::optional<FlowAnswer> try_flow(RunContext &run, BiteStudy &study, const BiteSetup &setup)
 {
   const FlowQuestion q{study.question.bite, setup, study.question.pass};
-  const bool shaped = setup.arc == "elastic";
-  if (shaped && setup.strip == "rigid-plastic")
+  const bool shaped = setup.arc == BiteArc::elastic;
+  if (shaped && setup.strip == BiteStrip::rigid_plastic)
     run.assume(
         "bite of " + q.pass +
         ": a rigid-plastic strip ends with a step of pressure, under which a free arc has no "
@@ -89,11 +90,11 @@ std::optional<FlowAnswer> try_flow(RunContext &run, BiteStudy &study, const Bite
   try {
     return solve_flow(run, q, shaped && study.flexibility.position.size() > 0 ? &study.flexibility : nullptr);
   } catch (const SolverError &e) {
-    study.failures.push_back(setup.strip + " strip: " + e.report.what);
+    study.failures.push_back(fmt::format("{} strip: {}", word_of(setup.strip), e.report.what));
   } catch (const SystemError &) {  // a full disk says nothing about the strip
     throw;
   } catch (const InputError &e) {
-    study.failures.push_back(setup.strip + " strip: " + e.problems.front().message);
+    study.failures.push_back(fmt::format("{} strip: {}", word_of(setup.strip), e.problems.front().message));
   }
   return std::nullopt;
 }
@@ -101,20 +102,20 @@ std::optional<FlowAnswer> try_flow(RunContext &run, BiteStudy &study, const Bite
 // The strip that the regime asks for, not the user: on a mesh that ends in seconds too.
 void take_elastic_strip(BiteSetup &setup)
 {
-  setup.strip            = "elastic-plastic";
+  setup.strip            = BiteStrip::elastic_plastic;
   setup.elements_along   = 3 * setup.elements_along / 4;
   setup.elements_through = 2 * setup.elements_through / 3;
 }
 
 BiteSetup other_strip(BiteSetup setup)
 {
-  const bool was_elastic = setup.strip == "elastic-plastic";
+  const bool was_elastic = setup.strip == BiteStrip::elastic_plastic;
   if (was_elastic)
-    setup.strip = "rigid-plastic";
+    setup.strip = BiteStrip::rigid_plastic;
   else
     take_elastic_strip(setup);
-  if (setup.arc != "rigid")
-    setup.arc = was_elastic ? "hitchcock" : "elastic";
+  if (setup.arc != BiteArc::rigid)
+    setup.arc = was_elastic ? BiteArc::hitchcock : BiteArc::elastic;
   return setup;
 }
 
@@ -149,14 +150,21 @@ void refuse_impossible(const BiteStudy &study)
     throw InputError("bite of " + study.question.pass + ": " + study.slab().refused);
 }
 
+Warning no_arc_carries(const std::string &pass, const bite::Regime &regime)
+{
+  return {WarningId::bite_model_refused,
+          "bite of " + pass,
+          "no arc of these rolls carries its own force",
+          "they flatten by more than the reduction closes (" + regime.reason + ")",
+          "a smaller work roll, less reduction, less friction or more tension is needed",
+          {result_name({family::bite, pass})}};
+}
+
 // No theory has an answer: what the first one says, and how the finite elements ended.
 [[noreturn]] void refuse_pass(const BiteStudy &study)
 {
   if (std::isnan(study.regime.flattening))
-    throw InputError(
-        "bite of " + study.question.pass +
-        ": no arc of these rolls carries its own force: they flatten by more than the reduction closes (" +
-        study.regime.reason + "); a smaller work roll, less reduction, less friction or more tension is needed");
+    throw InputError(text_of(no_arc_carries(study.question.pass, study.regime)));
   std::string tried;
   for (const std::string &failure : study.failures)
     tried += (tried.empty() ? "" : "; ") + failure;
@@ -181,10 +189,10 @@ const BiteAnswer &BiteStudy::slab() const
 
 const BiteAnswer &BiteStudy::chosen() const
 {
-  const BiteAnswer *fe = question.setup.method == "fe" ? find("fe") : nullptr;
+  const BiteAnswer *fe = question.setup.method == BiteMethod::fe ? find("fe") : nullptr;
   if (fe)
     return *fe;
-  if (question.setup.method == "slab")
+  if (question.setup.method == BiteMethod::slab)
     return slab();
   for (const char *key : fallbacks)
     if (const BiteAnswer *answer = find(key))
@@ -195,8 +203,8 @@ const BiteAnswer &BiteStudy::chosen() const
 bool BiteStudy::beyond_circle() const
 {
   const BiteAnswer &answer = chosen();
-  const bool circle        = question.setup.arc == "hitchcock" ||
-                      (question.setup.arc == "elastic" && answer.key == "fe" && !flow->elastic);
+  const bool circle        = question.setup.arc == BiteArc::hitchcock ||
+                      (question.setup.arc == BiteArc::elastic && answer.key == "fe" && !flow->elastic);
   return circle && bite::beyond_hitchcock(question.bite, answer.state.flattened_radius);
 }
 
@@ -227,14 +235,14 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
   study.question.setup   = settled_setup(question.setup, study.regime);
   const BiteSetup &setup = study.question.setup;
   // A circle needs no section of the roll; with the curves it is shown all the same what the free arc would do.
-  if (setup.arc == "elastic" || (setup.arc == "hitchcock" && question.curves))
+  if (setup.arc == BiteArc::elastic || (setup.arc == BiteArc::hitchcock && question.curves))
     add_section(run, study);
   {
     StageTimer timer(run, "bite, slab theories, " + question.pass);
     const std::string chosen = key_of(setup);
     const auto model         = slab_model(setup);
     BiteAnswer first         = ask(study, chosen, model);
-    if (!first.refused.empty() && setup.method == "slab")
+    if (!first.refused.empty() && setup.method == BiteMethod::slab)
       bite::solve_slab(question.bite, model,
                        model.arc == Arc::elastic ? &study.flexibility : nullptr);  // throws the same error again
     study.answers.push_back(std::move(first));
@@ -243,37 +251,49 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
         study.answers.push_back(ask(study, key, other));
   }
   refuse_impossible(study);
-  if (setup.method == "fe")
+  if (setup.method == BiteMethod::fe)
     add_finite_elements(run, study);
   study.chosen();  // or no theory has an answer
   add_for_accuracy(study);
   return study;
 }
 
+std::optional<Warning> bite_without_theory(const BiteQuestion &question)
+{
+  BiteStudy study;
+  study.question = question;
+  study.regime   = bite::regime_of(question.bite);
+  if (!std::isnan(study.regime.flattening))
+    return {};
+  for (const auto &[key, model] : models_beside(question))
+    if (key != "karman-rigid" && key != "sims" && ask(study, key, model).refused.empty())
+      return {};
+  Warning warning = no_arc_carries(question.pass, study.regime);
+  warning.detail += "; a run ends with this unless its finite elements have an answer";
+  return warning;
+}
+
 BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime)
 {
-  const bool circle = setup.arc == "hitchcock", rigid_strip = setup.strip == "rigid-plastic";
-  const bool other_theory = setup.method == "slab" && setup.theory != "karman";  // these theories have no free arc
-  const bool elastic =
-      setup.strip == "elastic-plastic" || (regime.elastic_strip && !circle && !rigid_strip && !other_theory);
-  if (setup.strip == "auto" && elastic)
+  const bool circle = setup.arc == BiteArc::hitchcock, rigid_strip = setup.strip == BiteStrip::rigid_plastic;
+  const bool other_theory =
+      setup.method == BiteMethod::slab && setup.theory != SlabTheory::karman;  // these theories have no free arc
+  const bool elastic = setup.strip == BiteStrip::elastic_plastic ||
+                       (regime.elastic_strip && !circle && !rigid_strip && !other_theory);
+  if (setup.strip == BiteStrip::automatic && elastic)
     take_elastic_strip(setup);
-  else if (setup.strip == "auto")
-    setup.strip = "rigid-plastic";
-  if (setup.arc == "auto")
-    setup.arc = elastic ? "elastic" : "hitchcock";
+  else if (setup.strip == BiteStrip::automatic)
+    setup.strip = BiteStrip::rigid_plastic;
+  if (setup.arc == BiteArc::automatic)
+    setup.arc = elastic ? BiteArc::elastic : BiteArc::hitchcock;
   return setup;
 }
 
 bite::SlabModel slab_model(const BiteSetup &setup)
 {
-  const std::string &name = setup.theory;
-  const Theory theory     = name == "bland-ford"  ? Theory::bland_ford
-                            : name == "hu-ehmann" ? Theory::hu_ehmann
-                            : name == "orowan"    ? Theory::orowan
-                            : name == "sims"      ? Theory::sims
-                                                  : Theory::karman;
-  return {theory, setup.arc == "rigid" ? Arc::rigid : setup.arc == "elastic" ? Arc::elastic : Arc::hitchcock};
+  return {setup.theory, setup.arc == BiteArc::rigid     ? Arc::rigid
+                        : setup.arc == BiteArc::elastic ? Arc::elastic
+                                                        : Arc::hitchcock};
 }
 
 std::string model_text(const BiteAnswer &answer)

@@ -73,6 +73,11 @@ struct BiteStudy {
 /// @throws SolverError  no theory has an answer
 BiteStudy study_bite(RunContext &run, const BiteQuestion &question);
 
+/// What a run will say of a pass for which only finite elements can have an answer, on the half plane; nothing
+/// where a slab theory has one.  @throws InputError  a pass that no model takes Cost: one slab, some 5 ms; for
+/// such a pass five.
+std::optional<Warning> bite_without_theory(const BiteQuestion &question);
+
 /// Settings of [bite] with what they leave to the regime of the pass.
 BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime);
 

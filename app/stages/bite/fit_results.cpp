@@ -159,8 +159,8 @@ void add_quality(RunContext &run, const StripFit &fit)
                     plain(fit, "1", worst.unit[i], "share in the direction known worst, of logarithms"));
   for (std::size_t i = 0; i < data.size(); ++i)
     run.results.add(
-        name_in_fit(fmt::format("residual.{}.{}", answer.problem.passes[data[i].pass].name,
-                                bite::measured_words[std::size_t(data[i].kind)])),
+        name_in_fit(
+            fmt::format("residual.{}.{}", answer.problem.passes[data[i].pass].name, word_of(data[i].kind))),
         plain(fit, "1", answer.best.residual[Index(i)], "model less measured, in standard deviations"));
 }
 
@@ -178,7 +178,12 @@ std::string numbers_text(const FitAnswer &answer)
   return text;
 }
 
-const std::string about = "fit of the bite: ";
+const std::string about = "fit of the bite";
+
+std::vector<std::string> concerned_by_fit()
+{
+  return {result_name({family::bite, bite_fit}), family::bite_spring};
+}
 
 void note_kept(RunContext &run, const StripFit &fit)
 {
@@ -187,18 +192,20 @@ void note_kept(RunContext &run, const StripFit &fit)
   for (const bite::KeptUnknown &kept : fit.answer.kept) {
     const FittedNumber number = number_of(kept.unknown, start_of(fit.answer));
     const std::string remedy  = !alone ? "measure another reduction, or fix one number by bite.fit_for"
-                                : setup.fit.front() == "slip"
+                                : setup.fit.front() == PassMeasure::slip
                                     ? "add \"force\" to bite.fit"
                                     : "add \"slip\" to bite.fit and forward_slip to the passes";
-    run.warn(fmt::format(
-        "{}{} one number: {} stays {}, for {} leaves the measured values where they are{}; {}", about,
-        alone ? "the " + setup.fit.front() + " alone gives"
-              : data_text(fit.answer) + " determine, as far as they are distinguishable,",
-        number.name, short_number(number.base), direction_text(kept.direction, kept.among),
-        std::isfinite(kept.direction.deviation)
-            ? fmt::format(" (a standard deviation of {:.2g} % along it)", 100 * kept.direction.deviation)
-            : "",
-        remedy));
+    run.warn({WarningId::fit_one_number, about,
+              fmt::format("{} one number",
+                          alone ? std::string("the ") + word_of(setup.fit.front()) + " alone gives"
+                                : data_text(fit.answer) + " determine, as far as they are distinguishable,"),
+              fmt::format(
+                  "{} stays {}, for {} leaves the measured values where they are{}", number.name,
+                  short_number(number.base), direction_text(kept.direction, kept.among),
+                  std::isfinite(kept.direction.deviation)
+                      ? fmt::format(" (a standard deviation of {:.2g} % along it)", 100 * kept.direction.deviation)
+                      : ""),
+              remedy, concerned_by_fit(), "bite.fit"});
   }
 }
 
@@ -211,27 +218,32 @@ void note_quality(RunContext &run, const StripFit &fit)
     Index worst;
     answer.best.residual.cwiseAbs().maxCoeff(&worst);
     const FitDatum &datum = data[std::size_t(worst)];
-    run.warn(fmt::format(
-        "{}the measured values do not fit together: sum of squares {} with {} degrees of freedom, "
-        "which chance exceeds beyond {} in one of a hundred cases; farthest off is the {} of {}, by "
-        "{:.1f} standard deviations; the intervals are too narrow",
-        about, short_number(answer.best.misfit), freedom, short_number(bite::largest_likely_misfit(freedom)),
-        bite::measured_words[std::size_t(datum.kind)], answer.problem.passes[datum.pass].name,
-        std::abs(answer.best.residual[worst])));
+    run.warn(
+        {WarningId::fit_scatter, about, "the measured values do not fit together",
+         fmt::format("sum of squares {} with {} degrees of freedom, which chance exceeds beyond {} in one of a "
+                     "hundred cases; farthest off is the {} of {}, by {:.1f} standard deviations; the "
+                     "intervals are too narrow",
+                     short_number(answer.best.misfit), freedom, short_number(bite::largest_likely_misfit(freedom)),
+                     word_of(datum.kind), answer.problem.passes[datum.pass].name,
+                     std::abs(answer.best.residual[worst])),
+         "", concerned_by_fit()});
   }
   if (answer.best.at_edge)
-    run.warn(about +
-             "the best friction and flow stress lie where the rolls no longer take a pass, next to skidding "
-             "or to rolls that flatten without limit; the values are those of the edge");
+    run.warn({WarningId::fit_at_edge, about,
+              "the best friction and flow stress lie where the rolls no longer take a pass, next to skidding "
+              "or to rolls that flatten without limit",
+              "the values are those of the edge", "", concerned_by_fit()});
   for (std::size_t i = 0; i < answer.intervals.size(); ++i)
     if (answer.intervals[i].low_open || answer.intervals[i].high_open)
-      run.warn(fmt::format(
-          "{}the measured values do not bound {} {}: its interval ends where no such pass exists or "
-          "the factor on the case's value is 20",
-          about, answer.problem.unknowns[i].name, answer.intervals[i].low_open ? "from below" : "from above"));
+      run.warn({WarningId::fit_interval_open, about,
+                fmt::format("the measured values do not bound {} {}", answer.problem.unknowns[i].name,
+                            answer.intervals[i].low_open ? "from below" : "from above"),
+                "its interval ends where no such pass exists or the factor on the case's value is 20", "",
+                concerned_by_fit()});
   if (!fit.uncorrected.empty())
-    run.warn(about + "by Karman's slab, since the model of the run has no answer for the fitted strip: " +
-             fit.uncorrected);
+    run.warn({WarningId::fit_by_slab, about,
+              "by Karman's slab, since the model of the run has no answer for the fitted strip", fit.uncorrected,
+              "", concerned_by_fit()});
 }
 }  // namespace
 
@@ -274,8 +286,7 @@ void add_line(Table &table, const StripFit &fit, const std::size_t datum, const 
     x[k]                        = friction.at(answer.best.x[i] + point[0]);
     y[k]                        = std::exp(answer.best.x[j] + point[1]);
   }
-  const std::string name = fmt::format("{} of {}", bite::measured_words[std::size_t(fitted.kind)],
-                                       answer.problem.passes[fitted.pass].name);
+  const std::string name = fmt::format("{} of {}", word_of(fitted.kind), answer.problem.passes[fitted.pass].name);
   table.add("friction, " + name, "", x).add("flow_stress_factor, " + name, "", y);
 }
 }  // namespace

@@ -15,7 +15,7 @@ using bite::Measured;
 
 bool asked(const BiteSetup &setup, const Measured kind)
 {
-  return std::count(setup.fit.begin(), setup.fit.end(), bite::measured_words[std::size_t(kind)]) > 0;
+  return std::count(setup.fit.begin(), setup.fit.end(), kind) > 0;
 }
 
 std::vector<bite::FitUnknown> unknowns_of(const BiteSetup &setup)
@@ -63,7 +63,8 @@ bool has_data(const bite::MeasuredPass &pass)
 // Karman's slab on Hitchcock's circle or a rigid roll is what the fit computes with anyway.
 bool is_the_slab(const BiteSetup &setup)
 {
-  return setup.method == "slab" && setup.theory == "karman" && (setup.arc == "rigid" || setup.arc == "hitchcock");
+  return setup.method == BiteMethod::slab && setup.theory == SlabTheory::karman &&
+         (setup.arc == BiteArc::rigid || setup.arc == BiteArc::hitchcock);
 }
 
 /// The model of the run for one pass of the fitted strip.
@@ -176,7 +177,7 @@ bool one_number_only(const BiteSetup &setup)
 bite::FitProblem fit_problem(const FitQuestion &question)
 {
   bite::FitProblem problem;
-  problem.arc      = question.setup.arc == "rigid" ? bite::Arc::rigid : bite::Arc::hitchcock;
+  problem.arc      = question.setup.arc == BiteArc::rigid ? bite::Arc::rigid : bite::Arc::hitchcock;
   problem.unknowns = unknowns_of(question.setup);
   for (std::size_t p = 0; p < question.passes.size(); ++p)
     problem.passes.push_back(measured_pass(question, p));

@@ -75,6 +75,16 @@ void add_models(PassForce &force, const BiteStudy &study)
 }
 
 // The pass by every model of the program, in a branch of the run of its own.
+Warning no_further_models(const std::string &pass, const std::string &why, const std::string &remedy)
+{
+  return {WarningId::bite_model_refused,
+          "pass \"" + pass + "\"",
+          "no further models in addition to the closed theory",
+          why,
+          remedy,
+          {result_name({family::bite, pass})}};
+}
+
 void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p, PassForce &force)
 {
   const auto one = modelled_bite(q.passes[p], force);
@@ -102,10 +112,9 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
         parameter.inputs = q.keys[p];
     add_models(force, study);
   } catch (const InputError &e) {
-    run.warn("pass \"" + force.name +
-             "\", further models in addition to the closed theory: " + e.problems.front().message);
+    run.warn(no_further_models(force.name, e.problems.front().message, ""));
   } catch (const SolverError &e) {
-    run.warn("pass \"" + force.name + "\", further models in addition to the closed theory: " + e.report.what);
+    run.warn(no_further_models(force.name, e.report.what, e.report.remedy));
   }
 }
 
@@ -117,18 +126,23 @@ void note_force_of_case(RunContext &run, const PassForce &pass, const bite::Roll
 {
   if (std::isnan(pass.law_force) || !(pass.fitted_to > 0))
     return;
-  const double difference    = pass.law_force / pass.fitted_to - 1;
-  const std::string sentence = fmt::format(
-      "pass \"{}\": strip.flow_stress, {:.4g} MPa at the exit, and strip.friction give {:.4g} kN by {}; "
-      "the {} is {:.4g} kN",
-      pass.name, 1e-6 * pass.law_stress, 1e-3 * pass.law_force,
-      bite::model_name({closed_theory(bite), bite::Arc::hitchcock}), pass.fitted_to_what, 1e-3 * pass.fitted_to);
+  const double difference   = pass.law_force / pass.fitted_to - 1;
+  const std::string subject = "pass \"" + pass.name + "\"",
+                    forces  = fmt::format("strip.flow_stress, {:.4g} MPa at the exit, and strip.friction give "
+                                           "{:.4g} kN by {}; the {} is {:.4g} kN",
+                                          1e-6 * pass.law_stress, 1e-3 * pass.law_force,
+                                          bite::model_name({closed_theory(bite), bite::Arc::hitchcock}),
+                                          pass.fitted_to_what, 1e-3 * pass.fitted_to);
   if (std::abs(difference) <= same_schedule_force)
-    run.assume(sentence);
+    run.assume(subject + ": " + forces);
   else
-    run.warn(fmt::format("{}; the computed force differs by {:+.0f} %. The results bite.{}.* use the flow stress "
-                         "that was fitted to the {}",
-                         sentence, 100 * difference, pass.name, pass.fitted_to_what));
+    run.warn({WarningId::bite_force,
+              subject,
+              fmt::format("{}, {:+.0f} %", forces, 100 * difference),
+              fmt::format("the results bite.{}.* use the flow stress that was fitted to the {}", pass.name,
+                          pass.fitted_to_what),
+              "",
+              {result_name({family::bite, pass.name})}});
 }
 }  // namespace
 
@@ -143,7 +157,7 @@ ScheduleRecord add_schedule_forces(RunContext &run, const ScheduleQuestion &ques
     models.take(p);
   for (std::size_t p = 0; p < record.passes.size(); ++p)
     note_force_of_case(run, record.passes[p], question.passes[p].bite);
-  for (const std::string &note : record.notes)
+  for (const Warning &note : record.notes)
     run.warn(note);
   add_schedule_results(run, question, record);
   run.out.write(schedule_file, json_of_record(record));

@@ -1,4 +1,5 @@
 #include "app/stages/bite/strip_flow_stage.h"
+#include "app/run/error_warnings.h"
 #include "app/stages/bite/strip_flow_store.h"
 #include "core/base/errors.h"
 #include "core/process/parallel.h"
@@ -15,16 +16,16 @@
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
-constexpr const char *flow_version = "strip flow 6";
-constexpr const char *flow_kind = "millstand bite 1", *point_kind = "millstand bite point 1";
+constexpr const char *flow_version = "strip flow 7";
+constexpr const char *flow_kind = "millstand bite 2", *point_kind = "millstand bite point 1";
 
 // Unknowns times factorisations of both meshes of a pass: twice what the usual mesh takes, some 8 and 14 s on one
 // core.  A finer mesh may take more.
 double allowed_work(const BiteSetup &setup)
 {
   const double elements = double(setup.elements_along) * setup.elements_through;
-  return setup.strip == "elastic-plastic" ? 1.3e6 * std::max(1., elements / (36 * 8))
-                                          : 6e5 * std::max(1., elements / (48 * 12));
+  return setup.strip == BiteStrip::elastic_plastic ? 1.3e6 * std::max(1., elements / (36 * 8))
+                                                   : 6e5 * std::max(1., elements / (48 * 12));
 }
 
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
@@ -87,7 +88,7 @@ fem::StripElastic elastic_flow(const FlowQuestion &q, const int along, const int
                                const bite::ArcFlexibility *flexibility, const double work)
 {
   fem::StripElasticModel model;
-  model.arc              = q.setup.arc == "rigid" ? bite::Arc::rigid : bite::Arc::elastic;
+  model.arc              = q.setup.arc == BiteArc::rigid ? bite::Arc::rigid : bite::Arc::elastic;
   model.elements_along   = along;
   model.elements_through = through;
   model.work_limit       = work;
@@ -171,7 +172,7 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
   }
   run.progress.at(timer_name(q), 0);
   FlowAnswer answer =
-      q.setup.strip == "elastic-plastic" ? elastic_answer(run, q, flexibility) : rigid_answer(run, q);
+      q.setup.strip == BiteStrip::elastic_plastic ? elastic_answer(run, q, flexibility) : rigid_answer(run, q);
   for (const auto &level : answer.fine.history)
     run.progress.note(
         fmt::format("bite {}: {}, {} unknowns, g0 {:.3g}, d0 {:.3g}, {} steps, residual {:.2g}, force "
@@ -181,7 +182,7 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
   try {
     write_cache_entry(file, flow_kind, key, stored_flow(answer));
   } catch (const InputError &e) {
-    run.warn(std::string("the finite-element bite could not be kept for the next run: ") + e.what());
+    run.warn(not_kept("the finite-element bite", e));
   }
   return answer;
 }
@@ -214,7 +215,7 @@ void keep_point(RunContext &run, const PointTask &task)
   try {
     write_cache_entry(task.file, point_kind, task.key, point_text(*task.point));
   } catch (const InputError &e) {
-    run.warn(std::string("a point of the bite's curves could not be kept for the next run: ") + e.what());
+    run.warn(not_kept("a point of the bite's curves", e));
   }
 }
 

@@ -1,4 +1,5 @@
 #include "app/stages/bite/strip_flow_store.h"
+#include "app/stages/bite/kept_remarks.h"
 #include <nlohmann/json.hpp>
 
 namespace mill {
@@ -107,7 +108,9 @@ struct Writer {
       for (Eigen::Index i = 0; i < value.size(); ++i)
         numbers.push_back(number(value.data()[i]));
       out[name] = {{"rows", value.rows()}, {"numbers", numbers}};
-    } else
+    } else if constexpr (std::is_same_v<T, std::vector<Warning>>)
+      out[name] = text_of_remarks(value);
+    else
       out[name] = value;
   }
 };
@@ -131,7 +134,9 @@ struct Reader {
         throw std::out_of_range(name);
       for (Eigen::Index i = 0; i < size; ++i)
         value.data()[i] = number(numbers[std::size_t(i)]);
-    } else
+    } else if constexpr (std::is_same_v<T, std::vector<Warning>>)
+      value = remarks_of_text(entry.get<std::string>());
+    else
       entry.get_to(value);
   }
 };

@@ -25,15 +25,15 @@ double or_infinite(const double value)
 double body_drop(const RoundBody &body, const SpaceShape &shape, const double load, const double z)
 {
   double drop = std::isnan(body.crown_radius) ? 0 : z * z / (2 * body.crown_radius);
-  if (body.profile == "arc") {
+  if (body.profile == EndProfile::arc) {
     const double half = 0.5 * body.length, arc = std::isnan(body.profile_length) ? half : body.profile_length;
     const double beyond = std::max(0., std::abs(z) - half + arc) / arc;
     drop += body.profile_drop * beyond * beyond;
-  } else if (body.profile == "log") {
+  } else if (body.profile == EndProfile::log) {
     const double q = (std::isnan(body.profile_load) ? load : body.profile_load) / body.length;
     drop += logarithmic_drop(q, contact::hertz_line(q, shape.radius, shape.modulus).half_width, shape.modulus,
                              body.length, johns_gohar, z);
-  } else if (body.profile == "table") {
+  } else if (body.profile == EndProfile::table) {
     drop += table_drop(body.profile_table, z);
   }
   return drop;
@@ -130,7 +130,7 @@ SpaceShape space_shape(const TwoCylinders &pair)
   s.curvature = 1 / or_infinite(pair.upper.crown_radius) + 1 / or_infinite(pair.lower.crown_radius);
   s.length    = std::min(or_infinite(pair.upper.length), or_infinite(pair.lower.length));
   for (const RoundBody *body : {&pair.upper, &pair.lower}) {
-    s.relieved  = s.relieved || body->profile != "none";
+    s.relieved  = s.relieved || body->profile != EndProfile::none;
     s.symmetric = s.symmetric && (body->profile_table.empty() || body->profile_table.front()[0] >= 0);
   }
   s.drop = [pair, plain = s](const double z) {

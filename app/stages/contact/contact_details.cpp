@@ -5,12 +5,18 @@
 #include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
+#include "core/records/result_names.h"
 #include "fem/roll/contact_readings.h"
 #include "fem/roll/frictional_pair.h"
 #include <cmath>
 #include <fmt/format.h>
 
 namespace mill {
+Warning of_contact(const WarningId id, const std::string &name, std::string fact, std::string detail)
+{
+  return {id, "contact " + name, std::move(fact), std::move(detail), "", {result_name({family::contact, name})}};
+}
+
 namespace {
 Parameter computed(const std::string &unit, const double value, const double error, const double load,
                    const std::string &method)
@@ -53,15 +59,16 @@ void add_contact_length(RunContext &run, const ContactModel &m, const std::strin
   p.checks.push_back({"length over which the barrels face each other", whole, ""});
   run.results.add("contact." + name + ".contact_length", p);
   if (!middle)
-    run.warn(
-        fmt::format("contact {}: at {} the rolls do not touch at mid-length, only over {:.0f} of {:.0f} mm: the "
-                    "approach does not close the gap there; stiffness and half width at mid-length "
-                    "mean little",
-                    name, in_kN(load), 1e3 * length, 1e3 * whole));
+    run.warn(of_contact(WarningId::contact_partly_open, name,
+                        fmt::format("at {} the rolls do not touch at mid-length, only over {:.0f} of {:.0f} mm",
+                                    in_kN(load), 1e3 * length, 1e3 * whole),
+                        "the approach does not close the gap there; stiffness and half width at mid-length mean "
+                        "little"));
   else if (length < 0.98 * whole)
-    run.warn(fmt::format(
-        "contact {}: at {} the rolls touch over {:.0f} of {:.0f} mm; profile, tilt or bending keeps the rest open",
-        name, in_kN(load), 1e3 * length, 1e3 * whole));
+    run.warn(of_contact(
+        WarningId::contact_partly_open, name,
+        fmt::format("at {} the rolls touch over {:.0f} of {:.0f} mm", in_kN(load), 1e3 * length, 1e3 * whole),
+        "profile, tilt or bending keeps the rest open"));
 }
 
 void add_path_plateau(RunContext &run, const ContactModel &m, const std::string &K,
@@ -200,10 +207,11 @@ void add_largest_pressure(RunContext &run, const ContactModel &m, const FourHigh
   p.checks.push_back({"mesh twice as coarse", coarse, ""});
   run.results.add("contact." + name + ".largest_pressure", p);
   if (peak > 5 * stand.steel.yield_stress)
-    run.warn(
-        fmt::format("contact {}: the largest pressure of {:.0f} MPa at {} is above five times steel.yield_stress "
-                    "= {:.0f} MPa: small elastic strain does not hold there",
-                    name, 1e-6 * peak, in_kN(load), 1e-6 * stand.steel.yield_stress));
+    run.warn(of_contact(WarningId::contact_yield, name,
+                        fmt::format("the largest pressure of {:.0f} MPa at {} is above five times "
+                                    "steel.yield_stress = {:.0f} MPa",
+                                    1e-6 * peak, in_kN(load), 1e-6 * stand.steel.yield_stress),
+                        "small elastic strain does not hold there"));
 }
 
 void write_pressure_map(RunContext &run, const fem::ContactPair &pair, const std::string &name, const double load)
@@ -232,15 +240,23 @@ void require_resolved(RunContext &run, const ContactModel &m, const std::string 
   const double b       = reduce::line_contact(m.closed_form, load).half_width;
   if (b >= 2 * element)
     return;
-  const std::string message = fmt::format(
-      "contact.{}.elements_per_half_width = {} makes elements of {:.3f} mm for the largest load; at the "
-      "working load of {} the contact is only {:.3f} mm to each side and needs elements of {:.3f} mm: take "
-      "{} or more, or narrow contact.{}.loads",
-      name, settings.elements_per_half_width, 1e3 * element, in_kN(load), 1e3 * b, 1e3 * b / 2,
-      int(std::ceil(settings.elements_per_half_width * 2 * element / b)), name);
+  const std::string key = fmt::format("contact.{}.elements_per_half_width", name);
+  const Warning warning{
+      WarningId::contact_mesh,
+      "",
+      fmt::format("{} = {} makes elements of {:.3f} mm for the largest load", key,
+                  settings.elements_per_half_width, 1e3 * element),
+      fmt::format("at the working load of {} the contact is only {:.3f} mm to each side and needs elements of "
+                  "{:.3f} mm",
+                  in_kN(load), 1e3 * b, 1e3 * b / 2),
+      fmt::format("take {} or more, or narrow contact.{}.loads",
+                  int(std::ceil(settings.elements_per_half_width * 2 * element / b)), name),
+      {result_name({family::contact, name})},
+      key,
+      settings.elements_place};
   if (b < element)
-    throw InputError(settings.elements_place, message);
-  run.warn(message);
+    throw InputError(settings.elements_place, text_of(warning));
+  run.warn(warning);
 }
 
 void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
@@ -263,9 +279,8 @@ void add_contact_details(RunContext &run, const ContactModel &model, const std::
   add_largest_pressure(run, model, stand, name, load);
   const auto &bending = stand.work_roll.bending_force;
   if (load < bending[0] + bending[1])
-    run.warn(
-        fmt::format("contact {}: the bending forces on the chocks exceed the load of {}: the strip would have to "
-                    "pull on the roll; values held as in the stand are not valid",
-                    name, in_kN(load)));
+    run.warn(of_contact(WarningId::contact_bending, name,
+                        fmt::format("the bending forces on the chocks exceed the load of {}", in_kN(load)),
+                        "the strip would have to pull on the roll; values held as in the stand are not valid"));
 }
 }  // namespace mill

@@ -1,9 +1,13 @@
 #pragma once
 #include "app/stages/contact/contact_model.h"
+#include "core/base/warning.h"
 #include "core/model/contact_settings.h"
 
 namespace mill {
 struct FourHigh;
+
+/// A warning of the contact "upper" or "lower".
+Warning of_contact(WarningId id, const std::string &name, std::string fact, std::string detail);
 
 /// What one working load of a contact gives beyond its stiffness: the length in contact, the published way of
 /// evaluating (K.path_plateau), the joint stiffness between the axes, the pressure map

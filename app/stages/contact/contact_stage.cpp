@@ -1,5 +1,6 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/run/curve_files.h"
+#include "app/run/error_warnings.h"
 #include "app/stages/contact/contact_details.h"
 #include "app/stages/contact/contact_files.h"
 #include "app/stages/contact/contact_model.h"
@@ -10,6 +11,7 @@
 #include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
+#include "core/records/record_text.h"
 #include "fem/body/on_mesh.h"
 #include <algorithm>
 #include <cmath>
@@ -158,17 +160,23 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   add_curvature(run, s, prefix, F, fine.curvature, coarse.curvature, second ? second->curvature : not_given);
   add_held(run, s, prefix, F, held, tangent, secant);
   const double effect = held.tangent / fine.tangent - 1;
-  const std::string message =
+  const Warning warning{
+      WarningId::contact_held,
+      "",
       fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring in series with "
-                  "the bending of the backup roll; held as in the stand the same pair has {:+.1f} %",
-                  prefix, s.K, 100 * effect);
+                  "the bending of the backup roll",
+                  prefix, s.K),
+      fmt::format("held as in the stand the same pair has {:+.1f} %", 100 * effect),
+      "",
+      {prefix + s.K}};
   // Both are true, of two datums; a quarter of difference is more than any usual stand has.
   if (std::abs(effect) > 0.25)
-    run.warn(message);
+    run.warn(warning);
   else if (prefix.empty())
-    run.assume(message);
+    run.assume(text_of(warning));
   if (middle.half_width[mid] == 0)
-    run.warn(fmt::format("contact {}: at {} the rolls do not touch at mid-length", s.name, in_kN(F)));
+    run.warn(of_contact(WarningId::contact_partly_open, s.name,
+                        fmt::format("at {} the rolls do not touch at mid-length", in_kN(F)), ""));
   return {tangent, secant};
 }
 
@@ -313,7 +321,7 @@ void keep_study(RunContext &run, Study &s)
   try {
     save_study(file_of(run, s), s.key, all);
   } catch (const InputError &e) {
-    run.warn("contact " + s.name + " could not be kept for the next run: " + e.what());
+    run.warn(not_kept("contact " + s.name, e));
   }
 }
 
@@ -374,12 +382,8 @@ Study study_of(RunContext &run, const FourHigh &stand, const std::string &name, 
 // Upper and lower rolls are the same pair under the same load: solved once.
 bool same_contact(const FourHigh &stand)
 {
-  const auto &a = stand.upper_contact, &b = stand.lower_contact;
-  const auto equal = [](const double x, const double y) { return x == y || (std::isnan(x) && std::isnan(y)); };
-  return !is_one_sided(stand, a) && equal(a.loads[0], b.loads[0]) && equal(a.loads[1], b.loads[1]) &&
-         a.samples == b.samples && a.elements_per_half_width == b.elements_per_half_width &&
-         equal(a.tilt, b.tilt) && equal(a.load_offset, b.load_offset) && a.cross_angle == b.cross_angle &&
-         a.axis_offset == b.axis_offset && equal(a.friction, b.friction);
+  return !is_one_sided(stand, stand.upper_contact) &&
+         record_text(stand.upper_contact) == record_text(stand.lower_contact);
 }
 
 Study renamed(Study s, const std::string &name, const std::string &K)

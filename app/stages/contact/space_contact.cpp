@@ -181,7 +181,7 @@ namespace {
 contact::RectangleGrid slip_grid(const SpaceShape &shape, const SpaceContactSettings &c,
                                  const SpaceAnswer &pressed, const int cells)
 {
-  const bool coupled = shape.bodies.coupling != 0, along = c.tangential_direction == "along";
+  const bool coupled = shape.bodies.coupling != 0, along = c.tangential_direction == TangentialDirection::along;
   contact::RectangleGrid g;
   g.along     = along;
   g.mirror_x  = !coupled || along;

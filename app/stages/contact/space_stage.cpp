@@ -97,9 +97,13 @@ void add_scalars(RunContext &run, const SpaceRun &s)
   }
   const double hertz = s.point ? s.ellipse().semi_x : s.line().half_width;
   if (hertz > 0.1 * s.shape.radius)
-    run.warn(fmt::format("contact.space: the half width is {:.2g} of the relative radius; half spaces hold for "
-                         "contacts that are small against their bodies, from a tenth on they are off by percents",
-                         hertz / s.shape.radius));
+    run.warn({WarningId::half_space_limit,
+              "contact.space",
+              fmt::format("the half width is {:.2g} of the relative radius", hertz / s.shape.radius),
+              "half spaces hold for contacts that are small against their bodies, from a tenth on they are off by "
+              "percents",
+              "",
+              {"contact.space"}});
   add(run, s, "half_width", "m", s.fine.half_width, s.coarse.half_width, width);
   add(run, s, "peak_pressure", "Pa", s.fine.peak_pressure, s.coarse.peak_pressure, pressure);
   add(run, s, "approach", "m", a.approach, b.approach, approach);
@@ -118,8 +122,12 @@ void add_edges(RunContext &run, const SpaceRun &s)
   if (s.point || !std::isfinite(s.shape.length))
     return;
   if (s.singular) {
-    run.warn("contact.space: the pressure grows without limit at the sharp end of a face; the approach is that of "
-             "the body, the largest pressure there is the grid's and is not reported: relieve the ends (profile)");
+    run.warn({WarningId::sharp_end,
+              "contact.space",
+              "the pressure grows without limit at the sharp end of a face",
+              "the approach is that of the body, the largest pressure there is the grid's and is not reported",
+              "relieve the ends (profile)",
+              {"contact.space"}});
     return;
   }
   const auto ratio = [&](const SpaceAnswer &a) { return a.state.line_load.maxCoeff() / s.face_load(); };
@@ -251,7 +259,7 @@ void solve_slip(RunContext &run, const SpaceRun &s)
   const SpaceSlip fine   = slip_in_space(s.shape, c, s.fine, coupled ? 12 : 16),
                   coarse = slip_in_space(s.shape, c, s.fine, coupled ? 8 : 10);
   const double share     = c.tangential_load / (c.friction * c.at);
-  const bool along       = c.tangential_direction == "along";
+  const bool along       = c.tangential_direction == TangentialDirection::along;
   std::vector<Check> stick, displacement, first, tangent;
   const std::string equal = coupled ? "equal materials: pressure and shear apart" : "";
   if (s.point) {
@@ -273,7 +281,8 @@ void solve_slip(RunContext &run, const SpaceRun &s)
     p.value          = value;
     p.unit           = unit;
     p.method         = "half spaces with stick and slip (sec. 33.4), between points far from the contact";
-    p.at             = {"{}, {} " + c.tangential_direction + " the axes", {{c.at, "N"}, {c.tangential_load, "N"}}};
+    p.at             = {std::string("{}, {} ") + word_of(c.tangential_direction) + " the axes",
+                        {{c.at, "N"}, {c.tangential_load, "N"}}};
     p.error_estimate = mesh_pair_error(value, other);
     p.checks         = std::move(checks);
     p.checks.push_back({"coarser grid", other, ""});

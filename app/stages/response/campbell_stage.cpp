@@ -38,10 +38,10 @@ void add_bearing_lines(CampbellRecord &record, const TurningRoll &roll, const in
   if (std::isnan(per_turn.cage)) {
     record.notes.push_back(fmt::format("the bearing of the {}s has no roller or pitch diameter: its cage and pass "
                                        "frequencies are not known",
-                                       roll.name));
+                                       word_of(roll.kind)));
     return;
   }
-  std::string title = std::string(roll.name) + " bearing";
+  std::string title = std::string(word_of(roll.kind)) + " bearing";
   title.replace(title.find(' '), 1, "-");  // "work-roll bearing"
   // A defect of a roller meets both raceways in each of its turns.
   const std::pair<const char *, double> parts[] = {{"cage", per_turn.cage},
@@ -52,20 +52,20 @@ void add_bearing_lines(CampbellRecord &record, const TurningRoll &roll, const in
     for (int h = 1; h <= harmonics; ++h)
       record.lines.push_back(
           dynamics::line_of(fmt::format("{}, {}{}", title, part, h == 1 ? "" : fmt::format(", harmonic {}", h)),
-                            title, roll.name, h * events, roll.diameter));
+                            title, word_of(roll.kind), h * events, roll.diameter));
 }
 
 void add_roll_lines(CampbellRecord &record, const TurningRoll &roll, const CampbellSettings &settings)
 {
   if (std::isnan(roll.diameter)) {
     record.notes.push_back(
-        fmt::format("{} is not given: the orders of the {}s are left out", roll.diameter_key, roll.name));
+        fmt::format("{} is not given: the orders of the {}s are left out", roll.diameter_key, word_of(roll.kind)));
     return;
   }
   for (int order = 1; order <= settings.roll_orders; ++order)
-    record.lines.push_back(dynamics::line_of(order == 1 ? fmt::format("{}, once per turn", roll.name)
-                                                        : fmt::format("{}, order {}", roll.name, order),
-                                             roll.name, roll.name, order, roll.diameter));
+    record.lines.push_back(dynamics::line_of(order == 1 ? fmt::format("{}, once per turn", word_of(roll.kind))
+                                                        : fmt::format("{}, order {}", word_of(roll.kind), order),
+                                             word_of(roll.kind), word_of(roll.kind), order, roll.diameter));
   if (roll.bearing)
     add_bearing_lines(record, roll, settings.bearing_harmonics);
 }
@@ -74,8 +74,8 @@ void add_drive_lines(CampbellRecord &record, const TurningStand &stand)
 {
   for (const DriveOrder &order : stand.drive)
     for (const TurningRoll &roll : stand.rolls)
-      if (order.per_turn_of == roll.name && !std::isnan(roll.diameter))
-        record.lines.push_back(dynamics::line_of(fmt::format("drive, {}", order.name), "drive", roll.name,
+      if (order.per_turn_of == roll.kind && !std::isnan(roll.diameter))
+        record.lines.push_back(dynamics::line_of(fmt::format("drive, {}", order.name), "drive", word_of(roll.kind),
                                                  order.count, roll.diameter));
 }
 
@@ -112,7 +112,7 @@ KeyList keys_of(const RunContext &run, const CampbellMode &mode, const CampbellL
 {
   KeyList keys = run.find(result_name({family::mode, mode.key, "frequency"}))->inputs;
   for (const TurningRoll &roll : stand.rolls)
-    if (line.shaft == roll.name) {
+    if (line.shaft == word_of(roll.kind)) {
       keys = joined(std::move(keys), KeyList{roll.diameter_key});
       if (roll.bearing && line.group.find("bearing") != std::string::npos)
         keys = joined(keys,

@@ -11,7 +11,7 @@
 namespace mill {
 /// A kind of roll of a stand that turns, with one of its bearings.
 struct TurningRoll {
-  const char *name;                        ///< "work roll"
+  RollKind kind;
   double diameter = not_given;             ///< m; NaN: unknown, it has no lines
   std::string diameter_key;                ///< "work_roll.barrel_diameter"
   const RollerBearing *bearing = nullptr;  ///< null: none drawn, or an oil film

@@ -156,10 +156,13 @@ CurveDrive curve_drive(RunContext &run, const StandCurves &curves, const reduce:
     all.push_back({connection, name, fitted.law, load});
     made.springs.push_back(spring_record(all.back(), fitted, K));
     if (std::abs(fitted.corrected) > most_correction)
-      run.warn(
-          fmt::format("{}: {} has a slope {:+.1f} % off that of its curve at {}; the response on the curve takes "
-                      "the curve's shape and the slope of {}",
-                      pass.name, name, 100 * fitted.corrected, in_kN(load), name));
+      run.warn({WarningId::curve_slope,
+                pass.name,
+                fmt::format("{} has a slope {:+.1f} % off that of its curve at {}", name, 100 * fitted.corrected,
+                            in_kN(load)),
+                fmt::format("the response on the curve takes the curve's shape and the slope of {}", name),
+                "",
+                {name, pass.name}});
   };
   const auto add_bearings = [&](const bool upper) {
     const auto bearing     = bearing_law(curves, chain, upper, load);
@@ -196,7 +199,7 @@ LumpedModel at_load(RunContext &run, LumpedModel model, const ChainCurves &curve
   require_load(pass, load);
   std::string linear;
   for (int i = 2; i <= 6; ++i) {
-    if (i == 4 && settings.force_meaning == "measured")
+    if (i == 4 && settings.force_meaning == ForceMeaning::measured)
       continue;
     if (curves.of(i).empty()) {
       linear += fmt::format("{}K{}", linear.empty() ? "" : ", ", i);
@@ -205,10 +208,14 @@ LumpedModel at_load(RunContext &run, LumpedModel model, const ChainCurves &curve
     Parameter &K       = model.K[std::size_t(i - 1)];
     const double slope = slope_at(law_of(curves.of(i)), load);
     if (std::abs(slope / K.value - 1) > most_correction)
-      run.warn(fmt::format(
-          "{}: given.K{} is {:+.1f} % off the slope of curve.K{} at {}; f1 to f6 are of the first, the "
-          "response of the second",
-          pass.name, i, 100 * (K.value / slope - 1), i, in_kN(load)));
+      run.warn({WarningId::given_off_curve,
+                pass.name,
+                fmt::format("given.K{} is {:+.1f} % off the slope of curve.K{} at {}", i,
+                            100 * (K.value / slope - 1), i, in_kN(load)),
+                "f1 to f6 are of the first, the response of the second",
+                "",
+                {fmt::format("K{}", i), pass.name},
+                fmt::format("given.K{}", i)});
     K.value = slope;
   }
   if (!linear.empty())
@@ -222,7 +229,7 @@ CurveDrive curve_drive(const ChainCurves &curves, const DynamicsSettings &settin
   CurveDrive made;
   std::vector<ConnectionCurve> all;
   for (int i = 2; i <= 6; ++i) {
-    if (curves.of(i).empty() || (i == 4 && settings.force_meaning == "measured"))
+    if (curves.of(i).empty() || (i == 4 && settings.force_meaning == ForceMeaning::measured))
       continue;
     const std::string name = fmt::format("K{}", i);
     all.push_back({name, name, law_of(curves.of(i)), load});

@@ -96,13 +96,17 @@ ForceRecord force_of(const Pass &pass)
   return dynamics::synthetic_force(noise);
 }
 
-std::string load_against_record(const Pass &pass, const double mean)
+std::optional<Warning> load_against_record(const Pass &pass, const std::size_t p, const double mean)
 {
   if (std::isnan(pass.load) || !(std::abs(pass.load / mean - 1) > 0.05))
-    return "";
-  return fmt::format("{}: pass.load is {}, the mean of its force record {}; stiffnesses belong to the first, "
-                     "accelerations to the second",
-                     pass.name, in_kN(pass.load), in_kN(mean));
+    return {};
+  return Warning{WarningId::load_off_record,
+                 pass.name,
+                 fmt::format("pass.load is {}, the mean of its force record {}", in_kN(pass.load), in_kN(mean)),
+                 "stiffnesses belong to the first, accelerations to the second",
+                 "",
+                 {pass.name},
+                 fmt::format("pass.{}.load", p)};
 }
 
 namespace {
@@ -265,7 +269,7 @@ dynamics::ModalModel driven_modes(const reduce::StandWithModes &stand, const Lum
 {
   return dynamics::modal_model(
       stand.model, stand.modes.frequency, stand.modes.shape, settings.modal_damping, 2 * settings.frequency_limit,
-      settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value);
+      settings.force_meaning == ForceMeaning::measured || std::isnan(chain.C.value) ? 0 : chain.C.value);
 }
 
 PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &chain,
@@ -285,6 +289,12 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
 }
 
 namespace {
+// The frequencies of a made force are the user's choice, not the mill's.
+void say_of_record(RunContext &run, const Pass &pass, const Warning &warning)
+{
+  pass.synthetic ? run.assume(text_of(warning)) : run.warn(warning);
+}
+
 // Modes of the stand that the force excites and the model does not have.
 void warn_of_missing_modes(RunContext &run, const PassModel &model, const Pass &pass, const double content)
 {
@@ -296,22 +306,37 @@ void warn_of_missing_modes(RunContext &run, const PassModel &model, const Pass &
       modes += fmt::format("{}{:.0f}", modes.empty() ? "" : ", ", f);
   if (excited > most_listed)
     modes += fmt::format(" and {} more", excited - most_listed);
-  // The frequencies of a made force are the user's choice, not the mill's.
-  const auto say = [&](const std::string &sentence) {
-    pass.synthetic ? run.assume(sentence) : run.warn(sentence);
-  };
   if (!modes.empty())
-    say(fmt::format("{}: the force reaches {:.0f} Hz, but the chain of six masses has no counterpart of the "
-                    "stand's modes at {} Hz; drive dynamics.model = \"craig-bampton\" or \"beam\" to see them",
-                    pass.name, content, modes));
+    say_of_record(
+        run, pass,
+        {WarningId::mode_not_in_chain,
+         pass.name,
+         fmt::format("the force reaches {:.0f} Hz, but the chain of six masses has no counterpart of the "
+                     "stand's modes at {} Hz",
+                     content, modes),
+         "",
+         "drive dynamics.model = \"craig-bampton\" or \"beam\" to see them",
+         {pass.name},
+         "dynamics.model"});
   if (content > model.limit)
-    run.warn(fmt::format("{}: the force reaches {:.0f} Hz, the modes are made to be right up to "
-                         "dynamics.frequency_limit = {:g} Hz; raise it",
-                         pass.name, content, model.limit));
+    run.warn({WarningId::force_above_limit,
+              pass.name,
+              fmt::format("the force reaches {:.0f} Hz, the modes are made to be right up to "
+                          "dynamics.frequency_limit = {:g} Hz",
+                          content, model.limit),
+              "",
+              "raise it",
+              {pass.name},
+              "dynamics.frequency_limit"});
 }
 }  // namespace
 
 namespace {
+Warning repaired(const Pass &pass, const std::string &note, const Place &place)
+{
+  return {WarningId::record_repaired, pass.name, note, "", "", {pass.name}, "", place};
+}
+
 // What half the output rate would show of it.
 Eigen::MatrixXd every_other(const Eigen::MatrixXd &samples)
 {
@@ -330,18 +355,22 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   const auto statistics  = dynamics::force_statistics(force);
   warn_of_missing_modes(run, model, pass, statistics.content);
   for (const std::string &note : force.notes)
-    pass.synthetic ? run.assume(pass.name + ": " + note) : run.warn(pass.name + ": " + note);
-  run.warn(dynamics::bandwidth_warning(statistics, highest).empty()
-               ? ""
-               : pass.name + ": " + dynamics::bandwidth_warning(statistics, highest));
-  run.warn(dynamics::output_rate_warning(settings.output_rate, highest));
+    say_of_record(run, pass, repaired(pass, note, pass.force_place));
+  if (auto warning = dynamics::bandwidth_warning(statistics, highest)) {
+    warning->subject  = pass.name;
+    warning->concerns = {pass.name};
+    warning->place    = pass.force_place;
+    run.warn(std::move(*warning));
+  }
+  if (auto warning = dynamics::output_rate_warning(settings.output_rate, highest))
+    run.warn(std::move(*warning));
   std::optional<CurveRuns> curves;
   if (model.curves)
     curves = run_on_curves(*model.curves, model.driven, force, settings.output_rate);
   const auto response =
       curves ? curves->curve.response : dynamics::mill_response(model.driven, force, settings.output_rate);
   if (!response.note.empty())
-    run.warn(pass.name + ": " + response.note);
+    run.warn({WarningId::time_integration, pass.name, response.note, "", "", {pass.name}});
 
   const Eigen::VectorXd upper = response.acceleration.col(dynamics::upper_work_roll);
   const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
@@ -356,7 +385,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     p.unit   = "g";
     p.method = model.method +
                (curves ? ", curves of the contacts, Runge-Kutta of order 8" : ", exact first-order hold") +
-               ", force " + settings.force_meaning;
+               ", force " + word_of(settings.force_meaning);
     p.at          = {"{} mean, {} peak to peak",
                      {{statistics.mean, "kN", ".1f"}, {statistics.largest - statistics.smallest, "kN", ".3f"}}};
     p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
@@ -369,7 +398,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   if (!pass.measured_file.empty()) {
     const auto measured = measured_of(pass, force);
     for (const std::string &note : measured.notes)
-      run.warn(pass.name + ", measured: " + note);
+      run.warn(repaired(pass, "measured record: " + note, pass.measured_place));
     const auto comparison                   = dynamics::compare(response, measured);
     const std::string span                  = fmt::format("{:.3g} .. {:.3g} s", comparison.begin, comparison.end);
     const dynamics::RollComparison *rolls[] = {&comparison.upper_work_roll, &comparison.lower_work_roll};

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run/run_context.h"
+#include "core/base/warning.h"
 #include "core/case/provenance.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
@@ -9,6 +10,7 @@
 #include "dynamics/response/response.h"
 #include "reduce/stand/stand_comparison.h"
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace mill {
@@ -23,7 +25,7 @@ MeasuredRecord measured_of(const Pass &pass, const ForceRecord &force);
 double working_load(const Pass &pass, const ForceRecord &force);
 
 /// A sentence where the load of a pass is more than a twentieth off the mean of its record; else empty.
-std::string load_against_record(const Pass &pass, double mean);
+std::optional<Warning> load_against_record(const Pass &pass, std::size_t p, double mean);
 
 bool has_force(const Pass &pass);  ///< a record, or a range to make one in
 

@@ -71,7 +71,7 @@ void add_marks(RunContext &run, const MarksRecord &record, const dynamics::MarkS
 {
   add_results(run.results, record, sources, mode_keys);
   for (const std::string &note : record.notes)
-    run.warn(note);
+    run.warn({WarningId::marks_incomplete, "", note, "", "", {marks_family}});
   run.out.write("curves/marks.json", json_of_record(with_short_maps(record)));
 }
 }  // namespace mill

@@ -88,9 +88,9 @@ void judge(NonlinearRecord &record)
       !parted.empty()   ? parted
       : softest.empty() ? "no force of a contact falls"
                         : fmt::format("the force of {} falls to {:.3g} % of that at rest", softest, 100 * least);
-  record.verdict = fmt::format(
-      "{} at this load: {}; {}.",
-      record.linear_enough ? "Linear springs were enough" : "Linear springs were not enough", levels, forces);
+  record.found   = levels + "; " + forces;
+  record.verdict = fmt::format("Linear springs were {}enough at this load: {}.",
+                               record.linear_enough ? "" : "not ", record.found);
 }
 
 void note_ranges(NonlinearRecord &record)
@@ -98,10 +98,10 @@ void note_ranges(NonlinearRecord &record)
   for (const NonlinearSpring &spring : record.springs)
     if (spring.largest * spring.rest > spring.high ||
         (spring.parted == 0 && spring.least * spring.rest < spring.low))
-      record.notes.push_back(
-          fmt::format("{} leaves the samples of its curve, {} .. {}; beyond them it goes on by the "
-                      "power law of the last one",
-                      spring.name, in_kN(spring.low), in_kN(spring.high)));
+      record.notes.push_back({WarningId::curve_left, "",
+                              fmt::format("{} leaves the samples of its curve, {} .. {}", spring.name,
+                                          in_kN(spring.low), in_kN(spring.high)),
+                              "beyond them it goes on by the power law of the last one"});
 }
 
 NonlinearRecord record_of(const CurveDrive &drive, const CurveRuns &runs, const Pass &pass,
@@ -289,10 +289,15 @@ void add_nonlinear(RunContext &run, const CurveDrive &drive, const CurveRuns &ru
   write_spectra(run, runs, settings.output_rate, item);
   write_events(run, drive, runs.curve, item);
   add_results(run, record, pass);
+  const std::vector<std::string> concerned{result_name({family::nonlinear, pass.name}), pass.name};
   if (!record.linear_enough)
-    run.warn(pass.name + ": " + record.verdict);
+    run.warn({WarningId::springs_not_linear, pass.name, "linear springs were not enough at this load",
+              record.found, "", concerned});
   run.progress.note(pass.name + ": " + record.verdict);
-  for (const std::string &note : record.notes)
-    run.warn(pass.name + ": " + note);
+  for (Warning note : record.notes) {
+    note.subject  = pass.name;
+    note.concerns = concerned;
+    run.warn(std::move(note));
+  }
 }
 }  // namespace mill

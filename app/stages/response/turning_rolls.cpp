@@ -16,15 +16,15 @@ const RollerBearing *rollers_of(const FourHigh &stand, const Roll &roll)
 
 std::vector<TurningRoll> turning_rolls(const FourHigh &stand)
 {
-  return {{"work roll", stand.work_roll.barrel_diameter, "work_roll.barrel_diameter",
+  return {{RollKind::work_roll, stand.work_roll.barrel_diameter, "work_roll.barrel_diameter",
            rollers_of(stand, stand.work_roll)},
-          {"backup roll", stand.backup_roll.barrel_diameter, "backup_roll.barrel_diameter",
+          {RollKind::backup_roll, stand.backup_roll.barrel_diameter, "backup_roll.barrel_diameter",
            rollers_of(stand, stand.backup_roll)}};
 }
 
 std::vector<TurningRoll> turning_rolls(const Lumped &lumped)
 {
-  return {{"work roll", lumped.campbell.work_roll_diameter, "campbell.work_roll_diameter"},
-          {"backup roll", lumped.campbell.backup_roll_diameter, "campbell.backup_roll_diameter"}};
+  return {{RollKind::work_roll, lumped.campbell.work_roll_diameter, "campbell.work_roll_diameter"},
+          {RollKind::backup_roll, lumped.campbell.backup_roll_diameter, "campbell.backup_roll_diameter"}};
 }
 }  // namespace mill

@@ -17,13 +17,13 @@ namespace {
 // Without K4 in the chain: the bite is what chatter adds.
 FourHigh open_stand(FourHigh stand)
 {
-  stand.dynamics.force_meaning = "measured";
+  stand.dynamics.force_meaning = ForceMeaning::measured;
   return stand;
 }
 
 bool holds_strip(const FourHigh &stand)
 {
-  return stand.dynamics.force_meaning != "measured";
+  return stand.dynamics.force_meaning != ForceMeaning::measured;
 }
 
 KeyList keys_of_search(const FourHigh &stand, const std::size_t p, const reduce::LumpedStand &chain)
@@ -68,13 +68,8 @@ void add_critical_speed(RunContext &run, const FourHigh &stand, const std::size_
                         const ComponentSets &components)
 {
   const Pass &pass = stand.passes[p];
-  SpeedVerdict not_searched;
-  not_searched.pass    = pass.name;
-  not_searched.speed   = pass.speed;
-  not_searched.missing = missing_for_critical_speed(run.the_case, stand, p);
-  if (!not_searched.missing.empty()) {
-    not_searched.remedy = "Add them to the case to have the critical speed searched.";
-    run.results.speeds.push_back(not_searched);
+  if (const auto missing = missing_for_critical_speed(run.the_case, stand, p); !missing.empty()) {
+    run.results.speeds.push_back(not_searched(pass.name, pass.speed, missing));
     return;
   }
   const FourHigh open = open_stand(stand);
@@ -92,7 +87,7 @@ void add_critical_speed(RunContext &run, const FourHigh &stand, const std::size_
   q.model                 = title_of(solid.model.name);
   q.leading.bite          = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
   q.leading.modal_damping = damping;
-  q.leading.scheme        = linearisation_of(stand.analysis);
+  q.leading.scheme        = stand.analysis.linearisation;
   q.leading.range         = speed_range(stand.analysis);
   const auto around       = [&](dynamics::StandStructure structure) {
     return dynamics::ChatterStandModel{std::move(structure), free.entry_distance, free.exit_distance,

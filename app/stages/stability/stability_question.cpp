@@ -180,14 +180,6 @@ void add_results(RunContext &run, const StabilityQuestion &q, const Stability &s
 }
 }  // namespace
 
-bite::Linearisation linearisation_of(const ChatterAnalysis &analysis)
-{
-  if (analysis.linearisation == "consistent")
-    return bite::Linearisation::implicit;
-  return analysis.linearisation == "frozen-friction" ? bite::Linearisation::frozen_friction
-                                                     : bite::Linearisation::sequential;
-}
-
 dynamics::SpeedRange speed_range(const ChatterAnalysis &analysis)
 {
   dynamics::SpeedRange range;

@@ -10,9 +10,6 @@
 
 // Critical speed of a pass of any stand that has masses, dampers, springs and a gap.  theory.md 25, 27.6
 namespace mill {
-/// Of its name in the case.
-bite::Linearisation linearisation_of(const ChatterAnalysis &analysis);
-
 /// Range that analysis.speeds asks for, with its steps.
 dynamics::SpeedRange speed_range(const ChatterAnalysis &analysis);
 

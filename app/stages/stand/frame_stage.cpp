@@ -142,7 +142,7 @@ void resolve_frame(RunContext &run, FourHigh &stand)
     stand.frame.tolerance[std::string(part_names[i]) + "_mass"]      = statics.error[upper ? 2 : 3];
   }
   add_housing(run, stand, before, statics);
-  if (stand.dynamics.frame == "closed")
+  if (stand.dynamics.frame == FrameForm::closed)
     run.assume(
         "a drawn housing is already closed: dynamics.frame = \"closed\" concerns the six masses and the beams");
 }

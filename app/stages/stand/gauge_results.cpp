@@ -68,7 +68,7 @@ public:
                    slab_model(stand.bite)};
     slab.model.arc          = bite::Arc::rigid;
     slab.model.curve_points = 0;
-    if (stand.bite.method == "fe")
+    if (stand.bite.method == BiteMethod::fe)
       slab.model.theory = bite::Theory::karman;
     slab.bite.roll_radius = radius;
     attempt([&] { gauge.emplace(std::move(slab), stretch); });

@@ -80,8 +80,8 @@ std::string headline(const StandStates &states, const double limit)
   return text;
 }
 
-std::string six_mass_gap_error(const reduce::StandWithModes &detailed, const reduce::StandWithModes &chain,
-                               const double limit)
+std::optional<Warning> six_mass_gap_error(const reduce::StandWithModes &detailed,
+                                          const reduce::StandWithModes &chain, const double limit)
 {
   const Eigen::VectorXd share = reduce::gap_shares(detailed);
   const auto pairs =
@@ -108,14 +108,18 @@ std::string six_mass_gap_error(const reduce::StandWithModes &detailed, const red
   if (!paired)  // the two that yield most are compared
     compare(leading, of_detailed);
   if (std::abs(worst) <= reduce::right_frequency)
-    return "";
-  return fmt::format(
-      "six masses put a mode of the gap at {:.1f} Hz, {} at {:.1f} Hz: {:+.1f} %; take the detailed "
-      "model unless six masses are what you need",
-      here, title_of(detailed.model.name), there, 100 * worst);
+    return {};
+  return Warning{WarningId::six_mass_gap_mode,
+                 "",
+                 fmt::format("six masses put a mode of the gap at {:.1f} Hz, {} at {:.1f} Hz: {:+.1f} %", here,
+                             title_of(detailed.model.name), there, 100 * worst),
+                 "",
+                 "take the detailed model unless six masses are what you need",
+                 {},
+                 "dynamics.model"};
 }
 
-std::string six_mass_gap_error(const StandModels &models, const double limit)
+std::optional<Warning> six_mass_gap_error(const StandModels &models, const double limit)
 {
   return six_mass_gap_error(best_model(models), models.chain, limit);
 }

@@ -48,7 +48,7 @@ const char *title_of(const std::string &model)
 
 reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSettings &dynamics)
 {
-  if (dynamics.force_meaning == "measured")
+  if (dynamics.force_meaning == ForceMeaning::measured)
     model.K[3].value = 0;
   reduce::StandWithModes s{reduce::chain_stand(model, dynamics.frame), {}};
   s.modes = reduce::stand_modes(s.model);

@@ -273,7 +273,7 @@ void write_model_matrices(RunContext &run, const DynamicsSettings &dynamics, con
   const std::string &name = s.model.name;
   for (const auto &[path, text] : texts_of(s.model, files))
     run.out.write(path, text);
-  if (s.model.M.rows() <= many_unknowns || dynamics.model_files == "all") {
+  if (s.model.M.rows() <= many_unknowns || dynamics.model_files == ModelFileSet::all) {
     const auto kept =
         std::upper_bound(s.modes.frequency.begin(), s.modes.frequency.end(), 2 * dynamics.frequency_limit) -
         s.modes.frequency.begin();
@@ -293,7 +293,7 @@ void write_model_matrices(RunContext &run, const DynamicsSettings &dynamics, con
 void write_model_files(RunContext &run, const FourHigh &stand, const reduce::StandWithModes &s,
                        const LumpedModel &chain)
 {
-  const bool none = stand.dynamics.force_meaning == "measured" || std::isnan(chain.C.value);
+  const bool none = stand.dynamics.force_meaning == ForceMeaning::measured || std::isnan(chain.C.value);
   write_model_matrices(run, stand.dynamics, s, none ? 0 : chain.C.value);
   if (!s.model.lines.empty())
     write_shapes_of(run, stand, s);

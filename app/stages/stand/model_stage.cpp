@@ -107,9 +107,8 @@ void say_what_differs(RunContext &run, const FourHigh &stand)
     if (stand.given.count(name))
       only += (only.empty() ? "given." : ", given.") + std::string(name);
   if (!only.empty())
-    run.warn(only +
-             " replace numbers of the six masses only; beams and finite elements keep what is drawn, so that "
-             "the models are of different stands");
+    run.warn({WarningId::given_in_chain_only, "", only + " replace numbers of the six masses only",
+              "beams and finite elements keep what is drawn, so that the models are of different stands"});
   if (stand.given.count("K_ZW"))
     run.assume(
         "given.K_ZW stiffens the backup rolls of six masses and beams; the finite elements keep what is drawn");
@@ -211,7 +210,7 @@ ModelsRecord comparison(const FourHigh &stand, const reduce::LumpedStand &chain,
   ModelsRecord record;
   record.frequency_limit = limit;
   record.at              = chain.model.at.text();
-  record.driven          = stand.dynamics.model;
+  record.driven          = word_of(stand.dynamics.model);
   record.masses_needed   = reduce::masses_needed(models.craig_bampton, limit, most_masses, &models.chain);
   record.answer          = answer(models, record.masses_needed, limit);
   record.models          = {
@@ -287,7 +286,7 @@ reduce::FeMasses add_fe_masses(LumpedModel &chain, const FourHigh &stand, const 
     Parameter &p = chain.M[i + 1];
     if (p.source != Source::computed)
       continue;
-    if (stand.dynamics.mass_source == "fe") {
+    if (stand.dynamics.mass_source == MassSource::fe) {
       p.checks.push_back(check(CheckId::closed_form_mass, p.value, p.method));
       p.checks.push_back(check(CheckId::fe_integral_mass, fe.integral[i]));
       p.method = "kinetic energy of all points of the finite-element shape (22.15)";
@@ -428,8 +427,8 @@ void add_modes_by_name(RunContext &run, const StandStates &states, const reduce:
 
 const reduce::StandWithModes *driven(const StandModels &models, const DynamicsSettings &settings)
 {
-  if (settings.model == "beam")
+  if (settings.model == StandModelKind::beam)
     return &models.beam;
-  return settings.model == "craig-bampton" ? &models.craig_bampton : nullptr;
+  return settings.model == StandModelKind::craig_bampton ? &models.craig_bampton : nullptr;
 }
 }  // namespace mill

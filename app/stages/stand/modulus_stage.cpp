@@ -86,7 +86,7 @@ double work_rolls_bending(const FourHigh &stand, const Component *solid, const d
 namespace {
 const Component *solid_work_roll(const FourHigh &stand, const ModulusParts &parts)
 {
-  return parts.solid && stand.backup_roll.bending_model == "solid" ? parts.solid.work_roll : nullptr;
+  return parts.solid && stand.backup_roll.bending_model == BendingModel::solid ? parts.solid.work_roll : nullptr;
 }
 
 // The modulus of one pass on its way into the results.
@@ -289,7 +289,7 @@ void Modulus::add_bending()
   Parameter p       = made("N/m", 1 / bend,
                            std::string("bending of both work rolls between strip and contact, ") +
                                (solid ? "rolls by finite elements" : "Euler beam on its contact line") + ", " +
-                               stand.dynamics.mass_reference + " reference (30.3)",
+                               word_of(stand.dynamics.mass_reference) + " reference (30.3)",
                            at);
   const double beam = 1 / work_rolls_bending(stand, nullptr, b, K3, K5);
   if (parts.solid) {
@@ -422,14 +422,17 @@ void Modulus::warn_unusual()
     return;
   const auto m = reduce::mill_modulus(with_strip);
   if (m.tangent < reduce::least_usual_modulus || m.tangent > reduce::largest_usual_modulus)
-    run.warn(fmt::format(
-        "the mill modulus of {:.3g} MN/mm is outside the usual {:g} .. {:g} MN/mm; the softest spring on the path "
-        "of "
-        "the force is {}, {:.3g} MN/mm",
-        m.tangent / 1e9, reduce::least_usual_modulus / 1e9, reduce::largest_usual_modulus / 1e9, m.softest,
-        std::find_if(with_strip.begin(), with_strip.end(), [&](const PathPart &p) { return p.name == m.softest; })
-                ->tangent /
-            1e9));
+    run.warn({WarningId::modulus_unusual,
+              "",
+              fmt::format("the mill modulus of {:.3g} MN/mm is outside the usual {:g} .. {:g} MN/mm",
+                          m.tangent / 1e9, reduce::least_usual_modulus / 1e9, reduce::largest_usual_modulus / 1e9),
+              fmt::format("the softest spring on the path of the force is {}, {:.3g} MN/mm", m.softest,
+                          std::find_if(with_strip.begin(), with_strip.end(),
+                                       [&](const PathPart &p) { return p.name == m.softest; })
+                                  ->tangent /
+                              1e9),
+              "",
+              {name_of("modulus", "tangent")}});
 }
 
 void Modulus::write()
@@ -449,13 +452,14 @@ void Modulus::write()
 }
 }  // namespace
 
-std::vector<Check> gaps_of(const StandModels &models, const std::string &reference)
+std::vector<Check> gaps_of(const StandModels &models, const MassReference reference)
 {
   std::vector<Check> gaps;
   for (const auto *s : {&models.craig_bampton, &models.beam}) {
     const StandModel path   = reduce::load_path(s->model);
     const Eigen::VectorXd y = reduce::static_displacement(path);
-    const double gap = reference == "mean" ? path.b.dot(y) : (path.points[2].row - path.points[3].row).dot(y);
+    const double gap =
+        reference == MassReference::mean ? path.b.dot(y) : (path.points[2].row - path.points[3].row).dot(y);
     gaps.push_back({title_of(s->model.name), gap, "springs of the contact along the barrel"});
   }
   return gaps;

@@ -38,7 +38,7 @@ double work_rolls_bending(const FourHigh &stand, const Component *solid, double 
 inline constexpr double least_bending = 1e-6;
 
 /// Opening of the gap per rolling force by beams and finite elements, K4 left out, m/N.  theory.md (30.4)
-std::vector<Check> gaps_of(const StandModels &models, const std::string &reference);
+std::vector<Check> gaps_of(const StandModels &models, MassReference reference);
 
 /// stand.modulus.*, stand.K_ww.*, stand.K_bend, stand.screw_sensitivity, stand.thickness_by.*, stand.force_by.* of
 /// the first pass and curves/stand-modulus.csv; of a later pass the same as stand.<pass>.modulus.* and so on,

@@ -55,11 +55,11 @@ const char *name_of(const Kind kind)
 std::vector<std::string> units_like(const std::string &form)
 {
   std::vector<std::string> symbols;
-  const Unit *own = find_unit(form);
-  if (!own || form == "1")
+  const Unit *known = find_unit(form);
+  if (!known || form == "1")
     return symbols;
   for (const Unit &unit : all_units())
-    if (unit.dimension == own->dimension && std::strcmp(unit.quantity, own->quantity) == 0)
+    if (unit.dimension == known->dimension && std::strcmp(unit.quantity, known->quantity) == 0)
       symbols.push_back(unit.symbol);
   return symbols;
 }

@@ -24,12 +24,19 @@ bool stands_in(const std::string &message, const std::string &word)
   return false;
 }
 
+std::string key_at(const Place &place, const std::vector<WrittenValue> &values)
+{
+  for (const WrittenValue &value : values)
+    if (place.line > 0 && value.line == place.line)
+      return value.key;
+  return "";
+}
+
 // The key that a problem is about: the one whose line it names, else the only one that it names in words.
 std::string key_of(const Problem &problem, const std::vector<WrittenValue> &values)
 {
-  for (const WrittenValue &value : values)
-    if (problem.place.line > 0 && value.line == problem.place.line)
-      return value.key;
+  if (const std::string key = key_at(problem.place, values); !key.empty())
+    return key;
   std::vector<std::string> named;
   for (const WrittenValue &value : values)
     if (stands_in(problem.message, value.key))
@@ -37,16 +44,17 @@ std::string key_of(const Problem &problem, const std::vector<WrittenValue> &valu
   return named.size() == 1 ? named.front() : "";
 }
 
-ordered_json problem_json(const Problem &problem, const char *severity, const std::vector<WrittenValue> &values)
+ordered_json problem_json(const Problem &problem, const std::string &key, const char *severity,
+                          const std::vector<WrittenValue> &values)
 {
   ordered_json out{{"severity", severity},
                    {"line", problem.place.line},
                    {"column", problem.place.column},
                    {"message", visible(problem.message, true)},
-                   {"key", key_of(problem, values)}};
+                   {"key", key}};
   for (const Place &place : problem.related)
-    if (const std::string key = key_of({place, "", {}}, values); !key.empty())
-      out["related"].push_back(key);
+    if (const std::string other = key_at(place, values); !other.empty())
+      out["related"].push_back(other);
   return out;
 }
 
@@ -83,9 +91,10 @@ ordered_json check_json(const CheckAnswer &answer, const std::string &text)
   for (const std::string &fact : answer.facts)
     out["facts"].push_back(visible(fact, true));
   for (const Problem &problem : answer.errors)
-    out["problems"].push_back(problem_json(problem, "error", values));
-  for (const Problem &problem : answer.remarks)
-    out["problems"].push_back(problem_json(problem, "warning", values));
+    out["problems"].push_back(problem_json(problem, key_of(problem, values), "error", values));
+  for (const Warning &remark : answer.remarks)
+    out["problems"].push_back(problem_json(
+        problem_of(remark), remark.key.empty() ? key_at(remark.place, values) : remark.key, "warning", values));
   for (const WrittenValue &value : values)
     out["values"][value.key] = value.text;
   if (!answer.checked)

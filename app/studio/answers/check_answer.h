@@ -8,7 +8,8 @@
 namespace mill::studio {
 /// What `millstand check` says of a text that stands in the place of a case file.
 struct CheckAnswer {
-  std::vector<Problem> errors, remarks;
+  std::vector<Problem> errors;
+  std::vector<Warning> remarks;
   std::vector<std::string> facts;
   std::optional<CheckedCase> checked;  ///< without errors
 };

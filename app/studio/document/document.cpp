@@ -243,9 +243,9 @@ void Document::replace(const std::string &text)
 void Document::save()
 {
   const std::lock_guard lock(state_->access);
-  State &s         = *state_;
-  const auto found = text_on_disk(s.path);
-  if (found.value_or("") != s.history.on_disk && found.value_or("") != s.history.text)
+  State &s           = *state_;
+  const auto on_disk = text_on_disk(s.path);
+  if (on_disk.value_or("") != s.history.on_disk && on_disk.value_or("") != s.history.text)
     throw InputError(s.path + " was changed outside of the studio since it was read; save it under another name "
                               "there, or take it back, and save again");
   write_atomically(s.path, s.history.text);

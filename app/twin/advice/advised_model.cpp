@@ -31,8 +31,8 @@ bool says_untold(const std::string &name, const std::string &text)
   const auto is_word = [&](const std::size_t i) {
     return i < rest.size() && std::isalnum(static_cast<unsigned char>(rest[i]));
   };
-  for (auto found = rest.find(name); found != std::string::npos; found = rest.find(name, found + 1))
-    if (!is_word(found - 1) && !is_word(found + name.size()))
+  for (auto position = rest.find(name); position != std::string::npos; position = rest.find(name, position + 1))
+    if (!is_word(position - 1) && !is_word(position + name.size()))
       return true;
   return false;
 }
@@ -88,20 +88,20 @@ std::optional<twin::VibratingStand> detailed_after(DetailParts parts, const Make
       return std::nullopt;
   if (!with_bite)
     parts.springs.K4 = parts.gap_damper = 0;
-  const StandModel stand   = make(parts.stand, parts.springs);
-  const double highest     = 2 * parts.stand.dynamics.frequency_limit;
-  twin::VibratingStand own = in_its_modes(stand, reduce::stand_modes(stand, highest),
-                                          parts.stand.dynamics.modal_damping, highest, parts.gap_damper);
-  own.damping *= change.damping;
-  return own;
+  const StandModel stand           = make(parts.stand, parts.springs);
+  const double highest             = 2 * parts.stand.dynamics.frequency_limit;
+  twin::VibratingStand modal_stand = in_its_modes(stand, reduce::stand_modes(stand, highest),
+                                                  parts.stand.dynamics.modal_damping, highest, parts.gap_damper);
+  modal_stand.damping *= change.damping;
+  return modal_stand;
 }
 
 DetailedStand detailed_stand(const Case &the_case, const FourHigh &four, const CaseChain &chain,
-                             const std::string &model, const Components &components)
+                             const StandModelKind model, const Components &components)
 {
   DetailedStand detailed;
   MakeStand make;
-  if (model == "craig-bampton") {
+  if (model == StandModelKind::craig_bampton) {
     detailed.name = "component modes";
     make          = [rolls = components()](const FourHigh &stand, const reduce::StandSprings &springs) {
       return reduce::component_stand(stand, springs, rolls);
@@ -146,7 +146,7 @@ void add_pass(AdvisedModel &model, const Case &the_case, const FourHigh &four, c
   if (asked.wanted_speed > pass.speed)  // a level belongs to the force of the present speed
     rolled.process.wanted_speed = not_given;
   rolled.nearer_chatter = asked.nearer_chatter;
-  rolled.disturbance    = chain.dynamics.force_meaning != "measured";
+  rolled.disturbance    = chain.dynamics.force_meaning != ForceMeaning::measured;
   model.pass            = rolled;
 }
 
@@ -207,7 +207,7 @@ AdvisedModel advised_model(const Case &the_case, const StandAdvice &asked, const
   const Eigen::VectorXd damping = Eigen::VectorXd::Constant(n, chain.dynamics.modal_damping);
   model.advised.stand = twin::vibrating_stand(mill_model, damping, gap_damper_of(chain.model, chain.dynamics));
   model.advised.chain = mill_model;
-  if (chain.dynamics.contact == "curve")
+  if (chain.dynamics.contact == ContactSprings::curve)
     model.notes.push_back("contacts on curves count with their slopes at the working load");
   add_errors(model, the_case, chain.model, chain.load);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {

@@ -7,16 +7,16 @@
 namespace mill {
 Place place_of_key(const Case &the_case, const std::string &key)
 {
-  const auto found = the_case.places.find(key);
-  return found == the_case.places.end() ? Place{the_case.path} : found->second;
+  const auto place = the_case.places.find(key);
+  return place == the_case.places.end() ? Place{the_case.path} : place->second;
 }
 
 int place_in(const twin::VibratingStand &stand, const Case &the_case, const std::string &key,
              const std::string &name)
 {
-  const int found = stand.place(name);
-  if (found >= 0)
-    return found;
+  const int place = stand.place(name);
+  if (place >= 0)
+    return place;
   std::vector<std::string> known = stand.places;
   for (std::string &one : known)
     std::replace(one.begin(), one.end(), ' ', '_');

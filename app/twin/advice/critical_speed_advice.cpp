@@ -90,13 +90,13 @@ CriticalQuestion question_of(const ChatterCase &spec, const std::size_t conditio
 
 twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads)
 {
-  const auto &spec            = std::get<ChatterCase>(the_case.spec);
-  const std::size_t condition = asked_condition(spec);
-  const RollingCondition &own = spec.conditions[condition];
-  CriticalQuestion question   = question_of(spec, condition);
-  question.threads            = threads;
-  question.working_speed      = std::fmax(own.speed, spec.advice.wanted_speed);
-  const CriticalAdvice advice = twin::critical_advice(question);
+  const auto &spec               = std::get<ChatterCase>(the_case.spec);
+  const std::size_t condition    = asked_condition(spec);
+  const RollingCondition &rolled = spec.conditions[condition];
+  CriticalQuestion question      = question_of(spec, condition);
+  question.threads               = threads;
+  question.working_speed         = std::fmax(rolled.speed, spec.advice.wanted_speed);
+  const CriticalAdvice advice    = twin::critical_advice(question);
   twin::AdviceRecord record;
   record.case_name = the_case.name;
   record.stand     = chatter_question(spec, condition).structure;
@@ -104,8 +104,8 @@ twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads
   record.question =
       fmt::format("critical speed of condition {} at least {:g} % above the {} speed of {:.4g} m/s, "
                   "exit thickness {:.4g} mm kept",
-                  own.name, 100 * question.margin, question.working_speed > own.speed ? "wanted" : "working",
-                  question.working_speed, 1e3 * own.exit_thickness);
+                  rolled.name, 100 * question.margin, question.working_speed > rolled.speed ? "wanted" : "working",
+                  question.working_speed, 1e3 * rolled.exit_thickness);
   const auto input = [&](const char *key) { return fmt::format("condition.{}.{}", condition, key); };
   fill_speed_record(record, advice, question,
                     {input("entry_thickness"), input("exit_thickness"), input("entry_tension"),

@@ -152,10 +152,10 @@ CriticalQuestion question_of(const twin::RolledPass &pass, const RolledAdvice &r
 bool asks_critical_speed(const Case &the_case, const RolledAdvice &rolled, const std::string &measured)
 {
   const auto *stand = std::get_if<FourHigh>(&the_case.spec);
-  if (!stand || rolled.goal == "level")
+  if (!stand || rolled.goal == AdviceGoal::level)
     return false;
   const std::string missing = missing_for_speed(the_case, *stand);
-  if (rolled.goal.empty())
+  if (!rolled.goal)
     return missing.empty() && measured.empty() && the_case.places.count("advice.place") == 0 &&
            the_case.places.count("advice.band") == 0;
   if (!missing.empty())

@@ -127,10 +127,10 @@ void add_level(twin::AdviceRecord &record, const twin::LevelAdvice &advice, cons
   level.unit           = "m/s2";
   level.method         = record.stand + ", force of " + std::to_string(measured.files.size()) + " records";
   level.error_estimate = scatter_of_level(advice, measured.force, measured.duration);
-  if (const auto own = measured.level.find(name); own != measured.level.end()) {
-    level.checks.push_back({"rms of the same records in this band", own->second,
+  if (const auto measured_level = measured.level.find(name); measured_level != measured.level.end()) {
+    level.checks.push_back({"rms of the same records in this band", measured_level->second,
                             "what the model does not hold, and a force that is not the only one"});
-    const double decibel = 20 * std::log10(level.value / own->second);
+    const double decibel = 20 * std::log10(level.value / measured_level->second);
     if (std::abs(decibel) > 3)
       record.notes.push_back(
           fmt::format("the model gives {:+.1f} dB of the measured level of {}: calibrate the stand "
@@ -263,14 +263,14 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
                                 const twin::ReadOptions &reading, const RolledAdvice &rolled,
                                 const Components &components)
 {
-  const StandAdvice &asked  = asked_of(the_case);
-  const AdvisedModel model  = advised_model(the_case, asked, rolled, components);
-  const VibratingStand &own = model.advised.stand;
+  const StandAdvice &asked      = asked_of(the_case);
+  const AdvisedModel model      = advised_model(the_case, asked, rolled, components);
+  const VibratingStand &advised = model.advised.stand;
   twin::LevelQuestion question;
-  question.place    = place_in(own, the_case, "advice.place", asked.place);
+  question.place    = place_in(advised, the_case, "advice.place", asked.place);
   const double low  = std::isnan(asked.band[0]) ? 0 : asked.band[0];
   const double high = std::isnan(asked.band[1]) ? model.limit : asked.band[1];
-  const double step = std::min(std::max(finest_step, high / 1e5), twin::resolving_step(own, high));
+  const double step = std::min(std::max(finest_step, high / 1e5), twin::resolving_step(advised, high));
   twin::AdviceRecord record;
   record.case_name = the_case.name;
   record.stand     = model.source;
@@ -285,15 +285,15 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
     question.force = records.force;
     record.notes.insert(record.notes.end(), records.notes.begin(), records.notes.end());
   }
-  if (twin::resolving_step(own, high) <= high / 200000)
+  if (twin::resolving_step(advised, high) <= high / 200000)
     record.notes.push_back("a mode is damped so little that the sums over the band may miss part of its peak");
   if (high > model.limit)
     record.notes.push_back(fmt::format("the modes of the stand are right up to {:g} Hz, the band goes to {:g} Hz",
                                        model.limit, high));
   question.springs         = spring_choices(model.advised, asked, the_case);
   question.damping         = model.advised.chain ? asked.modal_damping : std::array<double, 2>{1, 1};
-  question.dampers         = damper_choices(own, asked, the_case);
-  question.tuned           = tuned_choices(own, asked, question.place, the_case);
+  question.dampers         = damper_choices(advised, asked, the_case);
+  question.tuned           = tuned_choices(advised, asked, question.place, the_case);
   question.rise_elsewhere  = asked.rise_elsewhere;
   question.softening       = asked.softening;
   question.untold          = model.untold;
@@ -305,7 +305,7 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
                               : twin::ForceBand();
   const auto detailed = repeat_in_detail(advice.actions, model, question.place, as_white ? white : question.force);
   record.question     = fmt::format("lowest rms acceleration of the {} from {:g} to {:g} Hz",
-                                    own.places[std::size_t(question.place)], low,
+                                    advised.places[std::size_t(question.place)], low,
                                 measured.empty() ? high : std::min(high, question.force.frequency.maxCoeff()));
   record.answer       = level_answer(advice);
   if (!measured.empty())

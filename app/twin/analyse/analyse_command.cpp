@@ -81,7 +81,7 @@ int analyse_command(const CommandLine &command)
   Plant plant;
   if (!command.case_file.empty()) {
     const Case the_case = read_case(command.case_file, command.sets);
-    stand               = analysed_stand(the_case, leading_model(the_case, command) == "six-mass");
+    stand               = analysed_stand(the_case, leading_model(the_case, command) == StandModelKind::six_mass);
     monitoring          = monitoring_of(command.case_file, command.sets);
     plant               = plant_of(command.case_file, command.sets);
     add_ball_bearings(*stand, monitoring.ball_bearings);

@@ -111,13 +111,13 @@ void add_bearing(twin::CaseModel &stand, const std::vector<RollerBearing> &beari
 void add_ball_bearings(twin::CaseModel &stand, const std::vector<BallBearing> &bearings)
 {
   for (const BallBearing &b : bearings) {
-    std::string roll = b.roll;
+    std::string roll = word_of(b.roll);
     std::replace(roll.begin(), roll.end(), ' ', '_');
     const auto turning =
         std::find_if(stand.rolls.begin(), stand.rolls.end(), [&](const auto &one) { return one.name == roll; });
     if (turning == stand.rolls.end()) {
       stand.notes.push_back(
-          fmt::format("bearing {}: not computed, the case states no diameter of the {}", b.name, b.roll));
+          fmt::format("bearing {}: not computed, the case states no diameter of the {}", b.name, word_of(b.roll)));
       continue;
     }
     const auto orders = bearing::pass_frequencies(b.balls, b.ball_diameter, b.pitch_diameter, b.contact_angle);
@@ -138,9 +138,8 @@ twin::CaseModel analysed_stand(const Case &the_case, const bool six_masses)
     stand.source = fmt::format("rolls as beams, springs by closed forms at {:.1f} kN", chain.load / 1e3);
   } else
     add_chain(stand, chain.model, chain.dynamics);
-  if (const std::string warning = six_masses ? warning_of_six_masses(the_case, "analyse") : std::string();
-      !warning.empty())
-    stand.notes.push_back(warning);
+  if (const auto warning = six_masses ? warning_of_six_masses(the_case, "analyse") : std::nullopt)
+    stand.notes.push_back(text_of(*warning));
   stand.frequency_error = mode_errors_of_run(the_case, stand.frequency);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);

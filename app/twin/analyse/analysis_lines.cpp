@@ -46,9 +46,9 @@ int urgency(const twin::Finding &finding)
 
 std::string finding_line(const twin::Finding &finding)
 {
-  const bool at = std::isfinite(finding.frequency);
+  const bool has_frequency = std::isfinite(finding.frequency);
   return fmt::format("{:<17} {:>11}  {:<20} {}", finding.kind,
-                     at ? frequency_text(finding.frequency, (finding.high - finding.low) / 3.92) : "",
+                     has_frequency ? frequency_text(finding.frequency, (finding.high - finding.low) / 3.92) : "",
                      visible(finding.channel, true), visible(finding.owner, true));
 }
 

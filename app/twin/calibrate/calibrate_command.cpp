@@ -60,7 +60,7 @@ twin::CalibrationInput input_of(const CommandLine &command, const PriorChain &ch
   if (command.calibrate.align && !input.force_recorded)
     throw InputError("--align: no force was recorded, so there is no second clock");
   if (command.calibrate.align)
-    input.unknowns.push_back({"delay", 0.05, 0});
+    input.unknowns.push_back({twin::delay_name, 0.05, 0});
   input.sensors = pieces.sensors;
   for (const std::string &sensor : pieces.sensors)
     input.places.push_back(std::find(chain.places.begin(), chain.places.end(), sensor) - chain.places.begin());
@@ -145,8 +145,8 @@ PriorChain prior_of_case(const CommandLine &command, const Case &the_case, const
   if (is_detailed(the_case))
     return detailed_prior(command, the_case, load);
   PriorChain prior = prior_chain(the_case, load);
-  if (const std::string warning = warning_of_six_masses(the_case, "calibrate"); !warning.empty())
-    prior.notes.push_back(warning);
+  if (const auto warning = warning_of_six_masses(the_case, "calibrate"))
+    prior.notes.push_back(text_of(*warning));
   return prior;
 }
 
@@ -185,7 +185,7 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
     add_notes_without_force(facts.notes, the_case, pieces.load > 0);
   const twin::CalibrationInput input = input_of(command, chain, set, std::move(pieces));
   for (const twin::Unknown &unknown : input.unknowns)
-    if (unknown.name.size() > 4 && unknown.name.compare(0, 4, "zeta") == 0)
+    if (twin::moves(unknown) == twin::Moves::ratio)
       facts.notes.push_back(unknown.name +
                             ": a case has one damping ratio for all modes; calibrated.toml takes the geometric "
                             "mean of the ratios of the modes, and each is in the report and in its head");

@@ -59,7 +59,7 @@ void add_prior_notes(PriorChain &chain, const StatedErrors &errors)
     chain.notes.push_back("deviations before the records are the errors stated by " + errors.source);
   std::string silent;
   for (const twin::Unknown &spring : chain.springs)
-    if (spring.name != "zeta" && errors.error.count(spring.name) == 0)
+    if (twin::moves(spring) == twin::Moves::parts && errors.error.count(spring.name) == 0)
       silent += (silent.empty() ? "" : ", ") + spring.name;
   if (!silent.empty())
     chain.notes.push_back("no error is stated for " + silent + ": the deviation before the records is that of a " +
@@ -92,11 +92,11 @@ PriorChain prior_chain(const Case &the_case, const double load)
   chain.model               = analysed.model;
   chain.source              = analysed.source;
   DynamicsSettings settings = analysed.dynamics;
-  if (settings.force_meaning != "measured")
-    chain.notes.push_back("force_meaning = \"" + settings.force_meaning +
+  if (settings.force_meaning != ForceMeaning::measured)
+    chain.notes.push_back(std::string("force_meaning = \"") + word_of(settings.force_meaning) +
                           "\" of the case: a record's force is the whole bite force, so K4 and C have no part in "
                           "the calibration and stay as they are");
-  settings.force_meaning = "measured";
+  settings.force_meaning = ForceMeaning::measured;
   const double damping   = damping_to_start_from(settings);
   chain.stand.chain      = dynamics::mill_model(chain.model, settings);
   chain.stand.damping    = Eigen::VectorXd::Constant(chain.stand.chain.M.size(), damping);
@@ -114,7 +114,7 @@ PriorChain prior_chain(const Case &the_case, const double load)
         {spring.name,
          prior_of_spring(spring.name, error == errors.error.end() ? not_given : error->second, computed), 0});
   }
-  chain.springs.push_back({"zeta", std::log(2.0), 0});
+  chain.springs.push_back({twin::ratios_name, std::log(2.0), 0});
   for (std::size_t i = 0; i < chain.model.M.size(); ++i) {
     const std::string name = "M" + std::to_string(i + 1);
     const auto error       = errors.error.find(name);
@@ -137,8 +137,8 @@ Case with_damping(const Case &origin, const twin::Calibration &result)
   Case changed  = origin;
   double change = 0;  // ln of the geometric mean over all modes; the ratio of a mode that is not freed stays
   for (const twin::Calibrated &u : result.unknowns)
-    if (u.taken && u.name.compare(0, 4, "zeta") == 0)
-      change += u.name == "zeta" ? u.kept : u.kept / double(std::max<std::size_t>(1, result.modes.size()));
+    if (u.taken && twin::moves_damping(u))
+      change += twin::moves(u) == twin::Moves::ratios ? u.kept : u.kept / double(std::max<std::size_t>(1, result.modes.size()));
   dynamics_of(changed).modal_damping *= std::exp(change);
   return changed;
 }

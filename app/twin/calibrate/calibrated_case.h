@@ -21,7 +21,7 @@ struct PriorChain {
   std::string source;                                      ///< "six masses as given"
   twin::FittedStand stand;
   std::vector<std::string> places;     ///< (6 or more) "upper_frame" ..
-  std::vector<twin::Unknown> springs;  ///< every spring that is not zero, then "zeta"
+  std::vector<twin::Unknown> springs;  ///< every spring that is not zero, then the damping
   std::vector<twin::Unknown> masses;   ///< every mass
   std::vector<std::string> stated;     ///< masses whose error the case states: free unless --free names others
   std::vector<std::string> notes;

@@ -97,13 +97,15 @@ void add_masses(PriorChain &prior, const Case &the_case)
     const std::string of_chain[] = {"upper frame",     "upper backup roll", "upper work roll",
                                     "lower work roll", "lower backup roll", "lower frame"};
     for (std::size_t i = 0; i < 6; ++i)
-      if (const auto found = stated.error.find("M" + std::to_string(i + 1)); found != stated.error.end())
-        error["mass " + of_chain[i]] = found->second;
+      if (const auto stated_error = stated.error.find("M" + std::to_string(i + 1));
+          stated_error != stated.error.end())
+        error["mass " + of_chain[i]] = stated_error->second;
   }
   for (const twin::ReducedMass &mass : prior.stand.detailed->masses) {
-    const auto found = error.find(mass.name);
-    prior.masses.push_back({mass.name, prior_of_mass(found == error.end() ? not_given : found->second), 0});
-    if (found != error.end())
+    const auto stated_error = error.find(mass.name);
+    prior.masses.push_back(
+        {mass.name, prior_of_mass(stated_error == error.end() ? not_given : stated_error->second), 0});
+    if (stated_error != error.end())
       prior.stated.push_back(mass.name);
   }
 }
@@ -136,16 +138,16 @@ PriorChain detailed_prior(const CommandLine &command, const Case &the_case, cons
   for (const Connection &connection : model.connections)
     prior.springs.push_back(
         {connection.name, prior_of_spring(connection.name, connection.error_estimate, true), 0});
-  prior.springs.push_back({"zeta", std::log(2.0), 0});
+  prior.springs.push_back({twin::ratios_name, std::log(2.0), 0});
   add_masses(prior, the_case);
-  Case given                = the_case;
-  const std::string meaning = dynamics_of(given).force_meaning;
+  Case given         = the_case;
+  const auto meaning = dynamics_of(given).force_meaning;
   if (meaning != DynamicsSettings().force_meaning)
-    prior.notes.push_back("force_meaning = \"" + meaning +
+    prior.notes.push_back(std::string("force_meaning = \"") + word_of(meaning) +
                           "\" of the case: a record's force is the whole bite force, so K4 and the gap damper are "
                           "left out, and the calibrated case says force_meaning = \"measured\"");
-  for (const std::string &warning : driven.warnings)
-    prior.notes.push_back(warning);
+  for (const Warning &warning : driven.warnings)
+    prior.notes.push_back(text_of(warning));
   return prior;
 }
 

@@ -8,21 +8,22 @@ namespace mill {
 namespace {
 const twin::Unknown *find_unknown(const std::vector<twin::Unknown> &all, const std::string &name)
 {
-  const auto found = std::find_if(all.begin(), all.end(), [&](const twin::Unknown &u) { return u.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  const auto unknown =
+      std::find_if(all.begin(), all.end(), [&](const twin::Unknown &u) { return u.name == name; });
+  return unknown == all.end() ? nullptr : &*unknown;
 }
 
 const twin::Unknown *part_of_stand(const PriorChain &prior, const std::string &name)
 {
   const twin::Unknown *spring = find_unknown(prior.springs, name);
-  return spring && name != "zeta" ? spring : find_unknown(prior.masses, name);
+  return spring && twin::moves(*spring) == twin::Moves::parts ? spring : find_unknown(prior.masses, name);
 }
 
 std::vector<std::string> ratio_names(const PriorChain &prior)
 {
   std::vector<std::string> names;
   for (Eigen::Index i = 0; i < prior.stand.damping.size(); ++i)
-    names.push_back("zeta" + std::to_string(i + 1));
+    names.push_back(twin::ratio_name(i));
   return names;
 }
 
@@ -47,7 +48,7 @@ std::vector<std::string> names_of(const PriorChain &prior, const std::string &wo
   std::vector<std::string> names;
   if (word == "springs" || word == "masses") {
     for (const twin::Unknown &unknown : word == "springs" ? prior.springs : prior.masses)
-      if (unknown.name != "zeta")
+      if (twin::moves(unknown) == twin::Moves::parts)
         names.push_back(unknown.name);
     return names;
   }
@@ -112,7 +113,7 @@ std::vector<twin::Unknown> freed_unknowns(const PriorChain &prior, const std::st
 {
   if (list.empty()) {
     std::vector<twin::Unknown> unknowns = prior.springs;
-    const auto damping                  = unknowns.end() - 1;  // "zeta" stays the last one
+    const auto damping                  = unknowns.end() - 1;  // the damping stays the last one
     std::vector<twin::Unknown> stated;
     for (const twin::Unknown &mass : prior.masses)
       if (force_recorded && std::find(prior.stated.begin(), prior.stated.end(), mass.name) != prior.stated.end())

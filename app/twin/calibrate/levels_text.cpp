@@ -21,14 +21,14 @@ std::string levels_text(const PriorChain &chain, const RecordSet &set)
 {
   std::vector<Eigen::Index> places;
   for (const MeasuredLevel &level : set.levels) {
-    const auto at = std::find(chain.places.begin(), chain.places.end(), level.place);
-    if (at == chain.places.end())
+    const auto place = std::find(chain.places.begin(), chain.places.end(), level.place);
+    if (place == chain.places.end())
       throw InputError(set.folder + "/records.toml: " + "the chain has no place " + level.place +
                        suggestion(level.place, chain.places));
-    places.push_back(at - chain.places.begin());
+    places.push_back(place - chain.places.begin());
   }
   std::vector<std::string> contacts;
-  std::vector<twin::Unknown> unknowns{{"zeta", factor_2, 0}, {"bandwidth", factor_2, 0}};
+  std::vector<twin::Unknown> unknowns{{twin::ratios_name, factor_2, 0}, {"bandwidth", factor_2, 0}};
   for (const twin::Unknown &spring : chain.springs)
     if (spring.name == "K3" || spring.name == "K5") {
       contacts.push_back(spring.name);
@@ -53,16 +53,17 @@ std::string levels_text(const PriorChain &chain, const RecordSet &set)
     text += "\n";
     A += row.transpose() * row / (set.levels[j].error * set.levels[j].error);
   }
-  const twin::Identification found = twin::identification(A, unknowns);
+  const twin::Identification identified = twin::identification(A, unknowns);
   text += "  singular values in units of the priors:";
-  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(found.singular.size(), Eigen::Index(places.size())); ++i)
-    text += fmt::format(" {:.3g}", found.singular[i]);
+  for (Eigen::Index i = 0; i < std::min<Eigen::Index>(identified.singular.size(), Eigen::Index(places.size()));
+       ++i)
+    text += fmt::format(" {:.3g}", identified.singular[i]);
   text += "\n";
   for (std::size_t i = 0; i < unknowns.size(); ++i)
     text += fmt::format("  {:<10} {:.2g} of its prior deviation is left: {}\n", unknowns[i].name,
-                        found.shrink[Eigen::Index(i)],
-                        found.shrink[Eigen::Index(i)] <= 0.5 ? "identified" : "not identified");
-  const int numbers = int((found.singular.array() > std::sqrt(3.0)).count());
+                        identified.shrink[Eigen::Index(i)],
+                        identified.shrink[Eigen::Index(i)] <= 0.5 ? "identified" : "not identified");
+  const int numbers = int((identified.singular.array() > std::sqrt(3.0)).count());
   text +=
       fmt::format("refused: these levels determine {} {}, damping x bandwidth of the force (both slopes are near "
                   "-0.5); neither of the two is printed, and no case is written\n",

@@ -20,13 +20,13 @@ std::vector<Eigen::Index> places_of(const PriorChain &chain, const std::string &
 {
   std::vector<Eigen::Index> places;
   for (const std::string &name : split(sensors.empty() ? "upper_work_roll,lower_work_roll" : sensors, ",")) {
-    const auto at = std::find(chain.places.begin(), chain.places.end(), name);
-    if (at == chain.places.end())
+    const auto place = std::find(chain.places.begin(), chain.places.end(), name);
+    if (place == chain.places.end())
       throw InputError("--sensors " + sensors + ": the stand has no place " + name +
                        suggestion(name, chain.places));
-    if (std::find(places.begin(), places.end(), at - chain.places.begin()) != places.end())
+    if (std::find(places.begin(), places.end(), place - chain.places.begin()) != places.end())
       throw InputError("--sensors " + sensors + ": " + name + " appears twice");
-    places.push_back(at - chain.places.begin());
+    places.push_back(place - chain.places.begin());
   }
   return places;
 }
@@ -43,18 +43,18 @@ void add_ratios(RecordPlan &plan, const PriorChain &prior)
 {
   std::vector<twin::Unknown> each;
   for (const twin::Unknown &unknown : plan.unknowns)
-    if (unknown.name != "zeta")
+    if (twin::moves(unknown) != twin::Moves::ratios)
       each.push_back(unknown);
   if (each.size() == plan.unknowns.size())
     return;
   const std::size_t first         = each.size();
   const Eigen::VectorXd frequency = twin::mode_frequencies(prior.stand);
   for (Eigen::Index i = 0; i < frequency.size() && frequency[i] < plan.record.high; ++i)
-    each.push_back({fmt::format("zeta{}", i + 1), std::log(2.0), 0});
-  const twin::Identification found = planned(prior.stand, each, plan.record);
+    each.push_back({twin::ratio_name(i), std::log(2.0), 0});
+  const twin::Identification identified = planned(prior.stand, each, plan.record);
   plan.ratios.assign(each.begin() + long(first), each.end());
   plan.ratio_frequency = frequency.head(Eigen::Index(plan.ratios.size()));
-  plan.ratio_shrink    = found.shrink.segment(Eigen::Index(first), Eigen::Index(plan.ratios.size()));
+  plan.ratio_shrink    = identified.shrink.segment(Eigen::Index(first), Eigen::Index(plan.ratios.size()));
 }
 }  // namespace
 

@@ -64,9 +64,6 @@ RecordSet described_set(const std::string &folder, const std::string &path)
     RecordEntry entry;
     read(section, record_rows(), entry, reading, {"channels"});
     read_channels(section, entry, reading);
-    if (!entry.role.empty() && entry.role != "fit" && entry.role != "check")
-      reading.add(reading.place(section.key("role")),
-                  reading.as_written(section.key("role")) + ": a record is for the \"fit\" or for the \"check\"");
     set.entries.push_back(entry);
   });
   each_table(root, "level", reading, [&](const Section &section) {
@@ -153,7 +150,7 @@ void divide(const twin::CleanRecord &record, const RecordEntry &entry, const boo
     all += span.size();
   Eigen::Index seen = 0;
   for (const twin::Span &span : pieces) {
-    const auto cut = roles ? (entry.role == "check" ? span.begin : span.end)
+    const auto cut = roles ? (entry.role == RecordRole::check ? span.begin : span.end)
                            : std::clamp(span.begin + 2 * all / 3 - seen, span.begin, span.end);
     seen += span.size();
     for (const twin::Span &part : {twin::Span{span.begin, cut}, twin::Span{cut, span.end}}) {
@@ -184,7 +181,7 @@ RecordSet read_record_set(const std::string &folder)
   for (const std::string &name : names_in(folder))
     if (const std::string file = (fs::path(folder) / name).string();
         fs::is_regular_file(file, ignored) && twin::is_record_file(file))
-      set.entries.push_back({file, "", std::numeric_limits<double>::quiet_NaN(), "smooth", {}});
+      set.entries.emplace_back().file = file;
   std::sort(set.entries.begin(), set.entries.end(),
             [](const RecordEntry &a, const RecordEntry &b) { return a.file < b.file; });
   if (set.entries.empty())
@@ -198,9 +195,9 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
   MeasuredPieces result;
   std::vector<twin::CleanRecord> records;
   for (const RecordEntry &entry : set.entries) {
-    twin::ReadOptions own = options;
-    own.channels.insert(entry.channels.begin(), entry.channels.end());
-    records.push_back(twin::clean_record(twin::read_record(entry.file, own)));
+    twin::ReadOptions sheet_options = options;
+    sheet_options.channels.insert(entry.channels.begin(), entry.channels.end());
+    records.push_back(twin::clean_record(twin::read_record(entry.file, sheet_options)));
     const twin::CleanRecord &record = records.back();
     for (const twin::CleanChannel &channel : record.channels)
       if (channel.clipped > 0 &&
@@ -210,7 +207,7 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
       throw InputError(fmt::format("{} has {:.6g} samples per second, {} {:.6g}; calibrate them one after the "
                                    "other, or bring them to one rate",
                                    record.file, record.rate, records.front().file, records.front().rate));
-    if ((entry.between == "lines") != (set.entries.front().between == "lines"))
+    if (entry.between != set.entries.front().between)
       throw InputError(set.folder +
                        "/records.toml: between = \"lines\" is for all records of a folder or for none");
     result.files.push_back(valid_text(fs::path(entry.file).filename().string()));
@@ -236,21 +233,20 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
   }
   bool roles = false;
   for (const RecordEntry &entry : set.entries)
-    roles = roles || !entry.role.empty();
+    roles = roles || entry.role;
   double load = 0;
   int loads   = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
     divide(records[i], set.entries[i], roles, result);
     const bool given = !std::isnan(set.entries[i].load);
-    if (set.entries[i].role != "check" && (given || result.force_recorded)) {
+    if (set.entries[i].role != RecordRole::check && (given || result.force_recorded)) {
       load += given ? set.entries[i].load : records[i].find("force")->offset;
       ++loads;
     }
   }
-  result.rate = records.front().rate;
-  result.load = load / std::max(1, loads);
-  result.between =
-      set.entries.front().between == "lines" ? twin::BetweenSamples::lines : twin::BetweenSamples::smooth;
+  result.rate    = records.front().rate;
+  result.load    = load / std::max(1, loads);
+  result.between = set.entries.front().between;
   for (const auto &[pieces, what] : {std::pair{&result.fit, "fit"}, std::pair{&result.check, "check"}})
     if (pieces->empty())
       throw InputError(fmt::format("--measured {}: nothing is left for the {}; a piece without gaps has to last "

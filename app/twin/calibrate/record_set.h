@@ -13,10 +13,10 @@ RecordSet read_record_set(const std::string &folder);
 /// Pieces of all records with the same sensors, and with force where it was recorded.
 struct MeasuredPieces {
   std::vector<std::string> sensors;  ///< places, in the order of the chain
-  double rate                  = 0;  ///< Hz
-  double load                  = 0;  ///< N, mean force of the fitted records; 0: not recorded, nor given
-  bool force_recorded          = true;
-  twin::BetweenSamples between = twin::BetweenSamples::smooth;
+  double rate            = 0;        ///< Hz
+  double load            = 0;        ///< N, mean force of the fitted records; 0: not recorded, nor given
+  bool force_recorded    = true;
+  BetweenSamples between = BetweenSamples::smooth;
   std::vector<twin::ForcedSamples> fit, check;
   std::vector<std::string> clipped;  ///< channels
   std::vector<std::string> files;    ///< stems of the records

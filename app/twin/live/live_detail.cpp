@@ -57,13 +57,13 @@ void add_detail(live::TwinModel &model, const Case &the_case)
 
 std::array<double, 7> detail_at_load(const Case &the_case, const live::TwinModel &model, const double load)
 {
-  const live::DetailedTwin &own = *model.detailed;
+  const live::DetailedTwin &detailed = *model.detailed;
   const DetailParts parts = detail_parts(std::get<FourHigh>(the_case.spec), case_chain(the_case, "live", load));
   const StandModel there  = reduce::beam_stand(parts.stand, parts.springs);
   std::array<double, 7> factor{1, 1, 1, 1, 1, 1, 1};
   for (std::size_t j = 0; j < factor.size(); ++j)
-    if (own.stiffness[j] > 0)
-      factor[j] = live::stiffness_of_connection(there, own.connection[j]) / own.stiffness[j];
+    if (detailed.stiffness[j] > 0)
+      factor[j] = live::stiffness_of_connection(there, detailed.connection[j]) / detailed.stiffness[j];
   return factor;
 }
 

@@ -30,7 +30,7 @@ live::ClockReading clock_now()
 
 bool six_masses(const CommandLine &command, const Case &the_case)
 {
-  return leading_model(the_case, command) == "six-mass";
+  return leading_model(the_case, command) == StandModelKind::six_mass;
 }
 }  // namespace
 
@@ -49,7 +49,7 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
   if (!options.token_file.empty())
     token_ = web::token_of_file(options.token_file);
   engine_ = std::make_unique<live::Engine>(model_, hooks());
-  if (model_.dynamics.contact == "curve")
+  if (model_.dynamics.contact == ContactSprings::curve)
     print("note: contacts on their curves are not followed here; the twin has their slopes\n");
   open_folder();
   if (!options.response.empty())
@@ -58,8 +58,8 @@ LiveRun::LiveRun(const CommandLine &command, const Case &the_case)
   open_page();
   sources_ = std::make_unique<LiveSources>(input_, options, rules(), skip_to_, queue_);
   print(fmt::format("twin:   {} ({})\nsource: {}\n", the_case.name, model_.source, sources_->description()));
-  if (const std::string warning = model_.detailed ? "" : warning_of_six_masses(the_case, "live"); !warning.empty())
-    console::say("warning: " + warning + "\n");
+  if (const auto warning = model_.detailed ? std::nullopt : warning_of_six_masses(the_case, "live"))
+    console::say("warning: " + text_of(*warning) + "\n");
   if (const std::string notice = sources_->notice(); !notice.empty())
     console::say("warning: " + notice + "\n");
   console::flush();

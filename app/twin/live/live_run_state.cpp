@@ -76,12 +76,12 @@ void LiveRun::resume()
 
 void LiveRun::resume_alarms(const live::StoredObject &run)
 {
-  const auto own = live::stored_book(run.object("own"));
+  const auto stored = live::stored_book(run.object("own"));
   std::vector<live::PageAlarm> shown;
   for (const live::StoredObject &alarm : run.list("alarms", most_shown))
     shown.push_back(live::stored_alarm(alarm));
   const std::lock_guard lock(alarm_lock_);
-  alarms_.resume(own);
+  alarms_.resume(stored);
   for (const live::PageAlarm &alarm : shown)
     shown_alarms_[alarm.id] = alarm;
 }

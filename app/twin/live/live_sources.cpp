@@ -34,9 +34,9 @@ LiveSources::LiveSources(const LiveInput &input, const LiveOptions &options, con
     start([rules, &queue](const std::atomic<bool> &stop) { live::read_json_lines(0, rules, queue, stop); });
     break;
   case Kind::tcp: {
-    const auto at = web::address_and_port("--input", input.target, "tcp:127.0.0.1:8461");
-    port_         = std::make_unique<live::DataPort>(live::DataPortSettings{at.address, at.port, rules}, queue);
-    description_  = fmt::format("tcp {}:{}", at.address, port_->port());
+    const auto listen = web::address_and_port("--input", input.target, "tcp:127.0.0.1:8461");
+    port_ = std::make_unique<live::DataPort>(live::DataPortSettings{listen.address, listen.port, rules}, queue);
+    description_ = fmt::format("tcp {}:{}", listen.address, port_->port());
     break;
   }
   case Kind::mqtt: {

@@ -19,8 +19,8 @@ const char *label_of(const std::string &key, const bool detailed)
 {
   static const std::map<std::string, const char *> bearings{{"K2", "bearings of the upper backup roll"},
                                                             {"K6", "bearings of the lower backup roll"}};
-  if (const auto found = bearings.find(key); detailed && found != bearings.end())
-    return found->second;  // the rolls bend by themselves
+  if (const auto bearing = bearings.find(key); detailed && bearing != bearings.end())
+    return bearing->second;  // the rolls bend by themselves
   static const std::map<std::string, const char *> labels{
       {"K1", "upper frame"}, {"K2", "upper backup roll"},  {"K3", "upper roll contact"},
       {"K4", "roll bite"},   {"K5", "lower roll contact"}, {"K6", "lower backup roll"},
@@ -133,10 +133,10 @@ LumpedModel chain_at_load(const Case &the_case, const live::TwinModel &model, co
     return chain;
   }
   // what the load does to the closed forms, on the springs of the model as it is
-  const CaseChain own = case_chain(the_case, "live"), there = case_chain(the_case, "live", load);
+  const CaseChain chain_here = case_chain(the_case, "live"), there = case_chain(the_case, "live", load);
   for (std::size_t j = 0; j < chain.K.size(); ++j)
-    if (own.model.K[j].value > 0)
-      chain.K[j].value *= there.model.K[j].value / own.model.K[j].value;
+    if (chain_here.model.K[j].value > 0)
+      chain.K[j].value *= there.model.K[j].value / chain_here.model.K[j].value;
   return chain;
 }
 

@@ -25,8 +25,8 @@ LumpedModel chain_of_results(const std::vector<ClosedFormResult> &results)
 {
   LumpedModel model;
   const auto take = [&](const std::string &name, Parameter &into) {
-    if (const ClosedFormResult *found = find(results, name))
-      into = found->parameter;
+    if (const ClosedFormResult *result = find(results, name))
+      into = result->parameter;
   };
   for (std::size_t i = 0; i < model.M.size(); ++i)
     take("M" + std::to_string(i + 1), model.M[i]);

@@ -16,7 +16,7 @@ dynamics::SpeedRange chatter_range(const ChatterAnalysis &analysis)
 // The chain without the spring and the damper of the strip: the bite is what chatter adds.
 DynamicsSettings without_strip(DynamicsSettings settings)
 {
-  settings.force_meaning = "measured";
+  settings.force_meaning = ForceMeaning::measured;
   return settings;
 }
 }  // namespace
@@ -34,7 +34,7 @@ twin::ChatterModel chatter_model(const FourHigh &stand, const Pass &pass, const 
   model.bite    = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
   model.stand   = {dynamics::structure_of(dynamics::mill_model(chain, open)), strip.entry_distance,
                    strip.exit_distance, model.bite.strip.youngs_modulus};
-  model.scheme  = linearisation_of(stand.analysis);
+  model.scheme  = stand.analysis.linearisation;
   model.range   = chatter_range(stand.analysis);
   model.numbers = dynamics::chain_numbers(chain, open);
   return model;

@@ -12,7 +12,7 @@
 namespace mill {
 double gap_damper_of(const LumpedModel &chain, const DynamicsSettings &settings)
 {
-  return settings.force_meaning == "measured" || std::isnan(chain.C.value) ? 0 : chain.C.value;
+  return settings.force_meaning == ForceMeaning::measured || std::isnan(chain.C.value) ? 0 : chain.C.value;
 }
 
 DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
@@ -21,8 +21,8 @@ DetailParts detail_parts(const FourHigh &drawn, const CaseChain &chain)
   reduce::ChainInputs inputs;
   reduce::each_spring(
       [&](const std::string &name, Parameter &spring) {
-        if (const ClosedFormResult *found = find(chain.results, name))
-          spring = found->parameter;
+        if (const ClosedFormResult *result = find(chain.results, name))
+          spring = result->parameter;
       },
       inputs);
   inputs.K_ww       = touching_work_rolls(parts.stand, chain.load, nullptr);
@@ -41,11 +41,11 @@ reduce::StandWithModes closed_form_beams(const FourHigh &drawn, const CaseChain 
   return beams;
 }
 
-std::string warning_of_six_masses(const Case &the_case, const std::string &verb)
+std::optional<Warning> warning_of_six_masses(const Case &the_case, const std::string &verb)
 {
   const auto *drawn = std::get_if<FourHigh>(&the_case.spec);
   if (!drawn)
-    return "";
+    return {};
   const CaseChain chain = case_chain(the_case, verb);
   return six_mass_gap_error(closed_form_beams(*drawn, chain), chain_with_modes(chain.model, chain.dynamics),
                             chain.dynamics.frequency_limit);

@@ -1,8 +1,10 @@
 #pragma once
 #include "app/twin/stand/case_chain.h"
+#include "core/base/warning.h"
 #include "core/model/four_high.h"
 #include "reduce/stand/beam_stand.h"
 #include "reduce/stand/stand_comparison.h"
+#include <optional>
 
 namespace mill {
 /// N s/m between the work rolls, as the case means its force.
@@ -25,5 +27,5 @@ reduce::StandWithModes closed_form_beams(const FourHigh &drawn, const CaseChain 
 /// Where six masses are used for a drawing: a sentence if they put a mode of the gap more than 5 % from that of
 /// the beams; else empty, also for a case without a drawing.
 /// @param verb  as case_chain()
-std::string warning_of_six_masses(const Case &the_case, const std::string &verb);
+std::optional<Warning> warning_of_six_masses(const Case &the_case, const std::string &verb);
 }  // namespace mill

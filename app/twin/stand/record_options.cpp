@@ -20,11 +20,11 @@ std::map<std::string, std::string> pairs_of(const std::string &option, const std
 {
   std::map<std::string, std::string> pairs;
   for (const std::string &text : texts) {
-    const auto at = text.find('=');
-    if (at == std::string::npos || at == 0 || at + 1 == text.size())
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size())
       throw InputError(fmt::format("{} \"{}\": a name and what it stands for are needed, for example {} {}",
                                    option, text, option, sample));
-    pairs[valid_text(text.substr(0, at))] = valid_text(text.substr(at + 1));
+    pairs[valid_text(text.substr(0, equals))] = valid_text(text.substr(equals + 1));
   }
   return pairs;
 }

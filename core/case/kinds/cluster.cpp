@@ -82,7 +82,7 @@ const CaseKind &case_kind(const ClusterCase *)
           head_section(),
           steel_section(),
           {"stack", Repeat::once, true, "what is common to the rolls", rows_of(cluster_stack_rows())},
-          {"roll", Repeat::list, true, "one roll", rows_of(cluster_roll_rows())},
+          {"roll", Repeat::list, true, "one roll, of at most 40", rows_of(cluster_roll_rows())},
           {"contact", Repeat::list, false, "two rolls that touch", rows_of(cluster_contact_rows())},
           {"support", Repeat::list, true, "what holds a roll from the ground", rows_of(cluster_support_rows())},
           {"strip", Repeat::once, true, "the strip in the bite", rows_of(cluster_strip_rows())},

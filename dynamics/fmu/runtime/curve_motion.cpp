@@ -92,8 +92,8 @@ void CurveMotion::advance(ModalState &modes, const double length, const Straight
   if (!(length > 0))
     return;
   const double longest = kernel_->longest_step, count = std::max(1.0, std::ceil(length / longest - 1e-6));
-  const double own = length / count, unit = longest * same_length, multiple = std::round(own / unit);
-  const auto &step = kernel_->step_of(multiple > 0 ? multiple * unit : own);
+  const double interval = length / count, unit = longest * same_length, multiple = std::round(interval / unit);
+  const auto &step = kernel_->step_of(multiple > 0 ? multiple * unit : interval);
   kernel_->set(modes);
   double before = force.start;
   for (double i = 1; i <= count; ++i) {

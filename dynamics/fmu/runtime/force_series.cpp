@@ -29,22 +29,22 @@ double ForceSeries::at(const double t, const std::size_t n) const
 ForceSeries read_series(const std::string &csv)
 {
   ForceSeries series;
-  const char *at = csv.data(), *end = csv.data() + csv.size();
-  for (std::size_t line = 1; at < end; ++line) {
-    const char *stop = static_cast<const char *>(std::memchr(at, '\n', std::size_t(end - at)));
+  const char *next = csv.data(), *end = csv.data() + csv.size();
+  for (std::size_t line = 1; next < end; ++line) {
+    const char *stop = static_cast<const char *>(std::memchr(next, '\n', std::size_t(end - next)));
     if (!stop)
       stop = end;
-    const char *comma = static_cast<const char *>(std::memchr(at, ',', std::size_t(stop - at)));
+    const char *comma = static_cast<const char *>(std::memchr(next, ',', std::size_t(stop - next)));
     if (line > 1) {
       double t = 0, force = 0;
-      if (!comma || !read_number(at, comma, t) || !read_number(comma + 1, stop, force) ||
+      if (!comma || !read_number(next, comma, t) || !read_number(comma + 1, stop, force) ||
           !(series.time.empty() || t > series.time.back()))
         throw std::runtime_error("line " + std::to_string(line) +
                                  " is not a sample, or its time does not increase");
       series.time.push_back(t);
       series.force.push_back(force);
     }
-    at = stop + 1;
+    next = stop + 1;
   }
   if (series.time.empty())
     throw std::runtime_error("there are no samples");

@@ -173,7 +173,7 @@ void Instance::settle(const double force)
 {
   now_.force      = force;
   now_.last_slope = 0;
-  if (model_.kind == "chatter") {
+  if (model_.kind == StandKind::chatter) {
     now_.vibration = chatter_->displaced(bite_number(BiteNumber::start));
     return;
   }
@@ -217,7 +217,7 @@ Tuning Instance::tuning_of(const std::vector<double> &values) const
 // The modes of the present parameters; displacements and velocities of the points stay what they are.  (35.7)
 void Instance::use_parameters()
 {
-  if (model_.kind == "chatter")
+  if (model_.kind == StandKind::chatter)
     return;  // solve_pass(), where its working point is needed
   const Tuning tuning = tuning_of(now_.values);
   if (motion_ && same_tuning(tuning, built_))
@@ -243,7 +243,7 @@ void Instance::use_parameters()
   system_ = std::move(system);
   motion_ = std::make_unique<Motion>(system_);
   built_  = tuning;
-  if (model_.kind == "curves") {
+  if (model_.kind == StandKind::curves) {
     if (!curves_)
       curves_ = std::make_unique<CurveMotion>(model_);
     curves_->tune(tuning.modal_damping, tuning.gap_damper);
@@ -377,15 +377,15 @@ bool Instance::plays_series() const
 void Instance::play_series(const double end)
 {
   const auto &time = series_.time;
-  double at = now_.time, force = now_.force, slope = 0;
+  double instant = now_.time, force = now_.force, slope = 0;
   if (!curves_)
     motion_->begin(now_.modes);
   for (std::size_t place = std::size_t(now_.place);;) {
     const bool inside = place > 0 && place < time.size();
     const double stop = place < time.size() ? std::min(end, time[place]) : end;
     slope = inside ? (series_.force[place] - series_.force[place - 1]) / (time[place] - time[place - 1]) : 0;
-    travel(stop - at, {force - mean(), slope});
-    at = stop;
+    travel(stop - instant, {force - mean(), slope});
+    instant = stop;
     if (place < time.size() && time[place] <= end) {
       force = series_.force[place];
       ++place;

@@ -56,10 +56,10 @@ PassData Instance::pass_of(const std::vector<double> &values) const
     }
   }
   // The exit thickness of the case itself comes back to its last digit.
-  const PassData &own = model_.chatter.pass;
-  const bool same =
-      pass.entry_thickness == own.entry_thickness && reduction == 1 - own.exit_thickness / own.entry_thickness;
-  pass.exit_thickness = same ? own.exit_thickness : pass.entry_thickness * (1 - reduction);
+  const PassData &pass_data = model_.chatter.pass;
+  const bool same           = pass.entry_thickness == pass_data.entry_thickness &&
+                    reduction == 1 - pass_data.exit_thickness / pass_data.entry_thickness;
+  pass.exit_thickness = same ? pass_data.exit_thickness : pass.entry_thickness * (1 - reduction);
   return pass;
 }
 
@@ -77,7 +77,7 @@ double Instance::bite_number(const BiteNumber number) const
 // @return  empty, or why there is no steady bite: the last working point is kept then
 std::string Instance::solve_pass()
 {
-  if (model_.kind != "chatter")
+  if (model_.kind != StandKind::chatter)
     return "";
   const PassData pass     = pass_of(now_.values);
   std::vector<double> key = key_of(pass);

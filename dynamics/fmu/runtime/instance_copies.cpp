@@ -217,7 +217,7 @@ bool Instance::may_hold(const Snapshot &state) const
         !(std::isfinite(value) && (!variable.bounded() || (value >= variable.low && value <= variable.high))))
       return false;
   }
-  if (model_.kind == "chain" && !is_held(modal_system(model_, tuning_of(state.values))))
+  if (model_.kind == StandKind::chain && !is_held(modal_system(model_, tuning_of(state.values))))
     return false;
   const ModalState &modes = state.modes;
   const auto &vibration   = state.vibration.z;
@@ -225,7 +225,7 @@ bool Instance::may_hold(const Snapshot &state) const
   // From the first values on there is a motion.
   const bool moves = state.phase == Phase::step || state.phase == Phase::terminated ||
                      (state.phase == Phase::initialization && !state.outputs_stale);
-  const bool chatter   = model_.kind == "chatter";
+  const bool chatter   = model_.kind == StandKind::chatter;
   const bool has_modes = modes.q.size() == n && !chatter, has_vibration = vibration.size() == unknowns;
   return modes.p.size() == modes.q.size() && (modes.q.empty() || has_modes) &&
          (vibration.empty() || (chatter && has_vibration)) &&

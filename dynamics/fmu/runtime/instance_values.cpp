@@ -185,7 +185,7 @@ Status Instance::set(const char *function, const Reference *references, const st
     only_force = only_force && references[i] == bite_force;
   }
   if (!only_force) {
-    if (model_.kind == "chain") {
+    if (model_.kind == StandKind::chain) {
       std::vector<double> wanted = now_.values;
       for (std::size_t i = 0; i < n; ++i)
         wanted[references[i]] = values[i];
@@ -306,10 +306,10 @@ bool Instance::may_derive(const char *function, const Direction &asked) const
 {
   if (!allows(function, {Phase::initialization, Phase::step, Phase::terminated}))
     return false;
-  const std::size_t seeds = asked.adjoint ? asked.n_unknowns : asked.n_knowns;
-  const std::size_t found = asked.adjoint ? asked.n_knowns : asked.n_unknowns;
+  const std::size_t seeds  = asked.adjoint ? asked.n_unknowns : asked.n_knowns;
+  const std::size_t length = asked.adjoint ? asked.n_knowns : asked.n_unknowns;
   if ((asked.n_unknowns > 0 && !asked.unknowns) || (asked.n_knowns > 0 && !asked.knowns) ||
-      (seeds > 0 && !asked.seed) || (found > 0 && !asked.result)) {
+      (seeds > 0 && !asked.seed) || (length > 0 && !asked.result)) {
     log_->refuse(Status::error, std::string(function) + ": a pointer is missing");
     return false;
   }

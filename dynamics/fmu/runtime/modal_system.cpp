@@ -81,7 +81,7 @@ ModalSystem of_modes(const ModelData &model)
 
 ModalSystem modal_system(const ModelData &model, const Tuning &tuning)
 {
-  ModalSystem system     = model.kind == "chain" ? of_chain(model, tuning) : of_modes(model);
+  ModalSystem system     = model.kind == StandKind::chain ? of_chain(model, tuning) : of_modes(model);
   system.damping         = tuning.modal_damping;
   system.gap_damper      = tuning.gap_damper;
   system.load_cell_share = model.load_cell_share;

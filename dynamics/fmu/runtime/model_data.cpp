@@ -140,6 +140,29 @@ void require_chatter(const ModelData &model)
 }
 }  // namespace
 
+const char *name_of(const StandKind kind)
+{
+  switch (kind) {
+  case StandKind::chain:
+    return "chain";
+  case StandKind::modal:
+    return "modal";
+  case StandKind::curves:
+    return "curves";
+  case StandKind::chatter:
+    return "chatter";
+  }
+  return nullptr;
+}
+
+StandKind stand_kind(const std::string &name)
+{
+  for (int i = 0; const char *known = name_of(StandKind(i)); ++i)
+    if (name == known)
+      return StandKind(i);
+  throw std::runtime_error("kind " + name + " is unknown");
+}
+
 ModelData read_model(const std::string &json)
 {
   const Json text = read_json(json);
@@ -151,17 +174,21 @@ ModelData read_model(const std::string &json)
                              runtime_version);
   if (model.points.empty() || model.n_modes() == 0)
     throw std::runtime_error("the model has no masses");
-  if (model.kind == "chain")
+  switch (model.kind) {
+  case StandKind::chain:
     require_chain(model);
-  else if (model.kind == "modal")
+    break;
+  case StandKind::modal:
     require_modal(model);
-  else if (model.kind == "curves") {
+    break;
+  case StandKind::curves:
     require_modal(model);
     require_curves(model);
-  } else if (model.kind == "chatter")
+    break;
+  case StandKind::chatter:
     require_chatter(model);
-  else
-    throw std::runtime_error("kind " + model.kind + " is unknown");
+    break;
+  }
   return model;
 }
 }  // namespace mill::fmu

@@ -3,6 +3,7 @@
 #include "curve_data.h"
 #include <cstddef>
 #include <string>
+#include <type_traits>
 #include <vector>
 
 // What resources/model.json holds.
@@ -22,12 +23,17 @@ struct SpringData {
   double damper = 0;      ///< N s/m, in parallel with it: an oil film
 };
 
+enum class StandKind { chain, modal, curves, chatter };
+const char *name_of(StandKind kind);
+/// @throws std::runtime_error  no kind has this name
+StandKind stand_kind(const std::string &name);
+
 /// A linear stand driven by its bite force, as a chain of masses whose springs may be tuned or in modes that are
 /// kept as they are, with springs on curves or without; or a stand whose bite is part of the model.
 struct ModelData {
   std::string runtime;              ///< runtime_version of the program that wrote it
   std::string guid;                 ///< identity of model, variables and runtime
-  std::string kind;                 ///< "chain", "modal", "curves" or "chatter"
+  StandKind kind = StandKind::chain;
   std::vector<std::string> points;  ///< (m) what moves, "upper_work_roll"
   double modal_damping    = 0;      ///< -, ratio of critical of every mode
   double gap_damper       = 0;      ///< N s/m, between the work rolls
@@ -54,7 +60,7 @@ struct ModelData {
 
   std::size_t n_modes() const
   {
-    return kind == "chain" ? mass.size() : kind == "chatter" ? chatter.gap_row.size() : frequency.size();
+    return kind == StandKind::chain ? mass.size() : kind == StandKind::chatter ? chatter.gap_row.size() : frequency.size();
   }
 };
 
@@ -73,7 +79,10 @@ template <class IO, class M> void each_member(IO &io, M &model, const ModelData 
 {
   io("runtime", model.runtime);
   io("guid", model.guid);
-  io("kind", model.kind);
+  std::string kind = name_of(model.kind);
+  io("kind", kind);
+  if constexpr (!std::is_const_v<M>)
+    model.kind = stand_kind(kind);
   io("points", model.points);
   io("modal_damping", model.modal_damping);
   io("gap_damper", model.gap_damper);
@@ -90,9 +99,9 @@ template <class IO, class M> void each_member(IO &io, M &model, const ModelData 
   io("bite_mode", model.bite_mode);
   io("load_cell_mode", model.load_cell_mode);
   io("damper_rows", model.damper_rows);
-  if (model.kind == "curves")
+  if (model.kind == StandKind::curves)
     io("curves", model.curves);
-  if (model.kind == "chatter")
+  if (model.kind == StandKind::chatter)
     io("chatter", model.chatter);
 }
 

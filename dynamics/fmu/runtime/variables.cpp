@@ -45,7 +45,7 @@ void add_parameters(const ModelData &model, std::vector<Variable> &all)
   Variable mean = parameter("F_mean", Role::mean_force, 0, Variability::fixed, "N", -largest_force, largest_force,
                             model.mean_force);
   mean.display_unit = "kN";
-  if (model.kind == "curves")  // what the springs carry at rest belongs to it
+  if (model.kind == StandKind::curves)  // what the springs carry at rest belongs to it
     mean.low = mean.high = model.mean_force;
   all.push_back(mean);
   if (model.has_series)
@@ -150,7 +150,7 @@ std::vector<Variable> chatter_variables(const ModelData &model)
 
 std::vector<Variable> variables_of(const ModelData &model)
 {
-  if (model.kind == "chatter")
+  if (model.kind == StandKind::chatter)
     return chatter_variables(model);
   std::vector<Variable> all;
   all.push_back(
@@ -167,7 +167,7 @@ std::vector<Variable> variables_of(const ModelData &model)
   for (std::size_t k = 0; k < model.n_modes(); ++k)
     all.push_back({"f" + std::to_string(k + 1), Role::frequency, int(k), Type::real,
                    Causality::calculated_parameter,
-                   model.kind == "chain" ? Variability::tunable : Variability::fixed, "Hz", "", 0, -1, 0, 0});
+                   model.kind == StandKind::chain ? Variability::tunable : Variability::fixed, "Hz", "", 0, -1, 0, 0});
   return all;
 }
 }  // namespace mill::fmu

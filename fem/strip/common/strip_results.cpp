@@ -52,10 +52,12 @@ void add_slip_notes(StripFlow &flow, const bool drawn)
   bite::BiteState &s  = flow.state;
   const double on_arc = s.arc_length - s.exit_position;
   if (flow.slip_changes == 0 && !drawn)
-    s.notes.push_back("the slip between strip and roll does not change its sign: no neutral point in the arc");
+    s.notes.push_back({WarningId::bite_slip, "", "the slip between strip and roll does not change its sign",
+                       "no neutral point in the arc"});
   if (flow.slip_changes > 1)
-    s.notes.push_back(sentence("the slip changes its sign ", flow.slip_changes,
-                               " times along the arc: the neutral position is the middle of the zone"));
+    s.notes.push_back({WarningId::bite_slip, "",
+                       sentence("the slip changes its sign ", flow.slip_changes, " times along the arc"),
+                       "the neutral position is the middle of the zone"});
   if (s.sticking_length > 0.1 * on_arc)
     s.remarks.push_back(sentence("the friction stress is at its limit, or slip zero, over ",
                                  s.sticking_length * 1e3, " mm of an arc of ", on_arc * 1e3, " mm"));

@@ -284,9 +284,10 @@ void add_notes(StripElastic &out, const ElasticPass &pass)
                                  " mm at the exit, of ", length * 1e3,
                                  " mm: a rigid-plastic theory is wrong by about that share"));
   if (pass.model.arc == bite::Arc::elastic && s.flattened_radius > 5 * pass.bite->roll_radius)
-    s.notes.push_back(sentence("the arc is as flat as that of a roll ",
-                               s.flattened_radius / pass.bite->roll_radius,
-                               " times as large: foil, where strip and roll stick"));
+    s.notes.push_back({WarningId::bite_foil, "",
+                       sentence("the arc is as flat as that of a roll ",
+                                s.flattened_radius / pass.bite->roll_radius, " times as large"),
+                       "foil, where strip and roll stick"});
 }
 }  // namespace
 

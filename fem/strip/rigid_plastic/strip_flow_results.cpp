@@ -4,6 +4,7 @@
 #include "reduce/bite/sentence.h"
 #include "reduce/bite/slab/flattening.h"
 #include "reduce/bite/slab/neutral_point.h"
+#include "reduce/bite/slab/slab_checks.h"
 #include <algorithm>
 #include <cmath>
 
@@ -173,18 +174,20 @@ void add_notes(StripFlow &flow, const StripPass &pass)
   bite::BiteState &s = flow.state;
   const bool factor  = !slides(pass.bite->strip.friction);
   if (!factor && s.bite_angle > s.friction)
-    s.notes.push_back(sentence("the angle of bite ", s.bite_angle, " rad is larger than the friction ", s.friction,
-                               ": the pass runs, but the strip has to be pushed in at its head"));
+    s.notes.push_back(bite::large_angle(s, s.friction));
   add_slip_notes(flow, !std::isnan(pass.model.exit_speed));
   if (flow.negative_length > 0)
-    s.notes.push_back(sentence("roll and strip pull at each other over ", flow.negative_length * 1e3,
-                               " mm: more elements along the arc, or the release of the last spine"));
+    s.notes.push_back({WarningId::bite_suction, "",
+                       sentence("roll and strip pull at each other over ", flow.negative_length * 1e3, " mm"), "",
+                       "more elements along the arc, or the release of the last spine"});
   if (pass.model.arc == bite::Arc::hitchcock && bite::beyond_hitchcock(*pass.bite, s.flattened_radius))
     s.notes.push_back(bite::beyond_hitchcock_note(*pass.bite, s.flattened_radius));
   if (pass.model.arc == bite::Arc::elastic)
     s.notes.push_back(
-        "a rigid-plastic strip ends with a step of pressure, to which an elastic roll answers with a slope "
-        "that grows with the mesh: the elastic-plastic strip is the model for this roll");
+        {WarningId::bite_strip_model, "",
+         "a rigid-plastic strip ends with a step of pressure, to which an elastic roll answers with a slope "
+         "that grows with the mesh",
+         "the elastic-plastic strip is the model for this roll"});
 }
 }  // namespace
 

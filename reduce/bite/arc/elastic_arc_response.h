@@ -136,17 +136,17 @@ private:
     T x, h, dh, k;  // dh: slope of the thickness
     T f, p, tau;
   };
-  Place place(const T &at, const T &thickness, const T &slope) const
+  Place place(const T &position, const T &thickness, const T &slope) const
   {
-    return {at, thickness, slope, yield(thickness), T(0.0), T(0.0), T(0.0)};
+    return {position, thickness, slope, yield(thickness), T(0.0), T(0.0), T(0.0)};
   }
   /// Between the points, on the cubic of their cell.
-  Place place_inside(const int in_cell, const T &at) const
+  Place place_inside(const int in_cell, const T &position) const
   {
     const double w       = x[in_cell + 1] - x[in_cell];
     const ShapeCell<T> c = cell(in_cell);
-    const T s            = (at - x[in_cell]) / w;
-    return place(at, in.exit_thickness + (c.at(s) - g_min), c.slope(s) / w);
+    const T s            = (position - x[in_cell]) / w;
+    return place(position, in.exit_thickness + (c.at(s) - g_min), c.slope(s) / w);
   }
   void settle(Place &e, const T &f, const int side) const
   {
@@ -250,29 +250,29 @@ private:
   }
   void elastic_zones()
   {
-    double at = r.exit, p_at = value_of(exit_pressure);
+    double position = r.exit, p_at = value_of(exit_pressure);
     r.first = x[0];
     for (int i = exit_cell; i >= 0; --i) {
       const T p = exit_pressure - in.elastic_modulus * (h[i] - in.exit_thickness) / in.exit_thickness;
       if (!(value_of(p) > 0)) {
-        r.first = nil_between(at, p_at, x[i], value_of(p));
+        r.first = nil_between(position, p_at, x[i], value_of(p));
         break;
       }
       r.pressure[i] = p;
-      at            = x[i];
+      position      = x[i];
       p_at          = value_of(p);
     }
-    at     = r.entry;
-    p_at   = value_of(entry_pressure);
-    r.last = x[n - 1];
+    position = r.entry;
+    p_at     = value_of(entry_pressure);
+    r.last   = x[n - 1];
     for (int i = entry_cell + 1; i < n; ++i) {
       const T p = entry_pressure - in.elastic_modulus * (h[i] - in.entry_thickness) / in.entry_thickness;
       if (!(value_of(p) > 0)) {
-        r.last = nil_between(at, p_at, x[i], value_of(p));
+        r.last = nil_between(position, p_at, x[i], value_of(p));
         break;
       }
       r.pressure[i] = p;
-      at            = x[i];
+      position      = x[i];
       p_at          = value_of(p);
     }
   }

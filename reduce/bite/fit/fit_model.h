@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/bite_setup.h"
 #include "reduce/bite/bite.h"
 #include <Eigen/Core>
 #include <array>
@@ -7,11 +8,9 @@
 
 // What a pass would measure, with its derivatives by the numbers that a fit looks for.  theory.md 31.1
 namespace mill::bite {
-/// Kinds of measured values, in the order of their arrays.
-enum class Measured { force, slip, torque };
-constexpr std::size_t n_measured             = 3;
-constexpr const char *const measured_words[] = {"force", "slip", "torque"};
-template <class T> using PerMeasured         = std::array<T, n_measured>;
+using Measured                       = PassMeasure;
+constexpr std::size_t n_measured     = every<Measured>().size();
+template <class T> using PerMeasured = std::array<T, n_measured>;
 
 /// A number that a fit looks for: a factor on what the case says.
 struct FitUnknown {

@@ -1,16 +1,10 @@
 #pragma once
+#include "core/model/linearisation.h"
 #include "reduce/bite/bite.h"
 #include <array>
 
 // The bite as a vibrating mill sees it: linear in gap, gap rate and tensions.  theory.md 8.9
 namespace mill::bite {
-/// How much of the bite follows a disturbance.  The flattened radius never does.
-enum class Linearisation {
-  sequential,      ///< film and exit point keep the strip speeds of the steady state
-  implicit,        ///< everything follows
-  frozen_friction  ///< friction and exit point keep their steady values
-};
-
 /// Derivatives by gap h_d, gap rate, entry tension, exit tension and entry thickness, in this order
 /// (units of the row's quantity per m, per m/s, per Pa, per Pa, per m).
 using StripRow = std::array<double, 5>;

@@ -245,15 +245,20 @@ ScheduleRecord schedule_of(const std::vector<ScheduledPass> &passes)
     record.passes.push_back(pass_force(pass));
     for (const bool flattened : {false, true})
       if (const std::string &why = fit_on(record.passes.back(), flattened).refused; !why.empty())
-        record.notes.push_back("pass \"" + pass.name + "\", fit of the flow stress on " +
-                               (flattened ? "Hitchcock's arc: " : "the roll's own radius: ") + why);
+        record.notes.push_back({WarningId::fit_refused,
+                                "pass \"" + pass.name + "\"",
+                                std::string("no fit of the flow stress on ") +
+                                    (flattened ? "Hitchcock's arc" : "the roll's own radius"),
+                                why,
+                                "",
+                                {pass.name}});
   }
   for (const bool flattened : {false, true}) {
     std::string why;
     if (points_of(record, flattened, passes.size()).size() > 0)
       attempt(why, [&] { add_law(record, passes, flattened); });
     if (!why.empty() && flattened)
-      record.notes.push_back(why);
+      record.notes.push_back({WarningId::fit_refused, "schedule", "no hardening law was fitted", why});
     why      = "";
     bool any = false;
     for (const ScheduledPass &pass : passes)
@@ -261,7 +266,7 @@ ScheduleRecord schedule_of(const std::vector<ScheduledPass> &passes)
     if (any)
       attempt(why, [&] { add_dynamics(record, passes, flattened); });
     if (!why.empty() && flattened)
-      record.notes.push_back(why);
+      record.notes.push_back({WarningId::fit_refused, "schedule", "the dynamic forces were not fitted", why});
   }
   return record;
 }

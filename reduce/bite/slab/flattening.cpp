@@ -32,10 +32,11 @@ bool beyond_hitchcock(const RollBite &bite, const double radius)
   return radius > hitchcock_range * bite.roll_radius;
 }
 
-std::string beyond_hitchcock_note(const RollBite &bite, const double radius)
+Warning beyond_hitchcock_note(const RollBite &bite, const double radius)
 {
-  return sentence("R'/R = ", radius / bite.roll_radius, " is beyond ", hitchcock_range,
-                  ", where Hitchcock's circular arc no longer holds");
+  return {WarningId::bite_flattening, "",
+          sentence("R'/R = ", radius / bite.roll_radius, " is beyond ", hitchcock_range,
+                   ", where Hitchcock's circular arc no longer holds")};
 }
 
 FlattenedArc flattened_arc(const RollBite &bite, const std::function<double(double)> &force_of_radius)

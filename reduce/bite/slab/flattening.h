@@ -15,7 +15,7 @@ double hitchcock_radius(const RollBite &bite, double force);
 bool beyond_hitchcock(const RollBite &bite, double radius);
 
 /// The sentence on it for the report.
-std::string beyond_hitchcock_note(const RollBite &bite, double radius);
+Warning beyond_hitchcock_note(const RollBite &bite, double radius);
 
 struct FlattenedArc {
   double radius   = 0;  ///< m, smallest R' that carries its own force

@@ -6,6 +6,7 @@
 #include "reduce/bite/slab/flattening.h"
 #include "reduce/bite/slab/karman_arc.h"
 #include "reduce/bite/slab/sims.h"
+#include "reduce/bite/slab/slab_checks.h"
 #include <algorithm>
 #include <cmath>
 
@@ -109,21 +110,19 @@ void add_notes(const RollBite &bite, BiteState &state, const Arc arc)
   const Strip &strip = bite.strip;
   const bool factor  = !slides(strip.friction);
   if (!factor && state.bite_angle > state.friction)
-    state.notes.push_back(sentence("the angle of bite ", state.bite_angle, " rad is larger than the friction ",
-                                   state.friction,
-                                   ": the pass runs, but the strip has to be pushed in at its head"));
+    state.notes.push_back(large_angle(state, state.friction));
   if (!factor && !std::isfinite(strip.friction.shear_limit) && state.largest_shear > 1)
-    state.notes.push_back(sentence("the friction stress reaches ", state.largest_shear,
-                                   " times the shear yield stress: the strip would stick, but no limit is set"));
+    state.notes.push_back(sticking_strip(state, "but no limit is set"));
   else if (!factor && state.sticking_length > 0)
     state.remarks.push_back(sentence("the friction stress is at its limit over ", state.sticking_length * 1e3,
                                      " mm of an arc of ", (state.arc_length - state.exit_position) * 1e3, " mm"));
   if (arc == Arc::hitchcock && beyond_hitchcock(bite, state.flattened_radius))
     state.notes.push_back(beyond_hitchcock_note(bite, state.flattened_radius));
   if (strip.exit_thickness < 0.1e-3)
-    state.notes.push_back(sentence("exit thickness ", strip.exit_thickness * 1e3,
-                                   " mm: below about 0.1 mm a zone without slip forms, in which mu p is not the "
-                                   "friction; the force is a guide only"));
+    state.notes.push_back({WarningId::bite_foil, "",
+                           sentence("exit thickness ", strip.exit_thickness * 1e3, " mm"),
+                           "below about 0.1 mm a zone without slip forms, in which mu p is not the friction; the "
+                           "force is a guide only"});
 }
 
 void fill_derivatives(const Wide &force, const Wide &torque, const RollBite &bite, BiteState &state)

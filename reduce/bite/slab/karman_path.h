@@ -37,7 +37,7 @@ private:
   PathNode step_towards(double target);
   PathNode stepped(const PathNode &from, double length, double *error = nullptr);
   double excess(const PathNode &node);
-  [[noreturn]] void refuse_crawling(const PathNode &at, double length) const;
+  [[noreturn]] void refuse_crawling(const PathNode &node_reached, double length) const;
   PathNode event(const PathNode &from, double length);
   bool beyond(double a, double b) const
   {

@@ -170,7 +170,8 @@ BiteState solve_sims(const RollBite &bite, const Arc arc, const int points)
     state.slip      = hill.slip;
   }
   if (hardens(strip.flow_stress))
-    state.notes.push_back("Sims' formula takes one flow stress; given is its mean over the arc.");
+    state.notes.push_back({WarningId::bite_stress_mean, "", "Sims' formula takes one flow stress",
+                           "given is its mean over the arc"});
   return state;
 }
 }  // namespace mill::bite

@@ -1,15 +1,10 @@
 #pragma once
+#include "core/model/bite_setup.h"
 #include "reduce/bite/bite.h"
 
 // One door to the slab theories of the roll bite.
 namespace mill::bite {
-enum class Theory {
-  bland_ford,  ///< closed form, Coulomb, film or speed law, moving gap; theory.md 8.2
-  hu_ehmann,   ///< closed form, friction factors, moving gap; theory.md 8.8
-  karman,      ///< slab equation without Bland and Ford's simplification, integrated; theory.md 17
-  orowan,      ///< inhomogeneous, integrated; theory.md 17
-  sims         ///< sticking friction; theory.md 17
-};
+using Theory = SlabTheory;
 
 /// A theory with the shape of the arc it is solved on.
 struct SlabModel {

@@ -132,17 +132,27 @@ void refuse_neutral_point(const std::string &friction, const double angle_of_bit
       beyond_exit ? "a smaller reduction, more front tension or less back tension" : "less front tension"));
 }
 
-std::vector<std::string> range_notes(const RollBite &bite, const BiteState &state, const double friction_for_angle)
+Warning large_angle(const BiteState &state, const double friction)
 {
-  std::vector<std::string> notes;
+  return {WarningId::bite_angle, "",
+          sentence("the angle of bite ", state.bite_angle, " rad is larger than the friction ", friction),
+          "the pass runs, but the strip has to be pushed in at its head"};
+}
+
+Warning sticking_strip(const BiteState &state, const char *what_is_missing)
+{
+  return {WarningId::bite_sticking, "",
+          sentence("the friction stress reaches ", state.largest_shear, " times the shear yield stress"),
+          sentence("the strip would stick, ", what_is_missing)};
+}
+
+std::vector<Warning> range_notes(const RollBite &bite, const BiteState &state, const double friction_for_angle)
+{
+  std::vector<Warning> notes;
   if (state.bite_angle > friction_for_angle)
-    notes.push_back(sentence("the angle of bite ", state.bite_angle, " rad is larger than the friction ",
-                             friction_for_angle,
-                             ": the pass runs, but the strip has to be pushed in at its head"));
+    notes.push_back(large_angle(state, friction_for_angle));
   if (state.largest_shear > 1)
-    notes.push_back(
-        sentence("the friction stress reaches ", state.largest_shear,
-                 " times the shear yield stress: the strip would stick, which Coulomb friction does not know"));
+    notes.push_back(sticking_strip(state, "which Coulomb friction does not know"));
   if (beyond_hitchcock(bite, state.flattened_radius))
     notes.push_back(beyond_hitchcock_note(bite, state.flattened_radius));
   return notes;

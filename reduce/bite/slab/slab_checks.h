@@ -31,5 +31,9 @@ std::string friction_in_words(const Friction &law, double coefficient);
                                        bool beyond_exit);
 
 /// Sentences on where the closed theories leave their range.
-std::vector<std::string> range_notes(const RollBite &bite, const BiteState &state, double friction_for_angle);
+/// The strip has to be pushed in at its head.
+Warning large_angle(const BiteState &state, double friction);
+/// @param what_is_missing  "but no limit is set"
+Warning sticking_strip(const BiteState &state, const char *what_is_missing);
+std::vector<Warning> range_notes(const RollBite &bite, const BiteState &state, double friction_for_angle);
 }  // namespace mill::bite

@@ -70,13 +70,14 @@ Eigen::Index first_shown(const Eigen::VectorXd &frequency)
 std::string mode_rows(const Table &modes)
 {
   std::string rows;
-  const auto at = [&](const char *name, const Eigen::Index i) { return (*modes.column(name))[i]; };
+  const auto value_in = [&](const char *name, const Eigen::Index i) { return (*modes.column(name))[i]; };
   for (Eigen::Index i = 0; i < modes.columns[0].size(); ++i)
-    rows += "<tr>" + in_cell("<b>" + fixed(at("frequency", i), 2) + "</b>") +
-            in_cell(significant(at("frequency_law", i), 2)) +
-            in_cell(significant(100 * at("damping", i), 3) + " %") +
-            in_cell(significant(100 * at("damping_law", i), 2) + " %") + in_cell(fixed(at("orders", i), 0)) +
-            in_cell(at("confirmed", i) > 0 ? "both halves" : "not confirmed", false) + "</tr>\n";
+    rows += "<tr>" + in_cell("<b>" + fixed(value_in("frequency", i), 2) + "</b>") +
+            in_cell(significant(value_in("frequency_law", i), 2)) +
+            in_cell(significant(100 * value_in("damping", i), 3) + " %") +
+            in_cell(significant(100 * value_in("damping_law", i), 2) + " %") +
+            in_cell(fixed(value_in("orders", i), 0)) +
+            in_cell(value_in("confirmed", i) > 0 ? "both halves" : "not confirmed", false) + "</tr>\n";
   return head_row(
              {"frequency [Hz]", "sd by the law", "damping", "sd by the law", "orders of 15", "confirmed by"}) +
          rows + "</tbody></table>\n";

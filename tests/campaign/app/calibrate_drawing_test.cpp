@@ -98,7 +98,7 @@ TEST(CalibrateDrawing, AStandWithinTheStatedErrorsIsAcceptedWithItsFrequencies)
   ASSERT_EQ(done.exit_code, 0) << done.out << done.err;
   const auto json = nlohmann::json::parse(read_text(folder + "/calibrated/calibration.json"));
   DynamicsSettings measured;
-  measured.force_meaning      = "measured";
+  measured.force_meaning      = ForceMeaning::measured;
   const Eigen::VectorXd truth = dynamics::modes(dynamics::mill_model(stand.model, measured)).frequency;
   ASSERT_EQ(Eigen::Index(json["modes"].size()), (truth.array() < 900).count());
   int determined = 0, missed = 0;

@@ -188,4 +188,4 @@ def refuse_constant(text):
 def numbers(folder):
     """The results of a run without its remarks: what a run says of its surroundings (a cache it may not write) is no result."""
     stored = json.load(open(os.path.join(folder, "results.json")), parse_constant=refuse_constant)
-    return {key: value for key, value in stored.items() if key not in ("warnings", "status")}
+    return {key: value for key, value in stored.items() if key not in ("warnings", "warning_records", "status")}

@@ -75,7 +75,7 @@ std::vector<Check> four_rows_crown()
                               {1000, 1.536e4, 2.071e4}, {2000, 1.814e4, 2.312e4}, {4000, 2.071e4, 2.493e4}};
   std::vector<Check> checks;
   RollerBearing b = bearing_266();
-  b.profile       = "iso";
+  b.profile       = RollerProfile::iso;
   for (const auto &row : table) {
     const auto where = fmt::format(", {:g} kN, 41 slices", row[0]);
     const auto state = radial(b, row[0] * kN);
@@ -186,13 +186,13 @@ std::vector<Check> kumar_convention()
 {
   RollerBearing b;
   b.name            = "kumar";
-  b.type            = "tapered";
+  b.type            = BearingType::four_row_tapered;
   b.rows            = 1;
   b.rollers_per_row = 20;
   b.pitch_diameter  = 2 * 40.5 * mm;
   b.roller_length   = 18.251 * mm;
   b.cup_angle       = 31.128 * degree;
-  b.roller_law      = "palmgren";
+  b.roller_law      = OneRollerLaw::palmgren;
   // load kN, axial tangent N/m 1e9: per contact; the published value, which reads the constant as the whole roller
   const double table[4][3] = {{4, 1.43, 2.80}, {20, 1.68, 3.29}, {40, 1.80, 3.53}, {98, 1.97, 3.86}};
   std::vector<Check> checks;
@@ -240,7 +240,9 @@ DifferenceCheck against_difference(const BearingModel &model, const AssemblyStat
 std::vector<Check> tangent_difference()
 {
   struct State {
-    const char *name, *law, *profile;
+    const char *name;
+    OneRollerLaw law;
+    RollerProfile profile;
     double clearance;  // m
     Vector5 load;
     bool elastic;
@@ -249,14 +251,15 @@ std::vector<Check> tangent_difference()
     return (Vector5() << x, y, z, mx, my).finished();
   };
   const std::vector<State> states{
-      {"radial load", "iso", "none", 0, load(1e6, 0, 0, 0, 0), false},
-      {"clearance, load off the roller, tilting moment", "iso", "iso", 100e-6, load(8e5, 3e5, 0, 2e3, 1e4), false},
-      {"axial load and moment", "iso", "log", 0, load(5e5, 0, 3e5, 0, 2e4), false},
-      {"elastic law, interference, all components", "elastic", "iso", -40e-6, load(1e6, 2e5, 1e5, -5e3, 1e4),
-       false},
-      {"elastic rings, radial load", "iso", "none", 0, load(1e6, 0, 0, 0, 0), true},
-      {"elastic rings and law, clearance, all components", "elastic", "log", 50e-6, load(1e6, -3e5, 2e5, 4e3, 2e4),
-       true}};
+      {"radial load", OneRollerLaw::iso, RollerProfile::none, 0, load(1e6, 0, 0, 0, 0), false},
+      {"clearance, load off the roller, tilting moment", OneRollerLaw::iso, RollerProfile::iso, 100e-6,
+       load(8e5, 3e5, 0, 2e3, 1e4), false},
+      {"axial load and moment", OneRollerLaw::iso, RollerProfile::log, 0, load(5e5, 0, 3e5, 0, 2e4), false},
+      {"elastic law, interference, all components", OneRollerLaw::elastic, RollerProfile::iso, -40e-6,
+       load(1e6, 2e5, 1e5, -5e3, 1e4), false},
+      {"elastic rings, radial load", OneRollerLaw::iso, RollerProfile::none, 0, load(1e6, 0, 0, 0, 0), true},
+      {"elastic rings and law, clearance, all components", OneRollerLaw::elastic, RollerProfile::log, 50e-6,
+       load(1e6, -3e5, 2e5, 4e3, 2e4), true}};
   std::vector<Check> checks;
   for (const State &s : states) {
     RollerBearing b    = bearing_266();
@@ -283,7 +286,7 @@ std::vector<Check> rigid_limit()
   std::vector<Check> checks;
   for (const double tilt : {0.0, 0.3e-3}) {
     RollerBearing b           = bearing_266();
-    b.profile                 = "iso";
+    b.profile                 = RollerProfile::iso;
     b.radial_clearance        = 50e-6;
     const double load         = 1000 * kN;
     const RingLoading loading = bearing::radial_drive(load, tilt);

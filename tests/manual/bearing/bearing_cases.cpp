@@ -19,10 +19,10 @@ Check absolute(const std::string &quantity, const std::string &unit, double resu
 
 std::vector<Check> iso_roller()
 {
-  return {relative("constant c_L, 33.4 mm", "N/mm^(10/9)", bearing::roller_constant("iso", 33.4 * mm) / per_mm,
-                   813048, 1e-4),
-          relative("constant c_L, 10 mm", "N/mm^(10/9)", bearing::roller_constant("iso", 10 * mm) / per_mm, 278332,
-                   1e-4),
+  return {relative("constant c_L, 33.4 mm", "N/mm^(10/9)",
+                   bearing::roller_constant(OneRollerLaw::iso, 33.4 * mm) / per_mm, 813048, 1e-4),
+          relative("constant c_L, 10 mm", "N/mm^(10/9)",
+                   bearing::roller_constant(OneRollerLaw::iso, 10 * mm) / per_mm, 278332, 1e-4),
           relative("approach at 10 kN", "um",
                    bearing::roller_approach(bearing::roller_law(bearing_266()), 10 * kN) / um, 19.094, 1e-4)};
 }
@@ -30,7 +30,7 @@ std::vector<Check> iso_roller()
 std::vector<Check> palmgren_two()
 {
   RollerBearing b = bearing_266();
-  b.roller_law    = "palmgren";
+  b.roller_law    = OneRollerLaw::palmgren;
   return {relative("approach at 10 kN, both contacts", "um",
                    bearing::roller_approach(bearing::roller_law(b), 10 * kN) / um, 18.466, 1e-4)};
 }

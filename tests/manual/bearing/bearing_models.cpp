@@ -11,7 +11,7 @@ RollerBearing bearing_266(const double cup_angle)
 {
   RollerBearing b;
   b.name              = "trb";
-  b.type              = "four-row tapered";
+  b.type              = BearingType::four_row_tapered;
   b.bore              = 266.7 * mm;
   b.outside_diameter  = 355.6 * mm;
   b.width             = 230.188 * mm;
@@ -28,7 +28,7 @@ bearing::BearingModel bearing_hh926700()
   bearing::BearingModel model;
   RollerBearing &b    = model.bearing;
   b.name              = "HH926700";
-  b.type              = "two-row tapered";
+  b.type              = BearingType::four_row_tapered;
   b.rows              = 2;
   b.arrangement       = "+-";
   b.width             = 4 * 37.98 * mm;  // rows at -37.98 and +37.98 mm

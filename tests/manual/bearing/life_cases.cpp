@@ -63,7 +63,7 @@ std::vector<Check> designation_rollers()
     c.rows             = entry.rows;
     c.dynamic_rating   = entry.dynamic_rating;
     c.static_rating    = entry.static_rating;
-    c.cup_angle        = entry.type == "four-row tapered" ? 15 * degree : 0;
+    c.cup_angle        = entry.type == BearingType::four_row_tapered ? 15 * degree : 0;
     const auto all     = roller_candidates(c);
     checks.push_back({"candidates of " + entry.designation, "-", double(all.size()), 1, 0, Judged::at_least});
     if (all.empty())

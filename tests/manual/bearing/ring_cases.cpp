@@ -21,7 +21,7 @@ namespace {
 const Material ring_steel{206e9, 0.3, 7850};
 
 // The four-row bearing of the demo stand and a chock around it.
-RollerBearing mill_bearing(const std::string &chock)
+RollerBearing mill_bearing(const ChockForm chock)
 {
   RollerBearing b       = bearing_266(19.66);
   b.chock               = chock;
@@ -82,7 +82,7 @@ std::vector<Check> ring_on_rigid_back()
   const double answer = by_elements.displacement(m);
   checks.push_back(relative("harmonic 150 against the half space", "nm/MPa", 1e15 * answer, 1e15 * half, 1e-2));
 
-  const RingSections sections = bearing::ring_sections(mill_bearing("round"));
+  const RingSections sections = bearing::ring_sections(mill_bearing(ChockForm::round));
   const ScratchRings scratch(sections, {1, 1}, "decay");
   fem::RingOptions options;
   options.last_harmonic = 60;
@@ -144,12 +144,12 @@ std::vector<Check> neck_inertia_relief()
 
 std::vector<Check> chock_round()
 {
-  const RingSections sections = bearing::ring_sections(mill_bearing("round"));
+  const RingSections sections = bearing::ring_sections(mill_bearing(ChockForm::round));
   const RingSection &cup      = sections.cup;
   const int n = 8, modes = 3, size = 4 * modes;
   const ScratchRings fine(sections, {1, 1}, "round");
   RingSections as_block = sections;  // for the section on the block's mesh lines
-  as_block.housing.kind = Housing::Kind::block;
+  as_block.housing.kind = ChockForm::block;
   const ScratchRings coarse(as_block, {0.5, 1}, "lines");
   const ScratchFile file("round-block");
   const MeshFile block = meshes::mesh_chock(cup, sections.housing, 1, file.path);
@@ -199,7 +199,7 @@ std::vector<Check> chock_round()
 // displacement between rigid rings.
 std::vector<Check> ring_rigid_limit()
 {
-  const RollerBearing bearing = mill_bearing("block");
+  const RollerBearing bearing = mill_bearing(ChockForm::block);
   RingSections sections       = bearing::ring_sections(bearing);
   sections.material.youngs_modulus *= 1000;
   const ScratchRings scratch(sections, {0.4, 0.6}, "limit");
@@ -220,10 +220,10 @@ std::vector<Check> ring_rigid_limit()
 }
 
 // Flexibility of the mill bearing's rings under a radial load.
-double whole_flexibility(const std::string &chock, const meshes::RingMeshSize &size, const int last_harmonic)
+double whole_flexibility(const ChockForm chock, const meshes::RingMeshSize &size, const int last_harmonic)
 {
   const RingSections sections = bearing::ring_sections(mill_bearing(chock));
-  const ScratchRings scratch(sections, size, chock);
+  const ScratchRings scratch(sections, size, word_of(chock));
   fem::RingOptions options;
   options.last_harmonic = last_harmonic;
   return fem::stribeck_flexibility(fem::ring_flexibility(sections, scratch.meshes, nullptr, options).flexibility,
@@ -232,11 +232,11 @@ double whole_flexibility(const std::string &chock, const meshes::RingMeshSize &s
 
 std::vector<Check> ring_mesh()
 {
-  const double rings      = whole_flexibility("round", {0.5, 1}, 40);
-  const double fine_rings = whole_flexibility("round", {0.75, 1}, 40);
+  const double rings      = whole_flexibility(ChockForm::round, {0.5, 1}, 40);
+  const double fine_rings = whole_flexibility(ChockForm::round, {0.75, 1}, 40);
   // The block's own part lies in its eight harmonics.
-  const double block      = whole_flexibility("block", {0.4, 0.65}, 10);
-  const double fine_block = whole_flexibility("block", {0.4, 0.8}, 10);
+  const double block      = whole_flexibility(ChockForm::block, {0.4, 0.65}, 10);
+  const double fine_block = whole_flexibility(ChockForm::block, {0.4, 0.8}, 10);
   return {
       relative("rings and round housing, size 0.5 against 0.75", "nm/MN", 1e15 * rings, 1e15 * fine_rings, 1e-2),
       relative("block, size 0.65 against 0.8", "nm/MN", 1e15 * block, 1e15 * fine_block, 1e-2)};
@@ -254,9 +254,9 @@ double heaviest(const bearing::AssemblyState &state)
 
 std::vector<Check> chock_m_shape()
 {
-  RollerBearing bearing = mill_bearing("block");
-  bearing.roller_law    = "iso";
-  bearing.rings         = "elastic";
+  RollerBearing bearing = mill_bearing(ChockForm::block);
+  bearing.roller_law    = OneRollerLaw::iso;
+  bearing.rings         = RingBodies::elastic;
   const double load     = 1e6;
   auto model            = bearing::rigid_model(bearing);
   const auto solved     = [&] { return bearing::BearingAssembly(model).solve(bearing::radial_drive(load)); };

@@ -198,7 +198,7 @@ std::vector<Check> roller_on_ring()
 
   RollerBearing ring;
   ring.name             = "ring";
-  ring.type             = "four-row cylindrical";
+  ring.type             = BearingType::four_row_cylindrical;
   ring.rows             = 1;
   ring.rollers_per_row  = 39;
   ring.bore             = 2 * (thin.inner_radius - thick.outer_depth);
@@ -208,7 +208,7 @@ std::vector<Check> roller_on_ring()
   ring.roller_length    = roller_length;
   ring.roller_diameter  = roller_diameter;
   ring.cup_angle        = 0;
-  ring.chock            = "rigid";
+  ring.chock            = ChockForm::rigid;
   const auto sections   = bearing::ring_sections(ring, {12 * mm, 12 * mm, 5 * mm});
   const auto meshes     = meshes::mesh_rings(sections, {}, std::filesystem::temp_directory_path().string(),
                                              fmt::format("millstand-verify-{}-ring", ::getpid()));

@@ -15,7 +15,7 @@ std::vector<Case> chatter_calibration_cases();
 
 namespace {
 using namespace dynamics;
-using bite::Linearisation;
+using mill::Linearisation;
 
 constexpr double printed_speed = 18.2, printed_force = 8751e3, printed_friction = 0.0283;  // of condition 2
 

@@ -15,9 +15,9 @@ std::vector<Case> chatter_event_cases();
 
 namespace {
 using namespace dynamics;
-using bite::Linearisation;
 using Eigen::Index;
 using Eigen::VectorXd;
+using mill::Linearisation;
 
 struct Set {
   ChatterStandModel stand = chatter_stand("D");

@@ -22,7 +22,7 @@ std::vector<Check> constant_friction()
     RollBite bite                   = film_bite(condition, 18.2);
     bite.strip.friction             = Friction{};
     bite.strip.friction.coefficient = 0.04;
-    const StandSpeed critical       = critical_speed(chatter_stand("D"), bite, bite::Linearisation::sequential);
+    const StandSpeed critical       = critical_speed(chatter_stand("D"), bite, Linearisation::sequential);
     const std::string name          = "condition " + std::to_string(condition) + ", ";
     checks.push_back(absolute(name + "critical speed", "m/s", critical.speed, reference[condition - 1][0], 1e-5));
     checks.push_back(relative(name + "force there", "kN", critical.at->state.force / 1e3,
@@ -40,7 +40,7 @@ std::vector<Check> speed_trend()
       {20, 8420175.822830899, 0.02547199031830459},   {25, 7834189.718455815, 0.01989372060158044}};
   std::vector<Check> checks;
   for (const auto &[speed, force, mu] : reference) {
-    const bite::BiteState state = working_point(film_bite(2, speed), speed, bite::Linearisation::sequential).state;
+    const bite::BiteState state = working_point(film_bite(2, speed), speed, Linearisation::sequential).state;
     std::string where           = std::to_string(speed);
     where                       = where.substr(0, where.find('.') + 2) + " m/s, ";
     checks.push_back(relative(where + "force", "kN", state.force / 1e3, force / 1e3, 1e-8));
@@ -75,11 +75,9 @@ std::vector<Check> maps()
     value[4]              = base;
     std::sort(value.begin(), value.end());
     const Eigen::Index middle = std::find(value.begin(), value.end(), base) - value.begin();
-    const StabilityMap one =
-        stability_map(stand, bite, bite::Linearisation::sequential, speed, quantity, value, 1);
-    const StabilityMap two =
-        stability_map(stand, bite, bite::Linearisation::sequential, speed, quantity, value, 2);
-    const std::string name = quantity_name(quantity) + ": ";
+    const StabilityMap one    = stability_map(stand, bite, Linearisation::sequential, speed, quantity, value, 1);
+    const StabilityMap two    = stability_map(stand, bite, Linearisation::sequential, speed, quantity, value, 2);
+    const std::string name    = quantity_name(quantity) + ": ";
     checks.push_back(
         absolute(name + "boundary at condition 2", "m/s", one.critical_speed[middle], 18.207252873709336, 1e-5));
     double otherwise = 0, wrong_side = 0;
@@ -88,7 +86,7 @@ std::vector<Check> maps()
         if (std::isnan(one.growth(i, j)))
           continue;
         const auto position =
-            working_point(with_quantity(bite, quantity, value[j]), speed[i], bite::Linearisation::sequential);
+            working_point(with_quantity(bite, quantity, value[j]), speed[i], Linearisation::sequential);
         otherwise += (nyquist_count(stand, position.by).unstable > 0) != (one.growth(i, j) > 0);
         // Below the first crossing nothing grows.
         wrong_side += one.growth(i, j) > 0 && speed[i] < one.critical_speed[j];

@@ -15,9 +15,9 @@ std::vector<Case> chatter_event_cases();
 
 namespace {
 using namespace dynamics;
-using bite::Linearisation;
 using Eigen::Index;
 using Eigen::VectorXd;
+using mill::Linearisation;
 
 WorkingPoint condition_2(const double speed, const Linearisation scheme = Linearisation::sequential)
 {

@@ -48,8 +48,8 @@ Scaled by_stand(void (*change)(SixMasses &, double))
 }
 
 /// Critical speed next to that of the unchanged stand: the search needs no wide range then.
-double critical(const Rolling &r, const bite::Linearisation scheme = bite::Linearisation::sequential,
-                const double from = 16.2, const double to = 20.2)
+double critical(const Rolling &r, const Linearisation scheme = Linearisation::sequential, const double from = 16.2,
+                const double to = 20.2)
 {
   SpeedRange range;
   range.from = from;
@@ -60,7 +60,7 @@ double critical(const Rolling &r, const bite::Linearisation scheme = bite::Linea
 
 double friction(const Rolling &r)
 {
-  return working_point(r.bite, r.bite.roll_speed, bite::Linearisation::sequential).state.friction;
+  return working_point(r.bite, r.bite.roll_speed, Linearisation::sequential).state.friction;
 }
 
 /// ln(f(1 + step)/f(1 - step)) over the same of the input.
@@ -69,7 +69,7 @@ double log_slope(const std::function<double(double)> &f, const double step)
   return std::log(f(1 + step) / f(1 - step)) / std::log((1 + step) / (1 - step));
 }
 
-SensitivityTable table_of(const bite::Linearisation scheme, const double change)
+SensitivityTable table_of(const Linearisation scheme, const double change)
 {
   const SixMasses six = six_masses("D");
   SensitivityRequest request;
@@ -89,7 +89,7 @@ const ChatterSensitivity &row(const SensitivityTable &table, const std::string &
 // CH-21, friction
 std::vector<Check> friction_slopes()
 {
-  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
+  const SensitivityTable table = table_of(Linearisation::sequential, 0);
   struct Entry {
     const char *name, *key;
     PassNumber number;
@@ -155,7 +155,7 @@ std::vector<Check> speed_slopes()
         -0.17916981441675772},
        0.01783359747769886,
        -0.018005129206224324}};
-  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0.1);
+  const SensitivityTable table = table_of(Linearisation::sequential, 0.1);
   std::vector<Check> checks;
   for (const Entry &e : entries) {
     const std::string name      = e.name;
@@ -218,7 +218,7 @@ std::vector<Check> leverage()
       {"modulus of the rolls", "steel.youngs_modulus", by_numbers({N::youngs_modulus}), -0.1183857512510176},
       {"initial thickness", "strip.initial_thickness", by_numbers({N::initial_thickness}), 0.06276838512974171},
       {"friction", "oil.friction", by_numbers({N::mu0, N::mu1}), 0.21829964995222606}};
-  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
+  const SensitivityTable table = table_of(Linearisation::sequential, 0);
   std::vector<Check> checks;
   for (const auto &[name, key, scaled, slope] : entries) {
     const auto v = [&, &f = scaled](const double factor) { return critical(f(factor)); };
@@ -233,7 +233,7 @@ std::vector<Check> exact_slopes()
   const SixMasses six = six_masses("D");
   const auto numbers  = six_mass_numbers(six.mass, six.stiffness, six.damping);
   std::vector<Check> checks;
-  const auto largest = [&](const SensitivityTable &table, const bite::Linearisation scheme, const bool of_bite) {
+  const auto largest = [&](const SensitivityTable &table, const Linearisation scheme, const bool of_bite) {
     double deviation = 0;
     const auto look  = [&](const std::string &key, const Scaled &scaled) {
       const auto v = [&](const double f) {
@@ -255,17 +255,16 @@ std::vector<Check> exact_slopes()
         });
     return deviation;
   };
-  const std::pair<const char *, bite::Linearisation> schemes[]{
-      {"in sequence", bite::Linearisation::sequential},
-      {"implicit", bite::Linearisation::implicit},
-      {"friction frozen", bite::Linearisation::frozen_friction}};
+  const std::pair<const char *, Linearisation> schemes[]{{"in sequence", Linearisation::sequential},
+                                                         {"implicit", Linearisation::implicit},
+                                                         {"friction frozen", Linearisation::frozen_friction}};
   for (const auto &[name, scheme] : schemes) {
     const SensitivityTable table = table_of(scheme, 0);
     checks.push_back(at_most(std::string(name) + ", inputs of the bite", "-", largest(table, scheme, true), 1e-7));
     checks.push_back(
         at_most(std::string(name) + ", masses, springs, dampers", "-", largest(table, scheme, false), 1e-8));
   }
-  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
+  const SensitivityTable table = table_of(Linearisation::sequential, 0);
   const auto both =
       row(table, "stand.entry_distance").critical_speed + row(table, "stand.exit_distance").critical_speed;
   checks.push_back(absolute("modulus of the strip against both distances", "-",
@@ -282,7 +281,7 @@ std::vector<Check> held_friction()
       Rolling r                         = scaled(factor);
       r.bite.strip.friction             = Friction{};
       r.bite.strip.friction.coefficient = mu;
-      return critical(r, bite::Linearisation::sequential, 15.2, 19.2);
+      return critical(r, Linearisation::sequential, 15.2, 19.2);
     };
   };
   const SpeedEntry entries[]{
@@ -290,7 +289,7 @@ std::vector<Check> held_friction()
        -1.3473018881450243},
       {"exit thickness", "condition.exit_thickness", by_numbers({PassNumber::exit_thickness}), 1.157509231027809},
       {"entry tension", "condition.entry_tension", by_numbers({PassNumber::entry_tension}), -0.23872503042083879}};
-  const SensitivityTable table = table_of(bite::Linearisation::sequential, 0);
+  const SensitivityTable table = table_of(Linearisation::sequential, 0);
   std::vector<Check> checks;
   for (const auto &[name, key, scaled, slope] : entries) {
     checks.push_back(

@@ -18,7 +18,7 @@ std::vector<Case> chatter_calibration_cases();
 
 namespace {
 using namespace dynamics;
-using bite::Linearisation;
+using mill::Linearisation;
 using Complex = std::complex<double>;
 
 WorkingPoint sequential(const int condition, const double speed)

@@ -147,7 +147,7 @@ std::vector<Check> demo_masses()
   checks.push_back(
       relative("1 / w1(0)", "N/m", 1 / (chain.f1_upper.value[0] - u.roll_upper), 31935894449.460903, 1e-6));
 
-  stand.dynamics.mass_reference = "mean";
+  stand.dynamics.mass_reference = MassReference::mean;
   const LumpedStand mean        = demo_chain(stand);
   checks.push_back(relative("mean reference: K_ZW", "N/m", mean.K_ZW.value, 74401862225.35272, 1e-6));
   add_masses(checks, "mean reference", mean.model,
@@ -155,11 +155,11 @@ std::vector<Check> demo_masses()
 
   RollerBearing bearing;
   bearing.name            = "backup";
-  bearing.type            = "four-row cylindrical";
+  bearing.type            = BearingType::four_row_cylindrical;
   bearing.rollers_per_row = 32;
   bearing.roller_length   = 0.11;
   bearing.roller_diameter = 0.075;
-  bearing.roller_law      = "palmgren";
+  bearing.roller_law      = OneRollerLaw::palmgren;
   checks.push_back(relative("K_Zy, two bearings at 488 kN each", "N/m",
                             2 * bearing::solve_bearing(bearing, 976217.5 / 2).tangent, 102286583389.26591, 1e-6));
   checks.push_back(relative("K3, line contact at 976.2 kN", "N/m",
@@ -220,15 +220,17 @@ std::vector<Check> chain_identity()
   FourHigh stand    = demo_stand();
   LumpedModel model = demo_chain(stand).model;
   model.K[3].value  = 3e8;
-  for (const std::string frame : {"open", "closed"}) {
+  for (const FrameForm frame : every<FrameForm>()) {
     const SixMasses six = six_masses(chain_stand(model, frame));
     double M = 0, K = 0;
     for (std::size_t i = 0; i < 6; ++i)
       M = std::max(M, std::abs(six.M[i] / model.M[i].value - 1));
     for (std::size_t i = 0; i < 7; ++i)
       K = std::max(K, std::abs(six.K[i] / model.K[i].value - 1));
-    checks.push_back({frame + " frame: largest change of a mass", "-", M, 0, 1e-12, Judged::absolute});
-    checks.push_back({frame + " frame: largest change of a spring", "-", K, 0, 1e-12, Judged::absolute});
+    checks.push_back(
+        {word_of(frame) + std::string(" frame: largest change of a mass"), "-", M, 0, 1e-12, Judged::absolute});
+    checks.push_back(
+        {word_of(frame) + std::string(" frame: largest change of a spring"), "-", K, 0, 1e-12, Judged::absolute});
   }
   const std::array<double, 6> with_bite{40.218704980820945, 55.48258446111834, 218.3271841342221,
                                         456.7217161883587,  600.4666791187321, 751.0374335525133};

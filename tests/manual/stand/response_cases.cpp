@@ -31,7 +31,7 @@ std::vector<Check> six_masses()
   const reduce::LumpedStand demo = demo_chain(demo_stand());
   std::vector<Check> checks;
   for (const double gap_damper : {0., 2e5})
-    for (const char *frame : {"open", "closed"}) {
+    for (const FrameForm frame : every<FrameForm>()) {
       const StandModel chain = reduce::chain_stand(demo.model, frame);
       const auto modes       = reduce::stand_modes(chain);
       std::vector<Eigen::VectorXd> rows;
@@ -57,7 +57,7 @@ std::vector<Check> six_masses()
         }
       checks.push_back(at_most(fmt::format("{} frame, gap damper {:g} N s/m, 42 pairs, {} frequencies: largest "
                                            "distance over the peak",
-                                           frame, gap_damper, f.size()),
+                                           word_of(frame), gap_damper, f.size()),
                                "-", worst, 1e-10));
     }
   return checks;

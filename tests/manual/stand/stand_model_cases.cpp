@@ -170,20 +170,20 @@ std::vector<Check> enough_masses()
 std::vector<Check> chain_of_components()
 {
   std::vector<Check> checks;
-  for (const std::string reference : {"mid", "mean"}) {
+  for (const MassReference reference : every<MassReference>()) {
     FourHigh drawing                = demo_stand();
     drawing.dynamics.mass_reference = reference;
     const Component work            = beam_component("work roll", drawing.work_roll, drawing.steel, 6, 1000),
                     backup          = beam_component("backup roll", drawing.backup_roll, drawing.steel, 6, 1000);
-    const auto chain                = [&](const char *model) {
+    const auto chain                = [&](const BendingModel model) {
       drawing.backup_roll.bending_model = model;
       return demo_chain(drawing, {&work, &backup, &work, &backup, 2});
     };
-    const LumpedStand beams = chain("beam"), components = chain("solid");
+    const LumpedStand beams = chain(BendingModel::beam), components = chain(BendingModel::solid);
     const auto add = [&](const std::string &name, const Parameter &result, const Parameter &closed,
                          const double tolerance) {
-      checks.push_back(
-          relative(reference + " reference: " + name, result.unit, result.value, closed.value, tolerance));
+      checks.push_back(relative(word_of(reference) + (" reference: " + name), result.unit, result.value,
+                                closed.value, tolerance));
     };
     add("K_ZW", components.K_ZW, beams.K_ZW, 1e-3);
     add("K2", components.model.K[1], beams.model.K[1], 1e-3);

@@ -18,7 +18,7 @@ MillModel stand_at(const std::vector<double> &row)
   stand.K[2].value = stand.K[4].value = row[1];
   stand.K[1].value                    = row[2];
   stand.K[5].value                    = row[3];
-  return mill_model(stand, settings("measured", 0.02));
+  return mill_model(stand, settings(ForceMeaning::measured, 0.02));
 }
 }  // namespace
 

@@ -16,7 +16,7 @@ const Tolerance eigenvalues = within(1e-6, "eigenvalues in double precision");
 namespace {
 Eigen::VectorXd frequencies(const LumpedModel &stand)
 {
-  return modes(mill_model(stand, settings("published", 0))).frequency;
+  return modes(mill_model(stand, settings(ForceMeaning::published, 0))).frequency;
 }
 }  // namespace
 
@@ -64,8 +64,8 @@ TEST(StandVariants, SixFrequenciesOfEachChangeAreThoseOfTheReference)
 
 TEST(StandVariants, AClosedFrameHasTheFrequenciesOfTheReference)
 {
-  auto closed  = settings("published", 0);
-  closed.frame = "closed";
+  auto closed  = settings(ForceMeaning::published, 0);
+  closed.frame = FrameForm::closed;
   EXPECT_TRUE(near(modes(mill_model(published_stand(), closed)).frequency,
                    reference_vector("modes.closed_frame.frequencies"), eigenvalues));
 }
@@ -91,13 +91,13 @@ TEST(StandVariants, PolesOfEveryReadingOfTheDamper)
   for (const auto &[name, expected] : readings.items()) {
     auto stand    = published_stand();
     stand.C.value = std::stod(name.substr(2));  // "c=1.91141e8"
-    expect_poles(poles(mill_model(stand, settings("published", 0))), expected, name);
+    expect_poles(poles(mill_model(stand, settings(ForceMeaning::published, 0))), expected, name);
   }
 }
 
 TEST(StandVariants, PolesWithALossFactorOnTheBite)
 {
-  const auto model = mill_model(published_stand(), settings("published", 0));
+  const auto model = mill_model(published_stand(), settings(ForceMeaning::published, 0));
   expect_poles(loss_factor_poles(model, "K4", 0.01), reference("damping_readings.loss_factor_0.01"), "0.01");
   expect_poles(loss_factor_poles(model, "K4", 0.001), reference("damping_readings.loss_factor_0.001"), "0.001");
 }

@@ -75,11 +75,11 @@ RollerBearing backup_bearing()
 {
   RollerBearing b;
   b.name            = "crb";
-  b.type            = "four-row cylindrical";
+  b.type            = BearingType::four_row_cylindrical;
   b.rollers_per_row = 32;
   b.roller_length   = 0.110;
   b.roller_diameter = 0.075;
-  b.roller_law      = "palmgren";
+  b.roller_law      = OneRollerLaw::palmgren;
   return b;
 }
 
@@ -167,7 +167,7 @@ TEST(DemoStand, Shapes)
 TEST(DemoStand, MeanReference)
 {
   FourHigh stand                = demo_stand();
-  stand.dynamics.mass_reference = "mean";
+  stand.dynamics.mass_reference = MassReference::mean;
   const LumpedStand result      = lumped_stand(stand, inputs_at(working_load));
   const auto expected           = reference("demo.mean_reference");
   EXPECT_TRUE(near(result.K_ZW.value, expected.at("K_ZW"), closed));
@@ -227,11 +227,11 @@ TEST(DemoStand, LoadDependentSprings)
 {
   RollerBearing work;
   work.name              = "trb";
-  work.type              = "four-row tapered";
+  work.type              = BearingType::four_row_tapered;
   work.rollers_per_row   = 39;
   work.roller_length     = 0.0334;
   work.cup_angle         = 19.66 * M_PI / 180;
-  work.roller_law        = "palmgren";
+  work.roller_law        = OneRollerLaw::palmgren;
   const LumpedModel base = lumped_model(demo_stand(), inputs_at(working_load));
   for (const auto &row : reference("load.table")) {
     const double force      = row[0];

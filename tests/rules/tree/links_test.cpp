@@ -170,11 +170,11 @@ std::string anchor_of(const std::string &heading)
 
 bool has_anchor(const fs::path &page, const std::string &anchor)
 {
-  bool found = false;
+  bool exists = false;
   each_line(page, [&](std::size_t, const std::string &line) {
-    found = found || (line.compare(0, 1, "#") == 0 && anchor_of(line) == anchor);
+    exists = exists || (line.compare(0, 1, "#") == 0 && anchor_of(line) == anchor);
   });
-  return found;
+  return exists;
 }
 }  // namespace
 

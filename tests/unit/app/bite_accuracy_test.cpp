@@ -32,8 +32,8 @@ BiteStudy by_elements(const double ratio = 1)
 {
   BiteStudy s;
   s.question.bite         = demo_pass();
-  s.question.setup.method = "fe";
-  s.question.setup.arc    = "hitchcock";
+  s.question.setup.method = BiteMethod::fe;
+  s.question.setup.arc    = BiteArc::hitchcock;
   const double R          = ratio * s.question.bite.roll_radius;
   s.answers = {answer("karman", 107, 1100, R), answer("orowan", 104, 1080, R), answer("fe", 100, 1000, R)};
   s.flow.emplace();
@@ -69,8 +69,8 @@ TEST(BiteAccuracy, BeyondHitchcocksRangeTheErrorNeedsAFreeArc)
 TEST(BiteAccuracy, TheSectionOfTheRollEntersByItsEffectOnTheResult)
 {
   BiteStudy s             = by_elements();
-  s.question.setup.method = "slab";
-  s.question.setup.arc    = "elastic";
+  s.question.setup.method = BiteMethod::slab;
+  s.question.setup.arc    = BiteArc::elastic;
   s.answers               = {answer("karman-elastic-arc", 100, 1000, 0.3), answer("karman", 101, 1010, 0.3)};
   EXPECT_TRUE(near(bite_error(s, 100, not_given, force_of), 0.01, exact));
   s.softer = answer("karman-elastic-arc", 102.5, 1000, 0.3);

@@ -31,8 +31,8 @@ BiteQuestion cold_pass()
   BiteQuestion q;
   q.pass                            = "1";
   q.curves                          = false;
-  q.setup.method                    = "slab";
-  q.setup.arc                       = "elastic";
+  q.setup.method                    = BiteMethod::slab;
+  q.setup.arc                       = BiteArc::elastic;
   q.bite.roll_radius                = 0.21;
   q.bite.roll                       = {210e9, 0.3};
   q.bite.roll_speed                 = 5;

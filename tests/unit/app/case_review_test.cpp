@@ -32,6 +32,14 @@ std::string messages(const std::vector<Problem> &problems)
   return text;
 }
 
+std::string messages(const std::vector<Warning> &warnings)
+{
+  std::vector<Problem> problems;
+  for (const Warning &warning : warnings)
+    problems.push_back(problem_of(warning));
+  return messages(problems);
+}
+
 class Reviewed : public testing::Test {
 protected:
   fs::path folder = fs::path(testing::TempDir()) / "millstand_review_test";
@@ -77,14 +85,14 @@ TEST_F(Reviewed, ARecordMustOutlastTheLowestMode)
   const std::string brief = record("brief.csv", 2001, 4000, 976);
   const CaseReview r      = review({"pass.0.force=" + brief});
   ASSERT_EQ(r.warnings.size(), 1u);
-  EXPECT_EQ(
-      r.warnings[0].message.rfind("pass 1: the force record lasts 0.5 s; the lowest mode to be expected, at ", 0),
-      0u)
-      << r.warnings[0].message;
-  EXPECT_NE(
-      r.warnings[0].message.find(" to build up (five decay times at 1 % damping): peaks and rms are those of a "
-                                 "start, give a longer record"),
-      std::string::npos);
+  const Warning &brevity = r.warnings[0];
+  EXPECT_EQ(brevity.id, WarningId::record_short);
+  EXPECT_EQ(brevity.subject, "pass 1");
+  EXPECT_EQ(brevity.fact.rfind("the force record lasts 0.5 s; the lowest mode to be expected, at ", 0), 0u)
+      << brevity.fact;
+  EXPECT_NE(brevity.fact.find(" to build up (five decay times at 1 % damping)"), std::string::npos);
+  EXPECT_EQ(brevity.detail, "peaks and rms are those of a start");
+  EXPECT_EQ(brevity.remedy, "give a longer record");
   EXPECT_EQ(r.facts.at(0), "pass 1: the force record lasts 0.5 s, 2001 samples at 4000 Hz, mean 976.0 kN");
 }
 
@@ -116,7 +124,7 @@ TEST_F(Reviewed, SamplingAndGapsOfARecordAreChecked)
   const std::string slow = record("slow.csv", 2001, 200, 976, "time [s],force [kN]", 640, 664);
   const CaseReview r     = review({"pass.0.force=" + slow});
   EXPECT_EQ(messages(r.warnings),
-            "pass 1: the force record has a gap, the longest of 0.125 s at 3.195 s; straight lines fill it");
+            "pass 1: the force record has a gap, the longest of 0.125 s at 3.195 s: straight lines fill it");
   EXPECT_NE(messages(r.said_by_run).find("pass 1: the rolling force is sampled at "), std::string::npos);
   EXPECT_NE(messages(r.said_by_run).find(" (mode by closed forms)"), std::string::npos);
 }
@@ -129,7 +137,7 @@ TEST_F(Reviewed, AMeasuredRecordIsCheckedToo)
   const CaseReview r       = review({"pass.0.force=" + force, "pass.0.measured=" + slow});
   EXPECT_NE(messages(r.warnings)
                 .find("pass 1: the measured record is sampled at 200 Hz and shows nothing above 100 "
-                      "Hz; the highest mode to be expected is at "),
+                      "Hz: the highest mode to be expected is at "),
             std::string::npos)
       << messages(r.warnings);
   std::string late = read_text(slow);
@@ -167,7 +175,7 @@ TEST_F(Reviewed, ALoadOfAnotherOrderIsRefused)
       "in another unit");
   EXPECT_EQ(
       messages(with("pass.0.load=900 kN", chain).said_by_run)
-          .find("pass 1: pass.load is 900.0 kN, the mean of its force record 976.0 kN; stiffnesses belong to "
+          .find("pass 1: pass.load is 900.0 kN, the mean of its force record 976.0 kN: stiffnesses belong to "
                 "the first, accelerations to the second"),
       0u);
   EXPECT_EQ(
@@ -175,6 +183,33 @@ TEST_F(Reviewed, ALoadOfAnotherOrderIsRefused)
           .find("contact.upper.loads = 0.1 kN .. 0.5 kN does not hold the working load of 976.0 kN; a curve is "
                 "never extrapolated, widen the range"),
       0u);
+}
+
+// In the words of the verdict of the run, and at the place of the pass.
+TEST_F(Reviewed, APassWithoutSpeedNamesTheKey)
+{
+  const auto silent = [](const CaseReview &r) {
+    return std::none_of(r.said_by_run.begin(), r.said_by_run.end(), [](const Warning &warning) {
+      return warning.id == WarningId::critical_speed_not_searched;
+    });
+  };
+  const char *tandem = "cases/cold-tandem-2030.toml";
+  EXPECT_TRUE(silent(review({}, tandem)));
+  const Case c = [] {
+    std::string text = read_text("cases/cold-tandem-2030.toml");
+    const auto line  = text.find("speed           = \"15 m/s\"");
+    return read_case_of("cases/cold-tandem-2030.toml", text.replace(line, 1, "# s"));
+  }();
+  const CaseReview r = review_stand(c, "");
+  ASSERT_FALSE(silent(r));
+  const auto warning = std::find_if(r.said_by_run.begin(), r.said_by_run.end(), [](const Warning &w) {
+    return w.id == WarningId::critical_speed_not_searched;
+  });
+  EXPECT_EQ(text_of(*warning),
+            "stand 5: critical speed not searched: pass.speed is not given; add it to the case");
+  EXPECT_EQ(warning->place.line, 89);
+  EXPECT_EQ(sentence_of(not_searched("stand 5", 0, {"pass.speed"})),
+            "Critical speed not searched: pass.speed is not given.");
 }
 
 TEST_F(Reviewed, AStripThatNeedsAnotherForceIsReported)
@@ -186,7 +221,8 @@ TEST_F(Reviewed, AStripThatNeedsAnotherForceIsReported)
     sets.push_back("strip.flow_stress.k=" + flow);
     return review(sets, "cases/four-high-1400.toml");
   };
-  EXPECT_EQ(messages(with("28 MPa").said_by_run), "") << "the demo stand";
+  for (const Warning &warning : with("28 MPa").said_by_run)
+    EXPECT_NE(warning.id, WarningId::bite_force) << "the demo stand: " << text_of(warning);
   const std::string warned = messages(with("60 MPa").said_by_run);
   EXPECT_EQ(warned.rfind("pass 1: by the slab theory this strip takes a rolling force of 2.", 0), 0u) << warned;
   EXPECT_NE(warned.find(" MN, the load is 976 kN (+1"), std::string::npos) << warned;
@@ -296,7 +332,8 @@ TEST(RunSummary, HasAtMostTwentyFiveLines)
     add("K3.reading" + std::to_string(i), 4e10, "N/m");
     add("mode.bending_" + std::to_string(i) + ".frequency", 100. * i, "Hz");
     results.values.back().second.method = "bending " + std::to_string(i) + ", roll: 60 % of it; six masses";
-    results.warnings.push_back("warning number " + std::to_string(i) + " " + std::string(300, 'x'));
+    results.warnings.push_back(
+        warning_of_text("warning number " + std::to_string(i) + " " + std::string(300, 'x')));
   }
   std::string limits;
   for (int i = 0; i < 20; ++i)

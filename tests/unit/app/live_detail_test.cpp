@@ -110,12 +110,12 @@ TEST(LiveDetail, StrainSharesAreTheElasticitiesOfTheFrequencies)
 
 TEST(LiveDetail, ContactsStiffenWithTheLoadInEveryWatchedMode)
 {
-  const auto at  = modes_at_load(drawn_case(), beams(), {});
-  const auto own = live::watched_modes(beams(), {}).frequency;
-  ASSERT_EQ(at.frequency.cols(), own.size());
+  const auto at        = modes_at_load(drawn_case(), beams(), {});
+  const auto frequency = live::watched_modes(beams(), {}).frequency;
+  ASSERT_EQ(at.frequency.cols(), frequency.size());
   ASSERT_EQ(at.load.size(), 7);
-  EXPECT_TRUE(near(at.frequency(3, 0), own[0], within(1e-9, "the middle load is that of the case")));
-  for (Eigen::Index i = 0; i < own.size(); ++i)
+  EXPECT_TRUE(near(at.frequency(3, 0), frequency[0], within(1e-9, "the middle load is that of the case")));
+  for (Eigen::Index i = 0; i < frequency.size(); ++i)
     EXPECT_GE(at.frequency(6, i), at.frequency(0, i) * (1 - 1e-9)) << i;
   EXPECT_GT(at.frequency.row(6).sum(), 1.001 * at.frequency.row(0).sum());
 }

@@ -45,8 +45,8 @@ FourHigh stand_of(const std::string &text)
 
 double value_of(const std::vector<ClosedFormResult> &results, const std::string &name)
 {
-  const ClosedFormResult *found = find(results, name);
-  return found ? found->parameter.value : not_given;
+  const ClosedFormResult *result = find(results, name);
+  return result ? result->parameter.value : not_given;
 }
 
 struct Measured {

@@ -38,8 +38,8 @@ IndependentStage says(const std::string &name, std::atomic<int> &turn, const int
     for (int i = 0; wait && turn < turn_of_this && i < 100; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
     run.results.add(name, number(turn_of_this));
-    run.warn("warning of " + name);
-    run.warn("warning of both");
+    run.warn(warning_of_text("warning of " + name));
+    run.warn(warning_of_text("warning of both"));
     run.assume(name);
     ++turn;
   };
@@ -58,7 +58,7 @@ TEST(SideBySide, ResultsComeInTheOrderOfTheListWhateverEndsFirst)
   ASSERT_EQ(run.results.values.size(), 3u);
   EXPECT_EQ(run.results.values[1].first, "first");
   EXPECT_EQ(run.results.values[2].first, "second");
-  EXPECT_EQ(run.results.warnings,
+  EXPECT_EQ(texts_of(run.results.warnings),
             (std::vector<std::string>{"warning of first", "warning of both", "warning of second"}));
   EXPECT_EQ(run.results.assumptions, (std::vector<std::string>{"first", "second"}));
 }

@@ -12,7 +12,7 @@ FlowAnswer some_answer()
   a.fine.state.torque   = 1. / 3;
   a.fine.state.force_by = {1, -2, 3, not_given, 5, 6, 7, not_given, 9};
   a.fine.state.position = Eigen::VectorXd::LinSpaced(5, -1e-5, 0.025);
-  a.fine.state.notes    = {"one", "two"};
+  a.fine.state.notes    = {{WarningId::bite_angle, "", "one", "why"}, {WarningId::bite_sticking, "", "two"}};
   a.fine.strain         = Eigen::MatrixXd::Random(3, 4);
   a.fine.roll_surface   = Eigen::Vector3d(1, not_given, 3);
   a.fine.first_contact  = 7;
@@ -35,7 +35,10 @@ TEST(StripFlowStore, AStoredFlowComesBackUnchanged)
   EXPECT_EQ(b->fine.state.force_by[2], 3);
   EXPECT_TRUE(std::isnan(b->fine.state.force_by[3]));
   EXPECT_TRUE(b->fine.state.position == a.fine.state.position);
-  EXPECT_EQ(b->fine.state.notes, a.fine.state.notes);
+  ASSERT_EQ(b->fine.state.notes.size(), 2u);
+  EXPECT_EQ(b->fine.state.notes[0].id, WarningId::bite_angle);
+  EXPECT_EQ(b->fine.state.notes[0].detail, "why");
+  EXPECT_EQ(b->fine.state.notes[1].fact, "two");
   EXPECT_TRUE(b->fine.strain == a.fine.strain);
   EXPECT_TRUE(std::isnan(b->fine.roll_surface[1]));
   EXPECT_EQ(b->fine.first_contact, 7);

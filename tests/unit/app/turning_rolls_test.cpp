@@ -8,5 +8,5 @@ TEST(TurningRolls, OfABearingWhoseStiffnessIsGivenHaveNoRollers)
   const auto rolls = mill::turning_rolls(stand);
   ASSERT_EQ(rolls.size(), 2u);
   for (const auto &roll : rolls)
-    EXPECT_EQ(roll.bearing, nullptr) << roll.name;
+    EXPECT_EQ(roll.bearing, nullptr) << word_of(roll.kind);
 }

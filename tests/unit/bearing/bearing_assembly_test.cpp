@@ -24,10 +24,10 @@ RingLoading loads(const double x, const double y, const double z, const double m
   return loading;
 }
 
-BearingModel elastic_model(const int chock = 0, const std::string &law = "iso")
+BearingModel elastic_model(const int chock = 0, const OneRollerLaw law = OneRollerLaw::iso)
 {
   RollerBearing b    = demo_bearing(20);
-  b.profile          = "log";
+  b.profile          = RollerProfile::log;
   b.roller_law       = law;
   BearingModel model = rigid_model(b);
   model.rings        = smooth_rings(4, 3, 1e-9, chock);
@@ -57,12 +57,12 @@ Vector5 resultant(const BearingModel &model, const AssemblyState &state)
 
 TEST(BearingAssembly, EqualsTheRigidRingSolver)
 {
-  for (const char *law : {"iso", "elastic"})
+  for (const OneRollerLaw law : {OneRollerLaw::iso, OneRollerLaw::elastic})
     for (const double clearance : {0.0, 1e-4, -5e-5})
       for (const double tilt : {0.0, 0.4e-3}) {
         RollerBearing b     = demo_bearing(20);
         b.roller_law        = law;
-        b.profile           = "iso";
+        b.profile           = RollerProfile::iso;
         b.radial_clearance  = clearance;
         const auto rigid    = solve_bearing(b, 7e5, tilt);
         const auto loading  = radial_drive(7e5, tilt);
@@ -80,7 +80,7 @@ TEST(BearingAssembly, EqualsTheRigidRingSolver)
 TEST(BearingAssembly, SlicesBalanceTheLoad)
 {
   for (const bool elastic : {false, true}) {
-    BearingModel model             = elastic_model(4, "elastic");
+    BearingModel model             = elastic_model(4, OneRollerLaw::elastic);
     model.bearing.radial_clearance = 40e-6;
     if (!elastic)
       model.rings = {};
@@ -116,7 +116,7 @@ TEST(BearingAssembly, LoadAndMotionAreInverse)
 
 TEST(BearingAssembly, StartDoesNotMatter)
 {
-  BearingAssembly assembly(elastic_model(4, "elastic"));
+  BearingAssembly assembly(elastic_model(4, OneRollerLaw::elastic));
   const auto cold = assembly.solve(radial_drive(1e6));
   assembly.solve(loads(1e5, 4e5, 3e5, 0, 2e4));
   const auto warm = assembly.solve(radial_drive(1e6));
@@ -177,11 +177,11 @@ TEST(BearingAssembly, TurnedLoadsGiveTurnedStates)
 
 TEST(BearingAssembly, PreloadIsTheAxialForceOfEachRow)
 {
-  for (const char *law : {"iso", "elastic"}) {
+  for (const OneRollerLaw law : {OneRollerLaw::iso, OneRollerLaw::elastic}) {
     RollerBearing b    = demo_bearing(20);
     b.roller_law       = law;
     b.preload          = 40e3;
-    b.profile          = "iso";
+    b.profile          = RollerProfile::iso;
     BearingModel model = rigid_model(b);
     RingLoading rest;
     rest.prescribed = {true, true, true, true, true};
@@ -207,7 +207,7 @@ TEST(BearingAssembly, PreloadOffsetOfThePowerLaw)
 {
   RollerBearing b = demo_bearing(20);
   b.preload       = 40e3;
-  const double K  = roller_constant("iso", b.roller_length);
+  const double K  = roller_constant(OneRollerLaw::iso, b.roller_length);
   EXPECT_TRUE(near(BearingAssembly(rigid_model(b)).offset()[0],
                    std::pow(40e3 / (39 * K * std::sin(20 * degree)), 0.9), within(1e-9, "closed form")));
 }
@@ -365,7 +365,7 @@ TEST(BearingAssembly, AnyMixOfLoadsConverges)
 {
   int most = 0, solved = 0;
   for (const char *hands : {"+-+-", "++--"})
-    for (const char *law : {"iso", "elastic"})
+    for (const OneRollerLaw law : {OneRollerLaw::iso, OneRollerLaw::elastic})
       for (const double clearance : {0.0, 1e-4, -5e-5, 2e-3})
         for (const bool elastic : {false, true}) {
           BearingModel model             = elastic_model(3, law);
@@ -408,7 +408,7 @@ TEST(BearingAssembly, RefusesContradictions)
 // few steps; each costs one pass over 4 x 39 rollers and one solution with the rings.
 TEST(BearingAssembly, ACurveTakesFewSteps)
 {
-  BearingAssembly assembly(elastic_model(20, "elastic"));
+  BearingAssembly assembly(elastic_model(20, OneRollerLaw::elastic));
   std::vector<RingLoading> loadings;
   for (int i = 1; i <= 20; ++i)
     loadings.push_back(radial_drive(1e5 * i));

@@ -13,7 +13,7 @@ const double degree = M_PI / 180;
 RollerBearing work_roll_bearing()
 {
   RollerBearing b;
-  b.type              = "four-row tapered";
+  b.type              = BearingType::four_row_tapered;
   b.bore              = 0.2667;
   b.outside_diameter  = 0.3556;
   b.rollers_per_row   = 39;

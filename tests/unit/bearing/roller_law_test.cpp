@@ -11,7 +11,7 @@ using namespace mill::bearing;
 namespace {
 constexpr double per_mm = 2154.4346900318843;  // 1000^(10/9): N/mm^(10/9) in N/m^(10/9)
 
-RollerBearing bearing_with(const std::string &law, const std::string &profile = "none")
+RollerBearing bearing_with(const OneRollerLaw law, const RollerProfile profile = RollerProfile::none)
 {
   RollerBearing b = demo_bearing();
   b.roller_law    = law;
@@ -24,20 +24,22 @@ RollerBearing bearing_with(const std::string &law, const std::string &profile = 
 // formula.
 TEST(RollerLaw, IsoConstantAndApproach)
 {
-  EXPECT_TRUE(near(roller_constant("iso", 0.0334), 813048 * per_mm, within(1e-6, "printed with six digits")));
-  EXPECT_TRUE(near(roller_constant("iso", 0.010), 278332 * per_mm, within(2e-6, "printed with six digits")));
-  EXPECT_TRUE(near(roller_approach(roller_law(bearing_with("iso")), 10e3), 19.094e-6,
+  EXPECT_TRUE(
+      near(roller_constant(OneRollerLaw::iso, 0.0334), 813048 * per_mm, within(1e-6, "printed with six digits")));
+  EXPECT_TRUE(
+      near(roller_constant(OneRollerLaw::iso, 0.010), 278332 * per_mm, within(2e-6, "printed with six digits")));
+  EXPECT_TRUE(near(roller_approach(roller_law(bearing_with(OneRollerLaw::iso)), 10e3), 19.094e-6,
                    within(1e-4, "printed with five digits")));
 }
 
 // 3.84e-5 Q^0.9 / l^0.8 belongs to one contact; read as the whole roller the stiffness doubles.
 TEST(RollerLaw, PalmgrenApproachIncludesBothContacts)
 {
-  EXPECT_TRUE(
-      near(roller_constant("palmgren", 0.0334), reference("bearing.Kn"), within(1e-12, "same closed form")));
-  EXPECT_TRUE(near(roller_approach(roller_law(bearing_with("palmgren")), 10e3), 18.466e-6,
+  EXPECT_TRUE(near(roller_constant(OneRollerLaw::palmgren, 0.0334), reference("bearing.Kn"),
+                   within(1e-12, "same closed form")));
+  EXPECT_TRUE(near(roller_approach(roller_law(bearing_with(OneRollerLaw::palmgren)), 10e3), 18.466e-6,
                    within(1e-4, "printed with five digits")));
-  const RollerLaw law = roller_law(bearing_with("palmgren"));
+  const RollerLaw law = roller_law(bearing_with(OneRollerLaw::palmgren));
   for (const auto &row : reference("bearing.one_roller")) {
     const double load = row[0], d = roller_approach(law, load);
     EXPECT_TRUE(near(d, row[1], within(1e-12, "closed form inverted by Newton to rounding")));
@@ -49,10 +51,10 @@ TEST(RollerLaw, PalmgrenApproachIncludesBothContacts)
 TEST(RollerLaw, SumOverLaminaeIsTheWholeRoller)
 {
   for (const int n : {1, 31, 41, 101}) {
-    RollerBearing b = bearing_with("iso");
+    RollerBearing b = bearing_with(OneRollerLaw::iso);
     b.slices        = n;
     EXPECT_TRUE(near(roller_load(roller_law(b), 20e-6, 0).load,
-                     roller_constant("iso", 0.0334) * std::pow(20e-6, 10.0 / 9),
+                     roller_constant(OneRollerLaw::iso, 0.0334) * std::pow(20e-6, 10.0 / 9),
                      within(1e-13, "equal laminae, rounding of the sum")));
   }
 }
@@ -66,7 +68,7 @@ TEST(RollerLaw, ElasticRollerIsComparedWithTheStandard)
       {10, 16.08, 8.29, 0.184, 0.197, 1038, 969},   {20, 29.82, 15.41, 0.260, 0.278, 1468, 1370},
       {50, 66.82, 34.66, 0.411, 0.440, 2322, 2166}, {100, 121.98, 63.49, 0.581, 0.622, 3283, 3064}};
   for (const auto &row : table) {
-    const ElasticRoller roller = elastic_roller(bearing_with("iso"), row[0] * 1e3, 12e-3);
+    const ElasticRoller roller = elastic_roller(bearing_with(OneRollerLaw::iso), row[0] * 1e3, 12e-3);
     EXPECT_TRUE(
         near(roller.approach * 1e6, row[1], within_absolute(0.0051, "half a unit of the last printed digit")));
     EXPECT_TRUE(
@@ -85,7 +87,7 @@ TEST(RollerLaw, ElasticRollerIsComparedWithTheStandard)
 // ISO/TS 16281 section 6, roller of 21.5 mm: 2.8 um at a quarter, 22 um at 0.95 of the half length (one contact).
 TEST(RollerLaw, IsoProfileOfATaperedRoller)
 {
-  RollerBearing b = bearing_with("iso", "iso");
+  RollerBearing b = bearing_with(OneRollerLaw::iso, RollerProfile::iso);
   b.slices        = 2;  // middles at +- L/4
   EXPECT_TRUE(near(roller_law(b).drop[1] / 2, 0.00045 * 0.0215 * std::log(4.0 / 3),
                    within(1e-12, "the formula at 2x/L = 1/2")));
@@ -98,8 +100,8 @@ TEST(RollerLaw, IsoProfileOfATaperedRoller)
 
 TEST(RollerLaw, IsoProfileOfCylindricalRollers)
 {
-  RollerBearing b = bearing_with("iso", "iso");
-  b.type          = "four-row cylindrical";
+  RollerBearing b = bearing_with(OneRollerLaw::iso, RollerProfile::iso);
+  b.type          = BearingType::four_row_cylindrical;
   b.slices        = 2;
   EXPECT_TRUE(near(roller_law(b).drop[1] / 2, 0.00035 * 0.0215 * std::log(4.0 / 3),
                    within(1e-12, "short roller, eq. (42)")));
@@ -116,7 +118,7 @@ TEST(RollerLaw, IsoProfileOfCylindricalRollers)
 // The logarithmic profile is the one that keeps 2 GPa even over the length: away from the ends it is Lundberg's.
 TEST(RollerLaw, LogProfileIsLundbergsAtTheDesignPressure)
 {
-  RollerBearing b = bearing_with("iso", "log");
+  RollerBearing b = bearing_with(OneRollerLaw::iso, RollerProfile::log);
   b.slices        = 2;
   const double R = 1 / (2 / 0.0215 + 2 / (0.31115 - 0.0215)), E = 206e9, nu = 0.3, p0 = 2e9;
   const double q        = p0 * p0 * M_PI * R * 2 * (1 - nu * nu) / E;
@@ -129,16 +131,16 @@ TEST(RollerLaw, LogProfileIsLundbergsAtTheDesignPressure)
 
 TEST(RollerLaw, CrownIsACircleAndTiltLoadsOneEnd)
 {
-  RollerBearing b = bearing_with("iso", "crown");
+  RollerBearing b = bearing_with(OneRollerLaw::iso, RollerProfile::crown);
   b.crown_drop    = 10e-6;
   b.slices        = 2;
   EXPECT_TRUE(near(roller_law(b).drop[1] / 2, 2.5e-6, within(1e-12, "a quarter of the end drop at half way")));
 
-  const RollerLaw flat = roller_law(bearing_with("iso"));
+  const RollerLaw flat = roller_law(bearing_with(OneRollerLaw::iso));
   // All of the roller in contact and a small tilt: load is c_s sum (d + x t)^(10/9), second order in the tilt.
   const double d = 20e-6, tilt = 1e-4, L = 0.0334;
-  const double second = roller_constant("iso", L) * std::pow(d, 10.0 / 9) * 5.0 / 81 * std::pow(tilt * L / d, 2) /
-                        12 * (1 - 1.0 / (41 * 41));
+  const double second = roller_constant(OneRollerLaw::iso, L) * std::pow(d, 10.0 / 9) * 5.0 / 81 *
+                        std::pow(tilt * L / d, 2) / 12 * (1 - 1.0 / (41 * 41));
   EXPECT_TRUE(near(roller_load(flat, d, tilt).load - roller_load(flat, d, 0).load, second,
                    within(1e-3, "next term of the series is of fourth order, (tilt L / 2d)^2 / 40 of this one")));
   EXPECT_TRUE(
@@ -147,14 +149,13 @@ TEST(RollerLaw, CrownIsACircleAndTiltLoadsOneEnd)
 
 TEST(RollerLaw, RefusesUnknownLawsAndProfiles)
 {
-  EXPECT_THROW(roller_constant("hertz", 0.03), InputError);
-  EXPECT_THROW(roller_law(bearing_with("iso", "barrel")), InputError);
-  EXPECT_THROW(roller_law(bearing_with("iso", "crown")), InputError);
-  RollerBearing b   = bearing_with("iso", "iso");
+  EXPECT_THROW(roller_constant(OneRollerLaw::elastic, 0.03), InputError);
+  EXPECT_THROW(roller_law(bearing_with(OneRollerLaw::iso, RollerProfile::crown)), InputError);
+  RollerBearing b   = bearing_with(OneRollerLaw::iso, RollerProfile::iso);
   b.roller_diameter = not_given;
   EXPECT_THROW(roller_law(b), InputError);
-  b        = bearing_with("iso");
+  b        = bearing_with(OneRollerLaw::iso);
   b.slices = 0;
   EXPECT_THROW(roller_law(b), InputError);
-  EXPECT_THROW(elastic_roller(bearing_with("iso"), 0, 12e-3), InputError);
+  EXPECT_THROW(elastic_roller(bearing_with(OneRollerLaw::iso), 0, 12e-3), InputError);
 }

@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 namespace {
 constexpr double um = 1e-6, L = 33.4e-3;
 
-RollerBearing with_profile(const std::string &profile)
+RollerBearing with_profile(const RollerProfile profile)
 {
   RollerBearing b = demo_bearing();
   b.profile       = profile;
@@ -33,7 +33,7 @@ double unit_drop(const double load)
 
 TEST(RollerProfile, LundbergIsTheLogarithmForItsLoad)
 {
-  RollerBearing b = with_profile("lundberg");
+  RollerBearing b = with_profile(RollerProfile::lundberg);
   b.profile_load  = 50e3;
   const double u  = 0.8;
   EXPECT_TRUE(near(drop(b, u * L / 2), -unit_drop(50e3) * std::log(1 - u * u), within(1e-12, "closed form")));
@@ -45,7 +45,7 @@ TEST(RollerProfile, LundbergIsTheLogarithmForItsLoad)
 
 TEST(RollerProfile, LogIsLundbergRoundedAtTheEnd)
 {
-  RollerBearing log = with_profile("log"), lundberg = with_profile("lundberg");
+  RollerBearing log = with_profile(RollerProfile::log), lundberg = with_profile(RollerProfile::lundberg);
   log.profile_load = lundberg.profile_load = 50e3;
   const double R = effective_radius(log, true), E_plane = 206e9 / (2 * 0.91);
   const double b = std::sqrt(4 * 50e3 / L * R / (M_PI * E_plane));
@@ -57,7 +57,7 @@ TEST(RollerProfile, LogIsLundbergRoundedAtTheEnd)
 
 TEST(RollerProfile, ThreeParameterEndsAtItsDropAndStartsStraight)
 {
-  RollerBearing b = with_profile("three-parameter");
+  RollerBearing b = with_profile(RollerProfile::three_parameter);
   b.profile_load  = 40e3;
   b.profile_share = 0.6;
   b.crown_drop    = 15 * um;
@@ -68,14 +68,14 @@ TEST(RollerProfile, ThreeParameterEndsAtItsDropAndStartsStraight)
   // All of the length and no end to the drop: Lundberg's profile.
   b.profile_share        = 1;
   b.crown_drop           = 1;
-  RollerBearing lundberg = with_profile("lundberg");
+  RollerBearing lundberg = with_profile(RollerProfile::lundberg);
   lundberg.profile_load  = 40e3;
   EXPECT_TRUE(near(drop(b, 0.3 * L), drop(lundberg, 0.3 * L), within(1e-12, "exp(-drop/A) is zero")));
 }
 
 TEST(RollerProfile, TableIsLinearAndMirroredWithoutNegativeX)
 {
-  RollerBearing b = with_profile("table");
+  RollerBearing b = with_profile(RollerProfile::table);
   b.profile_table = {{0, 0}, {10e-3, 2 * um}, {17e-3, 9 * um}};
   EXPECT_TRUE(near(drop(b, 5e-3), 1 * um, within(1e-12, "half way")));
   EXPECT_TRUE(near(drop(b, -13.5e-3), 5.5 * um, within(1e-12, "mirrored")));
@@ -88,7 +88,7 @@ TEST(RollerProfile, TableIsLinearAndMirroredWithoutNegativeX)
 
 TEST(RollerProfile, TotalLengthDoesNotCarry)
 {
-  RollerBearing b       = with_profile("iso");
+  RollerBearing b       = with_profile(RollerProfile::iso);
   const RollerLaw law   = roller_law(b);
   b.roller_total_length = 36e-3;
   EXPECT_EQ(roller_law(b).position, law.position);
@@ -107,23 +107,22 @@ TEST(RollerProfile, RefusesWhatIsMissing)
     }
     return false;
   };
-  EXPECT_TRUE(refused(with_profile("barrel"), "\"barrel\" is not known"));
-  EXPECT_TRUE(refused(with_profile("crown"), "needs crown_drop"));
-  EXPECT_TRUE(refused(with_profile("three-parameter"), "needs crown_drop"));
-  RollerBearing b = with_profile("three-parameter");
+  EXPECT_TRUE(refused(with_profile(RollerProfile::crown), "needs crown_drop"));
+  EXPECT_TRUE(refused(with_profile(RollerProfile::three_parameter), "needs crown_drop"));
+  RollerBearing b = with_profile(RollerProfile::three_parameter);
   b.crown_drop    = 1 * um;
   b.profile_share = 0;
   EXPECT_TRUE(refused(b, "profile_share"));
   b.profile_share = 1;
   b.crown_drop    = 0;
   EXPECT_TRUE(refused(b, "above 0"));
-  EXPECT_TRUE(refused(with_profile("table"), "profile_table"));
-  b               = with_profile("table");
+  EXPECT_TRUE(refused(with_profile(RollerProfile::table), "profile_table"));
+  b               = with_profile(RollerProfile::table);
   b.profile_table = {{0, 0}, {5e-3, 1 * um}};
   EXPECT_TRUE(refused(b, "ends before the roller does"));
   b.profile_table = {{0, 0}, {0, 1 * um}};
   EXPECT_TRUE(refused(b, "must increase"));
-  b                 = with_profile("lundberg");
+  b                 = with_profile(RollerProfile::lundberg);
   b.roller_diameter = not_given;
   EXPECT_TRUE(refused(b, "roller_diameter"));
 }

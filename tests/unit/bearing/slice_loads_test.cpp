@@ -11,7 +11,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace {
-RollerBearing with_profile(const std::string &profile)
+RollerBearing with_profile(const RollerProfile profile)
 {
   RollerBearing b = demo_bearing();
   b.profile       = profile;
@@ -63,7 +63,7 @@ TEST(SliceLoads, ElasticSlicesAreTheClosedForm)
 // What the law promises: d = influence q + local where q > 0, nothing missing where q = 0.
 TEST(SliceLoads, SatisfyTheContactConditions)
 {
-  for (const char *profile : {"none", "iso", "log"})
+  for (const RollerProfile profile : {RollerProfile::none, RollerProfile::iso, RollerProfile::log})
     for (const double tilt : {0.0, 1e-3, -5e-3})
       for (const double middle : {1e-7, 5e-6, 4e-5}) {
         const RollerLaw law = connected(with_profile(profile), 50e3);
@@ -86,8 +86,9 @@ TEST(SliceLoads, SatisfyTheContactConditions)
 
 TEST(SliceLoads, SlopeIsTheDerivative)
 {
-  for (const RollerLaw &law : {connected(with_profile("iso"), 50e3), connected(with_profile("none"), 10e3),
-                               roller_law(with_profile("iso"))})
+  for (const RollerLaw &law :
+       {connected(with_profile(RollerProfile::iso), 50e3), connected(with_profile(RollerProfile::none), 10e3),
+        roller_law(with_profile(RollerProfile::iso))})
     for (const double middle : {6e-6, 60e-6, 150e-6}) {  // 150 um: beyond the range of separate slices
       const VectorXd d = approach(law, middle, 3e-4);
       const auto loads = slice_loads(law, d, all_directions(law));
@@ -107,7 +108,7 @@ TEST(SliceLoads, SlopeIsTheDerivative)
 
 TEST(SliceLoads, StartDoesNotMatter)
 {
-  const RollerLaw law = connected(with_profile("log"), 50e3);
+  const RollerLaw law = connected(with_profile(RollerProfile::log), 50e3);
   const MatrixXd none(law.position.size(), 0);
   const VectorXd d  = approach(law, 40e-6, 1e-3);
   const auto cold   = slice_loads(law, d, none);
@@ -122,7 +123,8 @@ TEST(SliceLoads, AlwaysConverge)
 {
   int solved = 0, most = 0;
   for (const double reference : {10e3, 50e3, 200e3})
-    for (const char *profile : {"none", "iso", "log", "lundberg"}) {
+    for (const RollerProfile profile :
+         {RollerProfile::none, RollerProfile::iso, RollerProfile::log, RollerProfile::lundberg}) {
       const RollerLaw law = connected(with_profile(profile), reference);
       const MatrixXd none(law.position.size(), 0);
       for (const double tilt : {0.0, 1e-4, 1e-3, -3e-3, 5e-3}) {
@@ -145,8 +147,8 @@ TEST(SliceLoads, AlwaysConverge)
 TEST(SliceLoads, ReferenceLineLoadHardlyMatters)
 {
   for (const double load : {2e3, 20e3, 100e3}) {
-    const double a = roller_approach(connected(with_profile("log"), 10e3), load),
-                 b = roller_approach(connected(with_profile("log"), 60e3), load);
+    const double a = roller_approach(connected(with_profile(RollerProfile::log), 10e3), load),
+                 b = roller_approach(connected(with_profile(RollerProfile::log), 60e3), load);
     EXPECT_TRUE(
         near(a, b, within(5e-3, "neighbours at 2 b away feel the spread, which the local term leaves out")));
   }
@@ -162,10 +164,10 @@ TEST(SliceLoads, RefusesWhatDoesNotFit)
   law.influence.resize(2, 2);
   EXPECT_THROW(with_limits(law), InputError);
   RollerBearing fe = demo_bearing();
-  fe.roller_law    = "fe";
+  fe.roller_law    = OneRollerLaw::fe;
   EXPECT_THROW(roller_law(fe), InputError);
   RollerBearing thin  = demo_bearing();
-  thin.roller_law     = "elastic";
+  thin.roller_law     = OneRollerLaw::elastic;
   thin.pitch_diameter = 0.28;  // the cone's raceway below the bore
   EXPECT_THROW(roller_law(thin), InputError);
 }
@@ -173,14 +175,14 @@ TEST(SliceLoads, RefusesWhatDoesNotFit)
 // The same approaches, factor times the loads: what "the contact elements carry 2 % more" means for a bearing.
 TEST(SliceLoads, AStiffenedLawCarriesMoreAtTheSameApproach)
 {
-  for (const char *kind : {"iso", "elastic"}) {
-    RollerBearing b = with_profile("iso");
+  for (const OneRollerLaw kind : {OneRollerLaw::iso, OneRollerLaw::elastic}) {
+    RollerBearing b = with_profile(RollerProfile::iso);
     b.roller_law    = kind;
     const auto law = with_limits(roller_law(b)), more = stiffened(law, 1.02);
     const VectorXd d = approach(law, 25e-6, 2e-4);
     const auto q = slice_loads(law, d, all_directions(law)), p = slice_loads(more, d, all_directions(law));
-    EXPECT_LT((p.load - 1.02 * q.load).norm(), 1e-12 * q.load.norm()) << kind;
-    EXPECT_LT((p.slope - 1.02 * q.slope).norm(), 1e-9 * q.slope.norm()) << kind;
+    EXPECT_LT((p.load - 1.02 * q.load).norm(), 1e-12 * q.load.norm()) << word_of(kind);
+    EXPECT_LT((p.slope - 1.02 * q.slope).norm(), 1e-9 * q.slope.norm()) << word_of(kind);
   }
   EXPECT_THROW(stiffened(connected(demo_bearing(), 1e4), 0), InputError);
 }

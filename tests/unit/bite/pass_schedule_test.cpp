@@ -399,7 +399,7 @@ TEST(Schedule, PutsThePassesTogether)
 {
   const ScheduleRecord record = schedule_of(schedule());
   ASSERT_EQ(record.passes.size(), 5u);
-  EXPECT_TRUE(record.notes.empty()) << record.notes.front();
+  EXPECT_TRUE(record.notes.empty()) << text_of(record.notes.front());
   const Tolerance roots = within(1e-7, root_finding);
   for (const int pass : printed_passes) {
     const PassForce &p = record.passes[std::size_t(pass - 1)];
@@ -457,7 +457,8 @@ TEST(Schedule, ReportsWhatCannotBeFitted)
   const ScheduleRecord one = schedule_of(passes);
   EXPECT_TRUE(one.laws.empty());
   ASSERT_EQ(one.notes.size(), 1u);
-  EXPECT_NE(one.notes[0].find("more unknowns than data"), std::string::npos) << one.notes[0];
+  EXPECT_EQ(one.notes[0].id, WarningId::fit_refused);
+  EXPECT_NE(one.notes[0].detail.find("more unknowns than data"), std::string::npos) << one.notes[0].detail;
   EXPECT_EQ(one.dynamics.size(), 2u) << "one unknown, one force";
 
   passes                                    = schedule();

@@ -136,9 +136,8 @@ TEST(SlabNotes, FarFlattenedRoll)
   const BiteState state           = solve_slab(bite, {Theory::bland_ford, Arc::hitchcock});
   EXPECT_GT(state.flattened_radius / bite.roll_radius, 5);
   bool message = false;
-  for (const std::string &note : state.notes)
-    message =
-        message || note.find("is beyond 5, where Hitchcock's circular arc no longer holds") != std::string::npos;
+  for (const Warning &note : state.notes)
+    message = message || note.id == WarningId::bite_flattening;
   EXPECT_TRUE(message);
 }
 

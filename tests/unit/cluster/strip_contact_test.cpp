@@ -35,7 +35,7 @@ ClusterStand six_high()
     ClusterSupport guide;
     guide.roll      = name;
     guide.name      = std::string(name) + "_guide";
-    guide.type      = "guide";
+    guide.type      = SupportType::guide;
     guide.stiffness = 1e10;
     stand.supports.push_back(guide);
   }
@@ -47,7 +47,7 @@ ClusterStand six_high()
   for (const char *roll : {"BU", "BL"}) {
     ClusterSupport housing;
     housing.roll      = roll;
-    housing.type      = "guide";
+    housing.type      = SupportType::guide;
     housing.direction = M_PI / 2;
     housing.stiffness = 5e9;
     stand.supports.push_back(housing);

@@ -37,7 +37,7 @@ TEST(BearingCatalogue, TheShippedTableIsComplete)
 {
   const auto &all = shipped_catalogue();
   EXPECT_GE(all.size(), 20u);
-  std::set<std::string> types;
+  std::set<std::optional<BearingType>> types;
   for (const CatalogueBearing &b : all) {
     types.insert(b.type);
     EXPECT_EQ(b.rows, 4) << b.designation;

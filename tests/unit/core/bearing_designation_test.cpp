@@ -59,13 +59,13 @@ protected:
 TEST_F(Designation, ADesignationAloneDefinesABearing)
 {
   const RollerBearing b = bearing("designation = \"LM761649D\"");
-  EXPECT_EQ(b.type, "four-row tapered");
+  EXPECT_EQ(b.type, BearingType::four_row_tapered);
   EXPECT_EQ(b.bore, 0.343052);
   EXPECT_EQ(b.outside_diameter, 0.457098);
   EXPECT_EQ(b.width, 0.254);
   EXPECT_EQ(b.rows, 4);
   EXPECT_EQ(b.dynamic_rating, 2370e3);
-  EXPECT_EQ(b.roller_law, "fe");
+  EXPECT_EQ(b.roller_law, OneRollerLaw::fe);
   EXPECT_EQ(b.estimated,
             (std::vector<std::string>{"rollers_per_row", "roller_diameter", "roller_length", "cup_angle"}));
   // What was estimated gives the ratings it was estimated from, and fits.
@@ -150,7 +150,7 @@ TEST_F(Designation, AnOwnCatalogueIsSearchedFirst)
   EXPECT_EQ(b.dynamic_rating, 2500e3);
   EXPECT_EQ(b.catalogue_source, "our drawing");
   EXPECT_TRUE(near(std::tan(b.cup_angle), 0.28, within(1e-12, "e / 1.5")));
-  EXPECT_EQ(bearing("designation = \"4R10704\"\ncatalogue = \"own.csv\"").type, "four-row cylindrical");
+  EXPECT_EQ(bearing("designation = \"4R10704\"\ncatalogue = \"own.csv\"").type, BearingType::four_row_cylindrical);
   const std::string path = (folder / "own.csv").string();
   EXPECT_EQ(refused("designation = \"X\"\ncatalogue = \"own.csv\""),
             "case.toml:5:15: bearing.trb.designation = \"X\" is neither in " + path +

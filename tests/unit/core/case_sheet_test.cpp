@@ -167,12 +167,10 @@ TEST_F(Sheets, WhatIsLeftOfTheTemplateIsListed)
   EXPECT_GE(c.left_at_template.size(), 25u);
   EXPECT_EQ(std::count(c.left_at_template.begin(), c.left_at_template.end(), "work_roll.neck_diameter"), 1);
   ASSERT_EQ(c.warnings.size(), 1u);
-  EXPECT_NE(c.warnings[0].message.find(" values are still those of the template: work_roll.barrel_diameter, "),
-            std::string::npos)
-      << c.warnings[0].message;
-  EXPECT_NE(c.warnings[0].message.find("; replace them, or name those that are meant in confirmed = \"...\""),
-            std::string::npos)
-      << c.warnings[0].message;
+  EXPECT_EQ(c.warnings[0].id, WarningId::template_values);
+  EXPECT_NE(c.warnings[0].fact.find(" values are still those of the template"), std::string::npos);
+  EXPECT_EQ(c.warnings[0].detail.find("work_roll.barrel_diameter, "), 0u) << c.warnings[0].detail;
+  EXPECT_EQ(c.warnings[0].remedy, "replace them, or name those that are meant in confirmed = \"...\"");
   const Case one = read_case(path, {"work_roll.neck_diameter=250 mm"});
   EXPECT_EQ(one.left_at_template.size() + 1, c.left_at_template.size());
   const Case rolls = read_case(path, {"confirmed=work_roll strip.width"});

@@ -58,8 +58,8 @@ TEST_F(MonitoringSection, NamesZonesAndBands)
   EXPECT_NE(the_case.resolved.find("channels = { \"AI_07\" = \"upper_work_roll\", \"Kraft 1\" = \"force\" }"),
             std::string::npos);
   ASSERT_EQ(the_case.warnings.size(), 1u);
-  EXPECT_EQ(the_case.warnings[0].message.find("monitoring.baseline = \"before\" holds no analysis.json"), 0u)
-      << the_case.warnings[0].message;
+  EXPECT_EQ(the_case.warnings[0].key, "monitoring.baseline");
+  EXPECT_EQ(the_case.warnings[0].fact, "monitoring.baseline = \"before\" holds no analysis.json");
   EXPECT_TRUE(monitoring_of(with("severity = [\"2.3 mm/s\"]\n")).channels().empty());
 }
 
@@ -96,7 +96,7 @@ TEST_F(MonitoringSection, BallBearings)
   const Monitoring m = monitoring_of(with(whole));
   ASSERT_EQ(m.ball_bearings.size(), 1u);
   EXPECT_EQ(m.ball_bearings[0].name, "axial");
-  EXPECT_EQ(m.ball_bearings[0].roll, "backup roll");
+  EXPECT_EQ(m.ball_bearings[0].roll, RollKind::backup_roll);
   EXPECT_EQ(m.ball_bearings[0].balls, 14);
   EXPECT_DOUBLE_EQ(m.ball_bearings[0].ball_diameter, 0.0381);
   EXPECT_DOUBLE_EQ(m.ball_bearings[0].pitch_diameter, 0.24);

@@ -23,7 +23,14 @@ Results sample()
   unknown.unit   = "N/m";
   unknown.source = Source::assumed;
   results.add("A.first.in.the.alphabet", unknown);
-  results.warnings    = {"the record ends below the highest mode"};
+  results.warnings    = {{WarningId::force_band,
+                          "pass 1",
+                          "the record ends early",
+                          "peaks are low",
+                          "filter less",
+                          {"pass 1"},
+                          "pass.0.force",
+                          {"a.toml", 7, 9}}};
   results.assumptions = {"bearing load F/20"};
   return results;
 }
@@ -48,7 +55,14 @@ TEST(Results, JsonHasEveryPart)
   EXPECT_EQ(k3.at("checks").at(0).at("name"), "Hertz line contact");
   EXPECT_EQ(k3.at("checks").at(0).at("value"), 4.0192e10);
   EXPECT_EQ(k3.at("checks").at(0).at("note"), "infinitely long");
-  EXPECT_EQ(json.at("warnings").at(0), "the record ends below the highest mode");
+  EXPECT_EQ(json.at("warnings").at(0), "pass 1: the record ends early: peaks are low; filter less");
+  const auto &record = json.at("warning_records").at(0);
+  EXPECT_EQ(record.at("id"), "force-band");
+  EXPECT_EQ(record.at("fact"), "the record ends early");
+  EXPECT_EQ(record.at("remedy"), "filter less");
+  EXPECT_EQ(record.at("concerns").at(0), "pass 1");
+  EXPECT_EQ(record.at("key"), "pass.0.force");
+  EXPECT_EQ(record.at("place").at("line"), 7);
   EXPECT_EQ(json.at("assumptions").at(0), "bearing load F/20");
 }
 
@@ -82,7 +96,7 @@ TEST(Results, ResultsAreFoundByName)
 TEST(Results, BytesThatAreNotUtf8DoNotBreakTheFile)
 {
   Results results;
-  results.warnings = {"a name with a stray byte: \xff"};
+  results.warnings = {warning_of_text("a name with a stray byte: \xff")};
   EXPECT_NO_THROW(std::ignore = nlohmann::json::parse(results_json(results, "\xc3", "ok")));
 }
 

@@ -16,8 +16,8 @@ std::string refused(const Sets &sets, const char *file = "cases/four-high-1400.t
 std::string warned(const Sets &sets, const char *file = "cases/four-high-1400.toml")
 {
   std::string text;
-  for (const Problem &problem : read_case(file, sets).warnings)
-    text += (text.empty() ? "" : "\n") + problem.message;
+  for (const Warning &warning : read_case(file, sets).warnings)
+    text += (text.empty() ? "" : "\n") + text_of(warning);
   return text;
 }
 

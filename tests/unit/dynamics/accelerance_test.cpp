@@ -47,7 +47,7 @@ TEST(Accelerance, OneMassHasTheClosedForm)
 
 TEST(Accelerance, AChainSatisfiesItsEquationOfMotion)
 {
-  const MillModel chain = mill_model(published_stand(), settings("published", 0.01));
+  const MillModel chain = mill_model(published_stand(), settings(ForceMeaning::published, 0.01));
   StandModel stand;
   stand.M             = chain.M.asDiagonal();
   stand.K_parts       = chain.K;
@@ -70,7 +70,7 @@ TEST(Accelerance, AChainSatisfiesItsEquationOfMotion)
 
 TEST(Accelerance, DampingByTheRootOfAMatrixHasTheRatioInEveryMode)
 {
-  const MillModel chain          = mill_model(published_stand(), settings("measured", 0));
+  const MillModel chain          = mill_model(published_stand(), settings(ForceMeaning::measured, 0));
   const Eigen::MatrixXd M        = chain.M.asDiagonal();
   const Eigen::MatrixXd C        = modal_damping_matrix(M, chain.K, 0.03);
   const Modes natural            = modes(chain);
@@ -82,7 +82,7 @@ TEST(Accelerance, DampingByTheRootOfAMatrixHasTheRatioInEveryMode)
 
 TEST(Accelerance, IsReciprocal)
 {
-  const MillModel chain = mill_model(published_stand(), settings("published", 0.01));
+  const MillModel chain = mill_model(published_stand(), settings(ForceMeaning::published, 0.01));
   StandModel stand;
   stand.M                                      = chain.M.asDiagonal();
   stand.K_parts                                = chain.K;

@@ -9,9 +9,9 @@
 
 using namespace mill;
 using namespace mill::dynamics;
-using bite::Linearisation;
 using bite::PassNumber;
 using bite::RollBite;
+using mill::Linearisation;
 
 namespace {
 constexpr Linearisation schemes[]{Linearisation::sequential, Linearisation::implicit,
@@ -64,8 +64,8 @@ LumpedModel chain()
 DynamicsSettings damped()
 {
   DynamicsSettings settings;
-  settings.force_meaning = "measured";
-  settings.frame         = "open";
+  settings.force_meaning = ForceMeaning::measured;
+  settings.frame         = FrameForm::open;
   settings.modal_damping = 0.01;
   return settings;
 }
@@ -93,7 +93,7 @@ TEST(StructureNumbers, ReproduceTheMatricesOfSixMassesChainAndModes)
 {
   const Six six;
   expect_derivatives(six.stand().structure, six.numbers());
-  for (const char *frame : {"open", "closed"}) {
+  for (const FrameForm frame : every<FrameForm>()) {
     DynamicsSettings settings = damped();
     settings.frame            = frame;
     expect_derivatives(structure_of(mill_model(chain(), settings)), chain_numbers(chain(), settings));

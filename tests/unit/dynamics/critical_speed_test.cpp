@@ -11,7 +11,7 @@
 
 using namespace mill;
 using namespace mill::dynamics;
-using bite::Linearisation;
+using mill::Linearisation;
 
 namespace {
 constexpr double pi = 3.14159265358979323846;

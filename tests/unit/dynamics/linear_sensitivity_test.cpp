@@ -12,9 +12,9 @@
 using namespace mill;
 using namespace mill::dynamics;
 using bite::Dual;
-using bite::Linearisation;
 using bite::PassNumber;
 using bite::RollBite;
+using mill::Linearisation;
 
 namespace {
 constexpr Linearisation schemes[]{Linearisation::sequential, Linearisation::implicit,

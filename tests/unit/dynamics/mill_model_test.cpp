@@ -13,9 +13,9 @@ const Tolerance one_solve = within(1e-8, "one linear solve in double precision, 
 
 TEST(MillModel, StaticDisplacementPerNewtonOfBiteForce)
 {
-  const auto with_bite = mill_model(published_stand(), settings("published", 0.01));
+  const auto with_bite = mill_model(published_stand(), settings(ForceMeaning::published, 0.01));
   EXPECT_TRUE(near(static_displacement(with_bite), reference_vector("static.K4_on"), one_solve));
-  const auto without = mill_model(published_stand(), settings("measured", 0.01));
+  const auto without = mill_model(published_stand(), settings(ForceMeaning::measured, 0.01));
   EXPECT_TRUE(near(static_displacement(without), reference_vector("static.K4_zero"), one_solve));
 }
 
@@ -23,7 +23,8 @@ TEST(MillModel, MillModulusIsTheGapPerNewton)
 {
   const double modulus = mill_modulus(published_stand());
   EXPECT_TRUE(near(modulus, reference("static.mill_modulus"), one_solve));
-  const Eigen::VectorXd y = static_displacement(mill_model(published_stand(), settings("measured", 0)));
+  const Eigen::VectorXd y =
+      static_displacement(mill_model(published_stand(), settings(ForceMeaning::measured, 0)));
   EXPECT_TRUE(near(1 / (y[upper_work_roll] - y[lower_work_roll]), modulus, one_solve));
 }
 
@@ -31,38 +32,41 @@ TEST(MillModel, TheMeaningOfTheForceDecidesTheSpringInTheBite)
 {
   auto stand                = published_stand();
   stand.C.value             = 1e6;
-  const auto bite_stiffness = [&](const char *meaning) {
+  const auto bite_stiffness = [&](const ForceMeaning meaning) {
     return -mill_model(stand, settings(meaning, 0)).K(2, 3);
   };
-  const auto bite_damping = [&](const char *meaning) { return -mill_model(stand, settings(meaning, 0)).C(2, 3); };
-  EXPECT_EQ(bite_stiffness("measured"), 0);
-  EXPECT_EQ(bite_stiffness("disturbance"), 1.91141e11);
-  EXPECT_EQ(bite_stiffness("published"), 1.91141e11);
-  EXPECT_EQ(bite_damping("measured"), 0);
-  EXPECT_EQ(bite_damping("disturbance"), 1e6);
-  EXPECT_EQ(bite_damping("published"), 1e6);
+  const auto bite_damping = [&](const ForceMeaning meaning) {
+    return -mill_model(stand, settings(meaning, 0)).C(2, 3);
+  };
+  EXPECT_EQ(bite_stiffness(ForceMeaning::measured), 0);
+  EXPECT_EQ(bite_stiffness(ForceMeaning::disturbance), 1.91141e11);
+  EXPECT_EQ(bite_stiffness(ForceMeaning::published), 1.91141e11);
+  EXPECT_EQ(bite_damping(ForceMeaning::measured), 0);
+  EXPECT_EQ(bite_damping(ForceMeaning::disturbance), 1e6);
+  EXPECT_EQ(bite_damping(ForceMeaning::published), 1e6);
   stand.C.value = not_given;
-  EXPECT_EQ(bite_damping("disturbance"), 0) << "no damper given";
+  EXPECT_EQ(bite_damping(ForceMeaning::disturbance), 0) << "no damper given";
 }
 
 TEST(MillModel, LoadCellShowsTheMeanForceUnlessTheBiteTakesItsShare)
 {
-  const auto share = [](const char *meaning) {
+  const auto share = [](const ForceMeaning meaning) {
     return mill_model(published_stand(), settings(meaning, 0)).load_cell_share;
   };
-  EXPECT_EQ(share("measured"), 1);
-  EXPECT_EQ(share("disturbance"), 1);
+  EXPECT_EQ(share(ForceMeaning::measured), 1);
+  EXPECT_EQ(share(ForceMeaning::disturbance), 1);
   const double K7 = 6.8789e9;
-  EXPECT_TRUE(near(share("published"), -K7 * reference_vector("static.K4_on")[lower_frame], one_solve));
-  const auto measured = mill_model(published_stand(), settings("measured", 0));
+  EXPECT_TRUE(
+      near(share(ForceMeaning::published), -K7 * reference_vector("static.K4_on")[lower_frame], one_solve));
+  const auto measured = mill_model(published_stand(), settings(ForceMeaning::measured, 0));
   EXPECT_TRUE(near(measured.load_cell.dot(static_displacement(measured)), 1,
                    within(1e-12, "equilibrium: without K4 the frame carries the bite force whole")));
 }
 
 TEST(MillModel, ClosedFrameCarriesTheForceInItsPosts)
 {
-  auto closed             = settings("measured", 0.01);
-  closed.frame            = "closed";
+  auto closed             = settings(ForceMeaning::measured, 0.01);
+  closed.frame            = FrameForm::closed;
   const auto model        = mill_model(published_stand(), closed);
   const Eigen::VectorXd y = static_displacement(model);
   EXPECT_TRUE(near(y[lower_frame], 0, within(1e-20, "m: no force on the foundation, rounding of 1e-11 m", 1)));
@@ -93,5 +97,5 @@ TEST(MillModel, AMechanismHasNoStaticState)
 {
   auto loose       = published_stand();
   loose.K[6].value = 0;  // nothing holds the lower half
-  EXPECT_THROW(static_displacement(mill_model(loose, settings("measured", 0.01))), SolverError);
+  EXPECT_THROW(static_displacement(mill_model(loose, settings(ForceMeaning::measured, 0.01))), SolverError);
 }

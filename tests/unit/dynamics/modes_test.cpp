@@ -8,7 +8,7 @@
 using namespace mill;
 using namespace mill::dynamics;
 
-const MillModel published = mill_model(published_stand(), settings("published", 0.01));
+const MillModel published = mill_model(published_stand(), settings(ForceMeaning::published, 0.01));
 
 namespace {
 Eigen::MatrixXd reference_matrix(const std::string &entry)
@@ -54,7 +54,7 @@ TEST(Modes, StrainShareIsTwiceTheSensitivityOfTheFrequency)
     const auto frequency = [&](const double factor) {
       auto changed = published_stand();
       changed.K[spring].value *= factor;
-      return modes(mill_model(changed, settings("published", 0))).frequency;
+      return modes(mill_model(changed, settings(ForceMeaning::published, 0))).frequency;
     };
     const double step = 1e-4;
     const Eigen::VectorXd elasticity =
@@ -76,8 +76,8 @@ TEST(Modes, EnergySharesAndMassNormAddUp)
 
 TEST(Modes, ModalDampingGivesEveryPoleItsRatio)
 {
-  const auto all_poles = poles(mill_model(published_stand(), settings("measured", 0.013)));
-  const auto undamped  = modes(mill_model(published_stand(), settings("measured", 0)));
+  const auto all_poles = poles(mill_model(published_stand(), settings(ForceMeaning::measured, 0.013)));
+  const auto undamped  = modes(mill_model(published_stand(), settings(ForceMeaning::measured, 0)));
   ASSERT_EQ(all_poles.size(), 6u);
   for (std::size_t k = 0; k < 6; ++k) {
     EXPECT_TRUE(near(all_poles[k].damping, 0.013,

@@ -37,7 +37,7 @@ reduce::LumpedStand chain_on(const FourHigh &stand, const double K_Zy)
   return reduce::lumped_stand(stand, in);
 }
 
-DynamicsSettings undamped(const char *meaning)
+DynamicsSettings undamped(const ForceMeaning meaning)
 {
   DynamicsSettings settings;
   settings.force_meaning = meaning;
@@ -50,7 +50,7 @@ reduce::LumpedStand chain_with_films(const FourHigh &stand, const double damper,
 {
   reduce::LumpedStand chain = chain_on(stand, stiffness);
   chain.model.film          = {ChainFilm{stiffness, damper}, ChainFilm{stiffness, damper}};
-  dynamics::take_films(chain.model, undamped("disturbance"), [&](const double upper, double) {
+  dynamics::take_films(chain.model, undamped(ForceMeaning::disturbance), [&](const double upper, double) {
     std::array<double, 6> masses{};
     for (std::size_t i = 0; i < masses.size(); ++i)
       masses[i] = chain_on(stand, upper).model.M[i].value;
@@ -77,8 +77,8 @@ TEST(OilFilmInStand, SeriesIsTheStaticOneAtRestAndTheRestWhereTheFilmLocks)
 TEST(OilFilmInStand, WithoutADamperTheChainIsThatOfTheSpring)
 {
   const FourHigh stand = verify::demo_stand();
-  const auto plain     = dynamics::mill_model(chain_on(stand, film).model, undamped("disturbance"));
-  const auto none      = dynamics::mill_model(chain_with_films(stand, 0).model, undamped("disturbance"));
+  const auto plain     = dynamics::mill_model(chain_on(stand, film).model, undamped(ForceMeaning::disturbance));
+  const auto none = dynamics::mill_model(chain_with_films(stand, 0).model, undamped(ForceMeaning::disturbance));
   EXPECT_EQ((plain.K - none.K).cwiseAbs().maxCoeff(), 0);
   EXPECT_TRUE(none.C.isZero(0));
 }
@@ -87,7 +87,7 @@ TEST(OilFilmInStand, WithoutADamperTheChainIsThatOfTheSpring)
 TEST(OilFilmInStand, AFilmThatLocksGivesTheModesOfARigidBearing)
 {
   const FourHigh stand = verify::demo_stand();
-  for (const char *meaning : {"measured", "disturbance"}) {
+  for (const ForceMeaning meaning : {ForceMeaning::measured, ForceMeaning::disturbance}) {
     const auto rigid = chain_on(stand, 2e15), films = chain_with_films(stand, 1e15);
     const auto of = [&](const reduce::LumpedStand &chain) {
       return dynamics::modes(dynamics::mill_model(chain.model, undamped(meaning))).frequency;
@@ -108,7 +108,7 @@ TEST(OilFilmInStand, AFilmThatLocksGivesTheModesOfARigidBearing)
 TEST(OilFilmInStand, FrequenciesRiseFromTheSpringToTheLockedFilm)
 {
   FourHigh stand               = verify::demo_stand();
-  stand.dynamics.force_meaning = "disturbance";
+  stand.dynamics.force_meaning = ForceMeaning::disturbance;
   double before                = 0;
   for (const double damper : {0., 1e6, 1e7, 1e8, 1e9, 1e12}) {
     const auto chain = chain_with_films(stand, damper);
@@ -125,7 +125,7 @@ TEST(OilFilmInStand, AtItsFrequencyTheChainIsTheOneWithTheWholeFilm)
 {
   const FourHigh stand = verify::demo_stand();
   const auto films     = chain_with_films(stand, 3e6);
-  const auto settings  = undamped("disturbance");
+  const auto settings  = undamped(ForceMeaning::disturbance);
   const auto chain     = dynamics::mill_model(films.model, settings);
   const double w       = 2 * M_PI * films.model.film_frequency;
   const double rest[2] = {1 / (1 / films.model.K[1].value - 1 / film),
@@ -167,7 +167,7 @@ TEST(OilFilmInStand, FilmsOfAMillAreLockedInEveryModeAndTheirDamperIsThatOfTheGa
   constexpr double k = 2.06e11, b = 2.73e10;  // both bearings of 950 x 700 mm at 5 MN each and 66 rpm
   const FourHigh stand = verify::demo_stand();
   const auto films     = chain_with_films(stand, b, k);
-  const auto settings  = undamped("disturbance");
+  const auto settings  = undamped(ForceMeaning::disturbance);
   const auto chain     = dynamics::mill_model(films.model, settings);
   LumpedModel bare     = films.model;
   bare.film            = {};
@@ -223,7 +223,7 @@ TEST(OilFilmInStand, FilmsOfAMillAreLockedInEveryModeAndTheirDamperIsThatOfTheGa
 TEST(OilFilmInStand, DetailedStandsHaveItsDamperInResponseAndStructure)
 {
   FourHigh stand               = verify::demo_stand();
-  stand.dynamics.force_meaning = "measured";
+  stand.dynamics.force_meaning = ForceMeaning::measured;
   const auto films             = chain_with_films(stand, 3e6);
   const StandModel beams       = reduce::beam_stand(stand, reduce::stand_springs(stand, films), 4);
   EXPECT_FALSE(dampers_of(beams).isZero(0));

@@ -71,7 +71,7 @@ TEST(RecordWalk, VisitsTheStretchesOfTheWholeRecord)
 
 TEST(RecordWalk, StepsGiveTheResponseOfTheWholeRecord)
 {
-  const auto system = driven_model(mill_model(published_stand(), settings("measured", 0.01))).system;
+  const auto system = driven_model(mill_model(published_stand(), settings(ForceMeaning::measured, 0.01))).system;
   for (const HoldForm form : {HoldForm::modal, HoldForm::matrix_exponential})
     for (const ForceRecord &record : {records()[0], records()[4]}) {
       const HoldResult whole = first_order_hold(system, record, 20e3, form);

@@ -29,7 +29,7 @@ MillModel changed(const std::string &name, const double factor)
 {
   LumpedModel stand = published_stand();
   (name[0] == 'K' ? stand.K[std::size_t(name[1] - '1')] : stand.M[std::size_t(name[1] - '1')]).value *= factor;
-  return mill_model(stand, settings("measured", 0.01));
+  return mill_model(stand, settings(ForceMeaning::measured, 0.01));
 }
 }  // namespace
 

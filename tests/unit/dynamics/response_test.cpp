@@ -86,7 +86,7 @@ TEST(Response, LoadCellRestsAtTheMeanForce)
 
 TEST(Response, CriticalDampingUsesTheMatrixExponentialAndNotesIt)
 {
-  const auto critical = mill_model(published_stand(), settings("measured", 1));
+  const auto critical = mill_model(published_stand(), settings(ForceMeaning::measured, 1));
   const auto force    = noise(972898, 979537);
   const Response fell = mill_response(critical, force, 20e3), plain = mill_response(model_of("R1"), force, 20e3);
   EXPECT_EQ(fell.form, HoldForm::matrix_exponential);
@@ -128,9 +128,8 @@ TEST(Response, TableHasAUnitInEveryColumn)
 
 TEST(OutputRate, WarnsBelowTwentyPointsPerPeriod)
 {
-  EXPECT_EQ(output_rate_warning(20e3, 745.8), "");
-  EXPECT_EQ(
-      output_rate_warning(20e3, 3679.2),
-      "output_rate = 20 kHz gives 5.44 points per period of the highest mode (3679 Hz), so that its peaks may be "
-      "seen up to 16 % low; 74 kHz would show them");
+  EXPECT_FALSE(output_rate_warning(20e3, 745.8));
+  EXPECT_EQ(text_of(output_rate_warning(20e3, 3679.2).value()),
+            "output_rate = 20 kHz gives 5.44 points per period of the highest mode (3679 Hz): its peaks may be "
+            "seen up to 16 % low; 74 kHz would show them");
 }

@@ -33,8 +33,8 @@ LumpedModel chain()
 MillModel without_strip(const LumpedModel &model, const double ratio)
 {
   DynamicsSettings settings;
-  settings.force_meaning = "measured";
-  settings.frame         = "open";
+  settings.force_meaning = ForceMeaning::measured;
+  settings.frame         = FrameForm::open;
   settings.modal_damping = ratio;
   return mill_model(model, settings);
 }
@@ -140,7 +140,7 @@ struct DrawnStand {
       all.entry_distance *= n.entry_distance ? factor : 1;
     }
     all.structure = structure_of(without_strip(other, ratio));
-    return critical_speed(all, pass, bite::Linearisation::sequential, {1, 60});
+    return critical_speed(all, pass, Linearisation::sequential, {1, 60});
   }
 };
 }  // namespace
@@ -154,15 +154,16 @@ TEST(SpeedInterval, SlopesOfAModalStandAreThoseOfTheSixMasses)
   ASSERT_EQ(critical.verdict, Verdict::crossing);
   const SpeedInterval interval = speed_interval(q, critical, drawn.numbers);
   for (std::size_t i = 0; i < drawn.numbers.size(); ++i) {
-    const auto at = [&](const double change) {
+    const auto speed_with = [&](const double change) {
       Eigen::VectorXd s  = Eigen::VectorXd::Zero(Eigen::Index(drawn.numbers.size()));
       s[Eigen::Index(i)] = change / drawn.numbers[i].error;
       return std::log(drawn.program_at(s).speed);
     };
     constexpr double step = 1e-3;
-    const double d1 = (at(step) - at(-step)) / (2 * step), d2 = (at(2 * step) - at(-2 * step)) / (4 * step);
-    const auto share = std::find_if(interval.shares.begin(), interval.shares.end(),
-                                    [&](const SpeedShare &one) { return one.name == drawn.numbers[i].name; });
+    const double d1       = (speed_with(step) - speed_with(-step)) / (2 * step),
+                 d2       = (speed_with(2 * step) - speed_with(-2 * step)) / (4 * step);
+    const auto share      = std::find_if(interval.shares.begin(), interval.shares.end(),
+                                         [&](const SpeedShare &one) { return one.name == drawn.numbers[i].name; });
     EXPECT_TRUE(
         near(share->slope, (4 * d1 - d2) / 3, within(1e-5, "difference of fourth order, root to 1e-10", 1e-2)))
         << share->name;

@@ -7,8 +7,8 @@
 
 using namespace mill;
 using namespace mill::dynamics;
-using bite::Linearisation;
 using bite::RollBite;
+using mill::Linearisation;
 
 namespace {
 ChatterStandModel stand()

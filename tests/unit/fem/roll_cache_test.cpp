@@ -1,7 +1,10 @@
 #include "core/base/files.h"
+#include "core/records/cache_entry.h"
 #include "fem/cache/component_cache.h"
 #include "fem/cache/roll_cache.h"
 #include "tests/support/obstacles.h"
+#include <cmath>
+#include <cstring>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
@@ -74,6 +77,27 @@ TEST_F(RollCache, NoDamagedFileIsTrusted)
       broken[random() % whole.size()] ^= char(1 << (random() % 8));
     write_atomically(folder + "/b", broken);
     EXPECT_FALSE(fem::load_roll(folder + "/b", "key")) << "trial " << trial;
+  }
+}
+
+// An entry with a checksum that fits, but counts that are no counts: the first bytes of what is kept of a component
+// are the length of its name.
+TEST_F(RollCache, CountsThatAreNoCountsAreRefused)
+{
+  Component component;
+  component.name = "barrel";
+  fem::save_component(folder + "/a", "key", component);
+  ASSERT_TRUE(fem::load_component(folder + "/a", "key"));
+  const std::string whole = read_text(folder + "/a");
+  const std::string kind  = whole.substr(0, whole.find('\n'));
+  const auto bytes        = read_cache_entry(folder + "/a", kind, "key");
+  ASSERT_TRUE(bytes);
+  for (const double count : {std::nan(""), 1e30, -1e30, -1., 2147483648., 1e9}) {
+    std::string forged = *bytes, note;
+    std::memcpy(forged.data(), &count, sizeof count);
+    write_cache_entry(folder + "/b", kind, "key", forged);
+    EXPECT_FALSE(fem::load_component(folder + "/b", "key", &note)) << count;
+    EXPECT_NE(note.find("is not used: it is incomplete"), std::string::npos) << note;
   }
 }
 

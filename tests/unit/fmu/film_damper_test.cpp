@@ -24,7 +24,7 @@ LumpedModel with_films(const double damper)
 fmu::ModelData unit_of(const dynamics::MillModel &chain, const double damping)
 {
   fmu::ModelData data;
-  data.kind             = "chain";
+  data.kind             = fmu::StandKind::chain;
   data.modal_damping    = damping;
   data.load_cell_spring = 6;
   data.points           = chain.labels;
@@ -52,7 +52,7 @@ fmu::ModelData modal_unit_of(const dynamics::MillModel &chain, const double damp
   EXPECT_LE(rows.rows(), 2) << "one for each roll";
   const Eigen::VectorXd bite = modes.shape.transpose() * chain.b;
   fmu::ModelData data;
-  data.kind          = "modal";
+  data.kind          = fmu::StandKind::modal;
   data.modal_damping = damping;
   data.points        = chain.labels;
   data.frequency.assign(modes.frequency.begin(), modes.frequency.end());
@@ -108,7 +108,7 @@ ForceRecord short_record()
 
 TEST(FilmDampers, AUnitMovesAsTheStandThatHasThem)
 {
-  const auto stated        = settings("measured", 0.01);
+  const auto stated        = settings(ForceMeaning::measured, 0.01);
   const ForceRecord record = short_record();
   const double rate        = 1 / (record.time[1] - record.time[0]);
   const auto chain         = dynamics::mill_model(with_films(1e8), stated);
@@ -123,7 +123,7 @@ TEST(FilmDampers, AUnitMovesAsTheStandThatHasThem)
 
 TEST(FilmDampers, AFilmThatLocksIsTheRigidBearing)
 {
-  const auto stated        = settings("measured", 0.01);
+  const auto stated        = settings(ForceMeaning::measured, 0.01);
   const ForceRecord record = short_record();
   LumpedModel rigid        = published_stand();
   for (const std::size_t j : {1, 5})
@@ -139,7 +139,7 @@ TEST(FilmDampers, AStrongDamperOfTheGapHasRealPoles)
   LumpedModel model        = published_stand();
   model.C.value            = 1e9;
   model.K[3].value         = 3e8;
-  const auto chain         = dynamics::mill_model(model, settings("disturbance", 0));
+  const auto chain         = dynamics::mill_model(model, settings(ForceMeaning::disturbance, 0));
   const ForceRecord record = short_record();
   const double rate        = 1 / (record.time[1] - record.time[0]);
   fmu::ModelData data      = unit_of(chain, 0);

@@ -66,28 +66,29 @@ TEST(ForgedState, WhatTheModelCannotHoldIsRefused)
   ASSERT_EQ(FMI2(client, EnterInitializationMode)(client.c), fmi2OK);
   ASSERT_EQ(FMI2(client, ExitInitializationMode)(client.c), fmi2OK);
   ASSERT_EQ(client.step(0, 1e-3), fmi2OK);
-  const std::string own = state_of(client);
-  ASSERT_EQ(taken(client, own), fmi2OK) << "its own";
+  const std::string state = state_of(client);
+  ASSERT_EQ(taken(client, state), fmi2OK) << "its own";
 
-  const std::size_t values = number_in(own, head_size), modes_at = head_size + 8 * (1 + values);
-  const std::size_t modes = number_in(own, modes_at);
+  const std::size_t values = number_in(state, head_size), modes_at = head_size + 8 * (1 + values);
+  const std::size_t modes = number_in(state, modes_at);
   ASSERT_EQ(modes, 6u);
   std::string no_modes =
-      own.substr(0, modes_at) + std::string(16, '\0') + own.substr(modes_at + 2 * 8 * (1 + modes));
+      state.substr(0, modes_at) + std::string(16, '\0') + state.substr(modes_at + 2 * 8 * (1 + modes));
   sign(no_modes);
   EXPECT_EQ(taken(client, no_modes), fmi2Error);
 
   const auto with = [&](const std::size_t position, const auto number) {
-    std::string bytes = own;
+    std::string bytes = state;
     put(bytes, position, number);
     sign(bytes);
     return bytes;
   };
   const double nan = std::numeric_limits<double>::quiet_NaN();
   EXPECT_EQ(taken(client, with(modes_at + 8, nan)), fmi2Error) << "a displacement that is not a number";
-  EXPECT_EQ(taken(client, with(own.size() - 16, std::uint64_t(4))), fmi2Error) << "inside a step that was never begun";
+  EXPECT_EQ(taken(client, with(state.size() - 16, std::uint64_t(4))), fmi2Error)
+      << "inside a step that was never begun";
   EXPECT_EQ(taken(client, with(head_size + 8 * (1 + std::size_t(client.at("M3"))), -1.0)), fmi2Error)
       << "a mass below zero";
   // The place in the recorded force follows from the time.
-  EXPECT_EQ(taken(client, with(own.size() - 24, std::uint64_t(1) << 40)), fmi2OK);
+  EXPECT_EQ(taken(client, with(state.size() - 24, std::uint64_t(1) << 40)), fmi2OK);
 }

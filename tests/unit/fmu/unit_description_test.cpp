@@ -74,7 +74,7 @@ std::vector<Described> variables_in(const std::vector<Element> &all)
 
 std::vector<fmu::ExportedModel> models()
 {
-  SampleStand with = sample_stand("published", 0.02, 1e6);
+  SampleStand with = sample_stand(ForceMeaning::published, 0.02, 1e6);
   carry(with.model, sample_force(50, 1e-3));
   return {sample_stand().model, with.model, in_modes(sample_stand())};
 }

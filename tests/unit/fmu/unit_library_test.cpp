@@ -116,13 +116,13 @@ TEST(UnitLibrary, SourcesIncludeThemselvesAndTheStandardLibrary)
     const std::string text = file.bytes();
     // Those of the runtime, the steps of a stand on curves, the laws of the strip.
     const std::string source = MILLSTAND_SOURCE_DIR;
-    std::string own;
+    std::string expected;
     for (const char *folder : {"/dynamics/fmu/runtime/", "/dynamics/nonlinear/", "/core/laws/"})
       if (std::filesystem::exists(source + folder + file.name))
-        own += source + folder + file.name;
+        expected += source + folder + file.name;
     EXPECT_EQ(text, [&] {
       std::ostringstream in;
-      in << std::ifstream(own).rdbuf();
+      in << std::ifstream(expected).rdbuf();
       return in.str();
     }()) << file.name;
     for (std::sregex_iterator it(text.begin(), text.end(), include), end; it != end; ++it) {

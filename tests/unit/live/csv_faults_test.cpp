@@ -248,16 +248,16 @@ TEST(CsvFaults, AClockWithoutADateThatBeginsAgainGoesOn)
 TEST(CsvFaults, AClockWithADateThatGoesBackIsWaitedFor)
 {
   Lines lines("time,force [kN]");
-  const auto at = [](const int millisecond) {
+  const auto row_of = [](const int millisecond) {
     return fmt::format("2026-01-05T10:{:02}:{:02}.{:03}Z,900", millisecond / 60000, millisecond / 1000 % 60,
                        millisecond % 1000);
   };
   for (int k = 0; k < 400; ++k)
-    lines.line(at(600000 + k));
+    lines.line(row_of(600000 + k));
   for (int k = 0; k < 300; ++k)
-    lines.line(at(k));
+    lines.line(row_of(k));
   for (int k = 400; k < 500; ++k)
-    lines.line(at(600000 + k));
+    lines.line(row_of(600000 + k));
   const CameMessages came = lines.end();
   ASSERT_EQ(came.notes.size(), 1u);
   EXPECT_EQ(came.notes[0],

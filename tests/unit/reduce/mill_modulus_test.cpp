@@ -94,7 +94,7 @@ TEST(WorkRollBending, VanishesUnderAStripAsWideAsTheBarrel)
   const auto roll = [&](const double strip) {
     return BentWorkRoll(foundation_shape({L / 2, strip / 2, K / L, 2.1e11 * M_PI * std::pow(0.42, 4) / 64}));
   };
-  for (const char *reference : {"mid", "mean"}) {
+  for (const MassReference reference : every<MassReference>()) {
     EXPECT_TRUE(
         near(work_roll_bending(roll(1.4), K, L / 2, reference) * K, 0,
              within_absolute(1e-9, "an even load does not bend the roll; rounding times a stiffness of 4e10")));
@@ -102,8 +102,10 @@ TEST(WorkRollBending, VanishesUnderAStripAsWideAsTheBarrel)
     EXPECT_GT(work_roll_bending(roll(0.6), K, L / 2, reference),
               work_roll_bending(roll(1.0), K, L / 2, reference));
   }
-  EXPECT_TRUE(near(work_roll_bending(roll(1), K, L / 2, "mid"), roll(1).deflection(0) - 1 / K, series));
-  EXPECT_LT(work_roll_bending(roll(1), K, L / 2, "mean"), work_roll_bending(roll(1), K, L / 2, "mid"));
+  EXPECT_TRUE(
+      near(work_roll_bending(roll(1), K, L / 2, MassReference::mid), roll(1).deflection(0) - 1 / K, series));
+  EXPECT_LT(work_roll_bending(roll(1), K, L / 2, MassReference::mean),
+            work_roll_bending(roll(1), K, L / 2, MassReference::mid));
 }
 
 // PL-2 with a force in closed form; that of a slab theory stands in tests/unit/app/gauge_test.cpp.

@@ -215,18 +215,18 @@ TEST(CommonNames, OneForEachModeThatTwoModelsShare)
 // The name follows the shape; what the shares of the other model say is given in addition.
 TEST(CommonNames, TheDetailedModelGivesThemAndTheOtherSaysWhatItSees)
 {
-  Models m       = models_of(demo_drawing(), 976.2e3, 0);
-  const auto mac = mac_with_chain(m.beams, m.six);
-  const auto own = common(m);
+  Models m                = models_of(demo_drawing(), 976.2e3, 0);
+  const auto mac          = mac_with_chain(m.beams, m.six);
+  const auto shared_names = common(m);
   Eigen::Index i = 0, j = 0;
   double best = 0;
   for (Eigen::Index a = 0; a < mac.rows(); ++a)
     for (Eigen::Index b = 0; b < mac.cols(); ++b)
-      if (own[0][std::size_t(a)].name == own[1][std::size_t(b)].name &&
-          own[0][std::size_t(a)].kind != GapKind::none && mac(a, b) > best)
+      if (shared_names[0][std::size_t(a)].name == shared_names[1][std::size_t(b)].name &&
+          shared_names[0][std::size_t(a)].kind != GapKind::none && mac(a, b) > best)
         best = mac(a, b), i = a, j = b;
   ASSERT_GT(best, same_mode);
-  const std::string before = own[0][std::size_t(i)].name;
+  const std::string before = shared_names[0][std::size_t(i)].name;
   m.six.modes.shape(m.six.modes.shape.rows() - 2, j) *= -1;  // the backup rolls turn round under the same likeness
   m.six.modes.shape(1, j) *= -1;
   const ModeName six = common_names({&m.beams, &m.six}, {{0, 1, mac}})[1][std::size_t(j)];

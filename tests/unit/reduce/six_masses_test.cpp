@@ -13,8 +13,8 @@ using namespace mill::reduce;
 TEST(SixMasses, AChainGivesItself)
 {
   const LumpedModel model = demo_chain(demo_drawing(), 3e8).model;
-  for (const std::string frame : {"open", "closed"})
-    for (const std::string reference : {"mid", "mean"}) {
+  for (const FrameForm frame : every<FrameForm>())
+    for (const MassReference reference : every<MassReference>()) {
       const SixMasses six = six_masses(chain_stand(model, frame), {}, reference);
       for (std::size_t i = 0; i < 6; ++i)
         EXPECT_TRUE(near(six.M[i], model.M[i].value, within(1e-12, "identity, one small solve")));
@@ -26,7 +26,7 @@ TEST(SixMasses, AChainGivesItself)
 TEST(SixMasses, FrameOfTheBeamStandIsTheChains)
 {
   const FourHigh drawing = demo_drawing();
-  for (const std::string frame : {"open", "closed"}) {
+  for (const FrameForm frame : every<FrameForm>()) {
     FourHigh stand       = drawing;
     stand.dynamics.frame = frame;
     const SixMasses six  = six_masses(demo_beams(stand), riders_of(stand));
@@ -43,7 +43,7 @@ TEST(SixMasses, MeanReference)
   const FourHigh drawing = demo_drawing();
   const StandModel stand = demo_beams(drawing);
   const SixMasses mid    = six_masses(stand, riders_of(drawing)),
-                  mean   = six_masses(stand, riders_of(drawing), "mean");
+                  mean   = six_masses(stand, riders_of(drawing), MassReference::mean);
   EXPECT_LT(mean.displacement[1], mid.displacement[1]);
   EXPECT_GT(mean.displacement[4], mid.displacement[4]);
   EXPECT_TRUE(near(mean.M[1] * std::pow(mean.displacement[1], 2), mid.M[1] * std::pow(mid.displacement[1], 2),
@@ -85,7 +85,7 @@ TEST(SixMasses, GivenValuesStay)
 TEST(MassBreakdown, PartsAddUpInBothRoutes)
 {
   FourHigh drawing = demo_drawing();
-  for (const std::string reference : {"mid", "mean"}) {
+  for (const MassReference reference : every<MassReference>()) {
     drawing.dynamics.mass_reference = reference;
     const LumpedStand chain         = demo_chain(drawing);
     const StandModel stand          = demo_beams(drawing);

@@ -77,13 +77,13 @@ TEST(StandAssembly, MassIsThatOfThePartsAndRealMassesAreAllThere)
 TEST(StandAssembly, StaticPathAndLoadCell)
 {
   FourHigh drawing = demo_drawing();
-  for (const std::string frame : {"open", "closed"}) {
+  for (const FrameForm frame : every<FrameForm>()) {
     drawing.dynamics.frame  = frame;
     const StandModel stand  = demo_beams(drawing);
     const Eigen::VectorXd y = static_displacement(stand);
     const LumpedStand chain = demo_chain(drawing);
-    const double zero       = frame == "closed" ? 1 / chain.model.K[6].value : 0;  // no force in the foundation
-    const Flexibilities &u  = chain.flexibility;
+    const double zero = frame == FrameForm::closed ? 1 / chain.model.K[6].value : 0;  // no force in the foundation
+    const Flexibilities &u = chain.flexibility;
     EXPECT_TRUE(near(point_of(stand, "upper frame").row.dot(y), u.frame_upper, rounding));
     EXPECT_TRUE(near(point_of(stand, "cylinder").row.dot(y), u.cylinder, rounding));
     EXPECT_TRUE(near(point_of(stand, "upper backup roll seat").row.dot(y), u.bearing_upper, rounding));
@@ -145,12 +145,12 @@ TEST(StandAssembly, BarrelsOfUnlikeLength)
 TEST(StandAssembly, StripSpring)
 {
   FourHigh drawing               = demo_drawing();
-  drawing.dynamics.force_meaning = "disturbance";
+  drawing.dynamics.force_meaning = ForceMeaning::disturbance;
   const StandSprings springs     = stand_springs(drawing, demo_chain(drawing, 3e8));
   EXPECT_EQ(springs.K4, 3e8);
   const StandModel stand = beam_stand(drawing, springs, 8);
   EXPECT_TRUE(near(stiffness_sum(stand, "K4"), 3e8, within(1e-13, "shares of the strip")));
-  drawing.dynamics.force_meaning = "measured";
+  drawing.dynamics.force_meaning = ForceMeaning::measured;
   EXPECT_EQ(stand_springs(drawing, demo_chain(drawing, 3e8)).K4, 0)
       << "a measured force contains the reaction of the gap";
 }

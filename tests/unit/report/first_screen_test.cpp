@@ -122,14 +122,17 @@ TEST(FirstScreen, BeginsAWarningWithACapitalAndLeavesKeysAsTheyAre)
 {
   mill::report::Run run  = four_high();
   run.manifest.passes    = {PassInfo{"p", "p", not_given, true, "measured"}};
-  run.warnings           = {"bite of pass 1: the content of the force ends early", "p: nothing was simulated",
-                            "output_rate = 20 kHz gives 5.44 points per period of the highest mode; raise it",
-                            "strip.width is not known"};
+  using Id               = mill::WarningId;
+  run.warnings           = {{Id::bite_angle, "bite of pass 1", "the content of the force ends early"},
+                            {Id::force_band, "p", "nothing was simulated"},
+                            {Id::output_rate, "", "output_rate = 20 kHz gives 5.44 points per period of the highest mode",
+                             "", "raise it"},
+                            {Id::value_doubtful, "", "strip.width is not known"}};
   const std::string html = first_screen(run);
-  EXPECT_TRUE(says(html, "<li>Bite of pass 1: the content")) << html;
+  EXPECT_TRUE(says(html, "<li data-id=\"bite-angle\">Bite of pass 1: the content")) << html;
   EXPECT_TRUE(says(html, "<summary>output_rate = 20 kHz"));
-  EXPECT_TRUE(says(html, "<li>strip.width"));
-  EXPECT_TRUE(says(html, "<li>p: nothing"));
+  EXPECT_TRUE(says(html, "<li data-id=\"value-doubtful\">strip.width"));
+  EXPECT_TRUE(says(html, "<li data-id=\"force-band\">p: nothing"));
 }
 
 // The mode that chatter finds in the gap is not always the one of the card.
@@ -226,9 +229,19 @@ TEST(FirstScreen, ShowsFiveWarningsAndFoldsTheRest)
 {
   mill::report::Run run = four_high();
   for (int i = 1; i <= 7; ++i)
-    run.warnings.push_back("fact number " + std::to_string(i) + " says what it is about; and what to do about it");
+    run.warnings.push_back({mill::WarningId::bearing_arrangement,
+                            "",
+                            "fact number " + std::to_string(i) + " says what it is about; in two parts",
+                            "what follows from it",
+                            "what to do about it",
+                            {},
+                            "bearing.trb.arrangement",
+                            {"case.toml", 12, 3}});
   const std::string html = first_screen(run);
-  EXPECT_TRUE(says(html, "<summary>Fact number 5 says what it is about</summary>And what to do about it")) << html;
+  EXPECT_TRUE(says(html, "<summary>Fact number 5 says what it is about; in two parts</summary>"
+                         "<div>What follows from it</div><div>What to do about it</div>"
+                         "<div class=\"place\"><code>bearing.trb.arrangement</code>, line 12</div>"))
+      << html;
   EXPECT_TRUE(says(html, "<summary>2 more</summary>"));
   EXPECT_LT(html.find("<summary>2 more</summary>"), html.find("Fact number 6"));
 }

@@ -109,6 +109,17 @@ TEST(Run, BrokenResultsAreNamedWithTheirPlace)
   }
 }
 
+TEST(Run, WarningsOfAnEarlierVersionAreWholeTexts)
+{
+  const std::string directory = write_sample_run();
+  overwrite(directory + "/results.json",
+            "{\"case\": \"a\", \"status\": \"warnings\", \"values\": {}, \"warnings\": [\"a; b\", \"a; b\"]}");
+  const auto warnings = read_run(directory).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  EXPECT_EQ(warnings[0].id, WarningId::text_only);
+  EXPECT_EQ(warnings[0].fact, "a; b");
+}
+
 TEST(Run, MissingAndBrokenCompanionsBecomeRemarks)
 {
   const std::string directory = write_sample_run();

@@ -17,12 +17,12 @@ struct Fitted {
 
 Fitted fitted(Study study, const long n, const std::function<double(const std::vector<double> &)> &f)
 {
-  study.method  = "chaos";
+  study.method  = StudyMethod::chaos;
   study.samples = n;
   Fitted all;
-  all.rows            = draw_rows(study, "latin-hypercube", n);
+  all.rows            = draw_rows(study, StudyMethod::latin_hypercube, n);
   study.seed          = 2;
-  const auto held_out = draw_rows(study, "monte-carlo", held_out_rows(study));
+  const auto held_out = draw_rows(study, StudyMethod::monte_carlo, held_out_rows(study));
   all.rows.insert(all.rows.end(), held_out.begin(), held_out.end());
   std::vector<double> results;
   for (const auto &row : all.rows)

@@ -24,7 +24,7 @@ Study study_of(const std::size_t inputs, const double low, const double high)
 IndicesOfResult indices(const Study &study, const long n,
                         const std::function<double(const std::vector<double> &)> &f)
 {
-  const auto rows = draw_rows(study, "sobol", n);
+  const auto rows = draw_rows(study, StudyMethod::sobol, n);
   std::vector<double> results;
   for (const auto &row : rows)
     results.push_back(f(row));
@@ -76,7 +76,7 @@ TEST(SobolIndices, OfSobolsFunctionAreExact)
 TEST(SobolIndices, AFailureTakesItsWholeGroupOut)
 {
   const Study study = study_of(2, 0, 1);
-  const auto rows   = draw_rows(study, "sobol", 256);
+  const auto rows   = draw_rows(study, StudyMethod::sobol, 256);
   std::vector<double> results;
   for (const auto &row : rows)
     results.push_back(row[0] + 2 * row[1]);
@@ -90,8 +90,8 @@ TEST(SobolIndices, CorrelatedInputsAreRefused)
 {
   Study study        = study_of(2, 0, 1);
   study.correlations = {"x1,x2=0.5"};
-  EXPECT_THROW(draw_rows(study, "sobol", 64), InputError);
-  const auto rows = draw_rows(study, "monte-carlo", 4000);
+  EXPECT_THROW(draw_rows(study, StudyMethod::sobol, 64), InputError);
+  const auto rows = draw_rows(study, StudyMethod::monte_carlo, 4000);
   double product  = 0;
   for (const auto &row : rows)
     product += (row[0] - 0.5) * (row[1] - 0.5) * 12 / 4000;
@@ -99,7 +99,7 @@ TEST(SobolIndices, CorrelatedInputsAreRefused)
   EXPECT_TRUE(near(product, 6 / M_PI * std::asin(0.25),
                    within_absolute(0.05, "three standard errors of a correlation of 4000 rows")));
   study.correlations = {"x1,x3=0.5"};
-  EXPECT_THROW(draw_rows(study, "monte-carlo", 64), InputError);
+  EXPECT_THROW(draw_rows(study, StudyMethod::monte_carlo, 64), InputError);
 }
 
 // Places in [0, 1) of uniform inputs, each in the first, second, .. of n strata.
@@ -119,7 +119,7 @@ TEST(LatinHypercube, JoinsItsStrataToCorrelatedInputs)
   study.correlations   = {"x1,x2=0.9"};
   const auto normal    = [](const double z) { return 0.5 * std::erfc(-z / std::sqrt(2.0)); };
   const auto normal_of = [](const double p) { return boost::math::quantile(boost::math::normal(), p); };
-  const auto rows      = draw_rows(study, "latin-hypercube", n);
+  const auto rows      = draw_rows(study, StudyMethod::latin_hypercube, n);
   const std::vector<std::size_t> one_each(n, 1);
   std::vector<double> first, second, third;
   double product = 0;
@@ -143,6 +143,6 @@ TEST(LatinHypercube, RefusesCorrelationsThatExcludeEachOther)
 {
   Study study        = study_of(3, 0, 1);
   study.correlations = {"x1,x2=0.9", "x1,x3=0.9", "x2,x3=-0.9"};
-  EXPECT_THROW(draw_rows(study, "latin-hypercube", 16), InputError);
+  EXPECT_THROW(draw_rows(study, StudyMethod::latin_hypercube, 16), InputError);
 }
 }  // namespace

@@ -134,7 +134,7 @@ TEST(CriticalTrack, EveryNumberOfAStructureHasAnUncertainty)
     chain.K[i].value = 1e10;
   DynamicsSettings settings;
   settings.modal_damping = 0.02;
-  settings.force_meaning = "measured";
+  settings.force_meaning = ForceMeaning::measured;
   auto numbers           = published_stand().numbers;
   for (const auto &number : dynamics::chain_numbers(chain, settings))
     numbers.push_back(number);

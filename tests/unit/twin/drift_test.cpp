@@ -16,13 +16,13 @@ double simulated_length(const std::uint64_t seed, const int runs, const double s
 {
   const Eigen::VectorXd x =
       synthetic::normals(seed, Eigen::Index(runs * (siegmund_run_length(shift) * 1.3 + 100)));
-  Eigen::Index at = 0;
+  Eigen::Index index = 0;
   for (int run = 0; run < runs; ++run) {
     Cusum cusum;
-    while (!cusum.take(x[at++] + shift))
+    while (!cusum.take(x[index++] + shift))
       ;
   }
-  return double(at) / runs;
+  return double(index) / runs;
 }
 }  // namespace
 

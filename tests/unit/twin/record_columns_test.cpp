@@ -217,13 +217,14 @@ TEST_F(RecordColumns, ThousandsAreToldFromDecimalsByTheWholeColumn)
   expect_force(read("ch.csv", table("time [s];top [g];force [N]", {time_cell, swing_cell, [&](const int i) {
                                                                      return grouped(force(i), '\'', '.');
                                                                    }})));
-  expect_force(read("fr.csv", table("time [s];top [g];force [N]",
-                                    {time_cell, swing_cell, [&](const int i) {
-                                       std::string text = grouped(force(i), ' ', ',');
-                                       for (auto at = text.find(' '); at != std::string::npos; at = text.find(' '))
-                                         text.replace(at, 1, "\u00a0");
-                                       return text;
-                                     }})));
+  expect_force(read("fr.csv",
+                    table("time [s];top [g];force [N]", {time_cell, swing_cell, [&](const int i) {
+                                                           std::string text = grouped(force(i), ' ', ',');
+                                                           for (auto blank                        = text.find(' ');
+                                                                blank != std::string::npos; blank = text.find(' '))
+                                                             text.replace(blank, 1, "\u00a0");
+                                                           return text;
+                                                         }})));
 }
 
 TEST_F(RecordColumns, ACellFarBelowDecidesHowTheColumnIsRead)

@@ -31,20 +31,20 @@ StandModel two_bars()
       bent.segment<3>(bar * nodes + i - 1) << 1, -2, 1;
       s.K_parts += 2e11 * bent * bent.transpose();
     }
-  const auto at = [](const int i) { return Eigen::VectorXd(Eigen::VectorXd::Unit(2 * nodes, i)); };
+  const auto unit = [](const int i) { return Eigen::VectorXd(Eigen::VectorXd::Unit(2 * nodes, i)); };
   Connection hung{"K1", Eigen::MatrixXd::Zero(2, 2 * nodes), Eigen::Vector2d(4e9, 4e9)},
       bed{"K3", Eigen::MatrixXd::Zero(nodes, 2 * nodes), Eigen::VectorXd::Constant(nodes, 1e9)},
-      foot{"K7", at(2 * nodes - 1).transpose(), Eigen::VectorXd::Constant(1, 2e9)};
+      foot{"K7", unit(2 * nodes - 1).transpose(), Eigen::VectorXd::Constant(1, 2e9)};
   hung.rows(0, 0) = hung.rows(1, nodes - 1) = 1;
   for (int i = 0; i < nodes; ++i) {
     bed.rows(i, i)         = 1;
     bed.rows(i, nodes + i) = -1;
   }
-  Connection held{"K6", at(nodes).transpose(), Eigen::VectorXd::Constant(1, 5e9)};
+  Connection held{"K6", unit(nodes).transpose(), Eigen::VectorXd::Constant(1, 5e9)};
   s.connections = {hung, bed, held, foot};
-  s.b           = at(nodes / 2) - at(nodes + nodes / 3);
+  s.b           = unit(nodes / 2) - unit(nodes + nodes / 3);
   for (const int i : {0, nodes / 2, nodes, nodes + nodes / 3})
-    s.points.push_back({"place " + std::to_string(i), at(i)});
+    s.points.push_back({"place " + std::to_string(i), unit(i)});
   s.load_cell = Eigen::VectorXd::Zero(2 * nodes);
   return s;
 }

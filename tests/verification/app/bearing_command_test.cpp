@@ -47,10 +47,13 @@ TEST(BearingCommand, AMissingArrangementIsAWarningWithTheRangeOfResults)
   const auto open          = run("open", tilted),
              given         = run("given", tilted + " --set bearing.trb.arrangement='back-to-back'");
   EXPECT_EQ(value(open, "Kzc.tilting"), value(given, "Kzc.tilting"));
-  const std::string warnings = open.at("warnings").dump();
-  EXPECT_NE(warnings.find("arrangement is not given; +-+-"), std::string::npos) << warnings;
-  EXPECT_NE(warnings.find("kN m/mrad"), std::string::npos) << warnings;
-  EXPECT_EQ(given.at("warnings").dump().find("arrangement"), std::string::npos);
+  const auto warning = warning_with(open, "bearing-arrangement");
+  EXPECT_EQ(warning.at("key"), "bearing.trb.arrangement");
+  EXPECT_EQ(warning.at("fact"), "arrangement is not given");
+  const std::string detail = warning.at("detail");
+  EXPECT_EQ(detail.find("+-+-"), 0u) << detail;
+  EXPECT_NE(detail.find("kN m/mrad"), std::string::npos) << detail;
+  EXPECT_TRUE(warning_with(given, "bearing-arrangement").is_null());
   const auto &checks = open.at("values").at("Kzc.row1_share").at("checks");
   double low = 1, high = -1;
   for (const auto &check : checks)

@@ -48,7 +48,7 @@ BiteQuestion question_of(const int i)
     q.setup.elements_through = 4;
     if (!std::getenv(
             "MILLSTAND_PASSES"))  // they come to the elastic-plastic strip when the rigid-plastic one fails
-      q.setup.strip = "rigid-plastic";
+      q.setup.strip = BiteStrip::rigid_plastic;
   }
   return q;
 }

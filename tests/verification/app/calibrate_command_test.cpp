@@ -347,8 +347,7 @@ TEST(CalibrateCommand, NamesWrongInputWithItsRemedy)
   stand.file("roles/records.toml", "[[record]]\nfile = \"pass.csv\"\nrole = \"train\"\n");
   expect_refused(
       measured_in(stand, "roles"),
-      "roles/records.toml:3:8: error: record.0.role = \"train\": a record is for the \"fit\" or for the "
-      "\"check\"");
+      "roles/records.toml:3:8: error: record.0.role = \"train\" is unknown; one of fit | check is needed");
   stand.file("nothing/records.toml", "band = [\"20 Hz\", \"900 Hz\"]\n");
   expect_refused(measured_in(stand, "nothing"),
                  "neither [[record]] nor [[level]]; a record needs at least file = \"pass-1.csv\"");

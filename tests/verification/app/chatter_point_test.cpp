@@ -116,7 +116,7 @@ TEST(ChatterPoint, InputsOfTheDriveMoveTheWorkingPointAtEveryStep)
   bite::RollBite last      = tandem_bite();
   last.strip.entry_tension = 180e6 + 1e4 * (n - 1);
   last.strip.exit_tension  = 189e6 + 1e4 * (n - 1);
-  const auto steady        = dynamics::working_point(last, speed_at(n - 1), bite::Linearisation::sequential).state;
+  const auto steady        = dynamics::working_point(last, speed_at(n - 1), Linearisation::sequential).state;
   EXPECT_TRUE(near(client.get("F_steady"), steady.force, within(1e-10, "two iterations")));
   const unsigned speed = client.at("roll_speed");
   const int order      = 1;

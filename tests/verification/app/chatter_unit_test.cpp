@@ -20,7 +20,7 @@
 #include <random>
 
 using namespace mill;
-using bite::Linearisation;
+using mill::Linearisation;
 
 namespace {
 // Strips, laws and speeds of a bite.

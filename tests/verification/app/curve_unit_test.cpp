@@ -29,12 +29,12 @@ Unit unit_on_curves(const double gap_damper = 0, const double longest_step = 1 /
   fmu::ExportedModel &model = unit.model;
   model.identifier          = "on_curves";
   model.title               = "on curves";
-  model.force_meaning       = "disturbance";
+  model.force_meaning       = ForceMeaning::disturbance;
   model.method              = "six masses on curves";
   model.program             = "millstand test";
   model.step                = 1 / rate;
   model.data                = modal_data(unit.chain.modal);
-  model.data.kind           = "curves";
+  model.data.kind           = fmu::StandKind::curves;
   model.data.runtime        = fmu::runtime_version;
   model.data.mean_force     = load;
   model.data.curves         = curve_data(unit.chain.stand, longest_step);

@@ -60,17 +60,18 @@ TEST(ExchangeCommand, OtherPassesFramesAndForcesPassTheCheckOfTheProgram)
 
 TEST(ExchangeCommand, SaysWhatItCannotWrite)
 {
-  const auto refused = [](const char *format, const std::string &output) {
+  const auto refused = [](const ExportFormat format, const std::string &output) {
     return refusal([&] { exchange_name(format, output); });
   };
-  EXPECT_EQ(refused("modelica", "my-stand.mo"),
+  EXPECT_EQ(refused(ExportFormat::modelica, "my-stand.mo"),
             "-o my-stand.mo: a package of Modelica has the name of its file, and "
             "\"my-stand\" cannot be a name; take my_stand.mo");
   EXPECT_EQ(
-      refused("matlab", "end.m"),
+      refused(ExportFormat::matlab, "end.m"),
       "-o end.m: a function of MATLAB has the name of its file, and \"end\" cannot be a name; take end_stand.m");
-  EXPECT_EQ(refused("matlab", "stand.mo"), "-o stand.mo: the name of a function of MATLAB ends with .m");
-  EXPECT_EQ(usual_output("modelica", "time"), "out/time_stand.mo");
+  EXPECT_EQ(refused(ExportFormat::matlab, "stand.mo"),
+            "-o stand.mo: the name of a function of MATLAB ends with .m");
+  EXPECT_EQ(usual_output(ExportFormat::modelica, "time"), "out/time_stand.mo");
   const std::string folder = exchange_folder() + "/";
   std::ofstream(folder + "mine.mo") << "package mine end mine;\n";
   const auto mine = exchanged_as("modelica", "-o mine.mo");
@@ -81,20 +82,20 @@ TEST(ExchangeCommand, SaysWhatItCannotWrite)
   EXPECT_EQ(written("mine.mo"), "package mine end mine;\n");
   // Of another case whose name begins alike.
   std::ofstream(folder + "other.mo") << "package other \"case stand-2, pass 1\" end other;\n";
-  EXPECT_NE(refusal([&] { require_own("modelica", folder + "other.mo", "stand"); }), "accepted");
-  EXPECT_EQ(refusal([&] { require_own("modelica", folder + "other.mo", "stand-2"); }), "accepted");
+  EXPECT_NE(refusal([&] { require_own(ExportFormat::modelica, folder + "other.mo", "stand"); }), "accepted");
+  EXPECT_EQ(refusal([&] { require_own(ExportFormat::modelica, folder + "other.mo", "stand-2"); }), "accepted");
   std::ofstream(folder + "own.mat") << "numbers of mine";
   EXPECT_EQ(refusal([&] {
-              require_own_companions("matlab", {{folder + "own.m", ""}, {folder + "own.mat", ""}});
+              require_own_companions(ExportFormat::matlab, {{folder + "own.m", ""}, {folder + "own.mat", ""}});
             }),
             "the file " + folder +
                 "own.mat, which belongs to it, exists and is not an earlier export; choose another "
                 "with -o, or give --force-overwrite");
   fs::create_directories(folder + "letters");
-  EXPECT_EQ(refusal([&] { require_own("statespace", folder + "letters", "stand"); }), "accepted")
+  EXPECT_EQ(refusal([&] { require_own(ExportFormat::statespace, folder + "letters", "stand"); }), "accepted")
       << "an empty folder";
   std::ofstream(folder + "letters/a") << "a letter";
-  EXPECT_EQ(refusal([&] { require_own("statespace", folder + "letters", "stand"); }),
+  EXPECT_EQ(refusal([&] { require_own(ExportFormat::statespace, folder + "letters", "stand"); }),
             folder + "letters exists and is not an earlier export of this case; choose another with -o, or give "
                      "--force-overwrite");
   const auto bearing = millstand("export matlab cases/bearing-266.toml -o b.m");
@@ -104,18 +105,18 @@ TEST(ExchangeCommand, SaysWhatItCannotWrite)
 
 TEST(ExchangeCommand, RefusesNamesThatHideALibrary)
 {
-  const auto refused = [](const char *format, const std::string &output) {
+  const auto refused = [](const ExportFormat format, const std::string &output) {
     return refusal([&] { exchange_name(format, output); });
   };
-  EXPECT_EQ(refused("modelica", "Modelica.mo"),
+  EXPECT_EQ(refused(ExportFormat::modelica, "Modelica.mo"),
             "-o Modelica.mo: a package of Modelica that is called \"Modelica\" hides "
             "what has this name there; take Modelica_stand.mo");
   for (const char *name : {"modelica", "Complex", "ModelicaServices", "Real", "abs", "extends", "parameter"})
-    EXPECT_NE(refused("modelica", std::string(name) + ".mo"), "accepted") << name;
+    EXPECT_NE(refused(ExportFormat::modelica, std::string(name) + ".mo"), "accepted") << name;
   for (const char *name : {"load", "expm", "size", "persistent"})
-    EXPECT_NE(refused("matlab", std::string(name) + ".m"), "accepted") << name;
-  EXPECT_EQ(refused("modelica", "Modelica_stand.mo"), "accepted");
-  EXPECT_EQ(usual_output("modelica", "Modelica"), "out/Modelica_stand.mo");
+    EXPECT_NE(refused(ExportFormat::matlab, std::string(name) + ".m"), "accepted") << name;
+  EXPECT_EQ(refused(ExportFormat::modelica, "Modelica_stand.mo"), "accepted");
+  EXPECT_EQ(usual_output(ExportFormat::modelica, "Modelica"), "out/Modelica_stand.mo");
 }
 
 // The disk is full before the second file: no file of the export is there, and one of before is as it was.

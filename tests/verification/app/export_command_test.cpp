@@ -185,9 +185,9 @@ TEST(ExportCommand, TheProposedStepIsATwentiethOfTheShortestPeriod)
   const auto data               = fmu::read_model(entry(folder() + "/step.fmu", "resources/model.json"));
   const auto system             = fmu::modal_system(data, fmu::start_of(data));
   const double highest          = *std::max_element(system.rad.begin(), system.rad.end()) / (2 * M_PI);
-  std::smatch found;
-  ASSERT_TRUE(std::regex_search(description, found, std::regex("stepSize=\"([^\"]*)\"")));
-  const double step = std::stod(found[1]);
+  std::smatch match;
+  ASSERT_TRUE(std::regex_search(description, match, std::regex("stepSize=\"([^\"]*)\"")));
+  const double step = std::stod(match[1]);
   EXPECT_LE(step, 1 / (20 * highest));
   EXPECT_GT(step, 0.5 / (20 * highest)) << "and not much shorter";
   EXPECT_TRUE(near(std::round(1e-3 / step), 1e-3 / step, within(1e-9, "whole parts of the output step")));

@@ -16,15 +16,6 @@ Outcome fit(const std::string &path, const std::string &name, const std::string 
                    " --force-overwrite --set bite.samples=3 " + more);
 }
 
-// The sentence among those of a list that holds some words; empty without one.
-std::string sentence_with(const nlohmann::json &results, const char *list, const std::string &words)
-{
-  for (const auto &sentence : results.at(list))
-    if (sentence.get<std::string>().find(words) != std::string::npos)
-      return sentence.get<std::string>();
-  return "";
-}
-
 // A hot pass that finite elements roll in a second.
 const std::string hot_pass = R"(schema = 1
 kind   = "bite"
@@ -92,14 +83,12 @@ TEST(FitCommand, ForceAloneDeterminesOneNumberAndIsReported)
   EXPECT_FALSE(results.at("values").contains("bite.fit.friction_low"));
   EXPECT_TRUE(results.at("values").contains("bite.fit.flow_stress_factor_low"));
   EXPECT_EQ(value(results, "bite.fit.freedom"), 2);
-  const std::string warning = sentence_with(results, "warnings", "one number");
-  EXPECT_EQ(
-      warning.rfind("fit of the bite: the force alone gives one number: friction stays 0.08, for friction +10 % "
-                    "with flow_stress -",
-                    0),
-      0u)
-      << warning;
-  EXPECT_NE(warning.find("add \"slip\" to bite.fit and forward_slip to the passes"), std::string::npos) << warning;
+  const auto warning = warning_with(results, "fit-one-number");
+  EXPECT_EQ(warning.at("subject"), "fit of the bite");
+  EXPECT_EQ(warning.at("fact"), "the force alone gives one number");
+  const std::string detail = warning.at("detail");
+  EXPECT_EQ(detail.find("friction stays 0.08, for friction +10 % with flow_stress -"), 0u) << detail;
+  EXPECT_EQ(warning.at("remedy"), "add \"slip\" to bite.fit and forward_slip to the passes");
 }
 
 // One force and one slip, two numbers: the model of the run itself ends on both.
@@ -115,7 +104,7 @@ TEST(FitCommand, FiniteElementsOfTheFittedStripReproduceTheMeasuredValues)
   EXPECT_TRUE(
       near(value(results, "bite.a.forward_slip"), 0.065,
            within(0.0001 / 0.065, "rounds end when no value moves by a hundredth of its 0.3 points, 3e-5")));
-  EXPECT_EQ(sentence_with(results, "warnings", "the load of the pass"), "");
+  EXPECT_TRUE(warning_with(results, "bite-force").is_null());
   const auto &checks = results.at("values").at("bite.fit.friction").at("checks");
   ASSERT_EQ(checks.size(), 1u);
   EXPECT_EQ(checks[0].at("name"), "by Karman's slab alone");
@@ -157,6 +146,6 @@ TEST(FitCommand, ValuesThatContradictEachOtherAreNamed)
   const auto outcome = fit("cases/cold-fit.toml", "contrary", "--set 'pass.1.load=\"14000 kN\"'");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const auto results = results_of("contrary");
-  EXPECT_NE(sentence_with(results, "warnings", "the measured values do not fit together"), "");
-  EXPECT_NE(sentence_with(results, "warnings", "the load of the pass"), "") << "force and load differ on page one";
+  EXPECT_FALSE(warning_with(results, "fit-scatter").is_null());
+  EXPECT_FALSE(warning_with(results, "bite-force").is_null()) << "force and load differ on page one";
 }

@@ -40,6 +40,14 @@ TEST(OutputPage, ExplainsEveryResultOfOtherKinds)
   }
 }
 
+TEST(OutputPage, ListsEveryWarning)
+{
+  const std::string page = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/docs/output.md");
+  const std::string part = mill::report::warning_reference();
+  ASSERT_GE(page.size(), part.size());
+  EXPECT_EQ(page.substr(page.size() - part.size()), part) << "docs/output.md ends with the rows of the warnings";
+}
+
 TEST(OutputPage, EveryRowHasAMeaning)
 {
   std::istringstream page(mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/docs/output.md"));

@@ -54,7 +54,7 @@ std::string text_of(const FourHigh &stand, const std::string &name)
   if (name.rfind("Kzc", 0) == 0) {
     const bool backup   = name[3] == '1' || name[3] == '4';
     const auto &bearing = bearing_of(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
-    if (bearing.roller_law != "fe" && bearing.rings != "elastic")
+    if (bearing.roller_law != OneRollerLaw::fe && bearing.rings != RingBodies::elastic)
       return "";
     // The mesh of the roller is made for the heaviest load of all passes and both seats, in steps of two.
     std::string text = roller_inputs(bearing, 1e5) + ring_inputs(bearing);
@@ -63,7 +63,7 @@ std::string text_of(const FourHigh &stand, const std::string &name)
         text += number_text(bearing_load(stand, backup, *contact, load_of(stand.passes[p])));
     return text;
   }
-  return name == "K4" && stand.bite.method == "fe"
+  return name == "K4" && stand.bite.method == BiteMethod::fe
              ? flow_inputs({bite_of(stand.strip, stand.passes[0], stand.work_roll.barrel_diameter, stand.steel),
                             stand.bite, ""},
                            nullptr)

@@ -11,7 +11,7 @@ using namespace mill::bearing;
 namespace {
 constexpr double degree = M_PI / 180;
 
-RollerBearing tapered(const std::string &law, const double cup_angle_deg, const double clearance = 0)
+RollerBearing tapered(const OneRollerLaw law, const double cup_angle_deg, const double clearance = 0)
 {
   RollerBearing b    = demo_bearing(cup_angle_deg);
   b.radial_clearance = clearance;
@@ -21,8 +21,8 @@ RollerBearing tapered(const std::string &law, const double cup_angle_deg, const 
 
 RollerBearing crowned(const int slices)
 {
-  RollerBearing b = tapered("iso", 20);
-  b.profile       = "iso";
+  RollerBearing b = tapered(OneRollerLaw::iso, 20);
+  b.profile       = RollerProfile::iso;
   b.slices        = slices;
   return b;
 }
@@ -35,7 +35,7 @@ TEST(BearingStiffness, MeetsTheReferenceTable)
   const auto root = within(1e-9, "root found to rounding, closed-form law");
   for (const auto &row : reference("bearing.stiffness")) {
     const double clearance   = double(row[0]) / std::cos(19.66 * degree);
-    const BearingState state = solve_bearing(tapered("palmgren", 19.66, clearance), row[1]);
+    const BearingState state = solve_bearing(tapered(OneRollerLaw::palmgren, 19.66, clearance), row[1]);
     EXPECT_TRUE(near(state.displacement, row[2], root));
     EXPECT_TRUE(near(state.secant, row[3], root));
     EXPECT_TRUE(near(
@@ -50,7 +50,7 @@ TEST(BearingStiffness, MeetsTheReferenceTable)
 TEST(BearingStiffness, StribeckNumberAndPowerLawWithoutClearance)
 {
   for (const double load : {1e3, 488e3, 5e6}) {
-    const BearingState state = solve_bearing(tapered("iso", 19.66), load);
+    const BearingState state = solve_bearing(tapered(OneRollerLaw::iso, 19.66), load);
     EXPECT_TRUE(near(state.roller_max * 4 * 39 * std::cos(19.66 * degree) / load, 4.0847,
                      within_absolute(1e-4, "printed with five digits; Stribeck's own 4.08")));
     EXPECT_TRUE(near(state.tangent / state.secant, 10.0 / 9, within(1e-9, "power law without clearance")));
@@ -64,7 +64,7 @@ TEST(BearingStiffness, StribeckNumberAndPowerLawWithoutClearance)
 // power law: tangent of the bearing = rows x tangent of the heaviest roller x Z / 4.0847 x cos^2.
 TEST(BearingStiffness, BearingIsTheRollerTimesRowsTimesStribeck)
 {
-  const BearingState state = solve_bearing(tapered("palmgren", 19.66), 488e3);
+  const BearingState state = solve_bearing(tapered(OneRollerLaw::palmgren, 19.66), 488e3);
   const double stribeck    = state.roller_max * 4 * 39 * std::cos(19.66 * degree) / state.load;
   const double cosine      = std::cos(19.66 * degree);
   EXPECT_TRUE(near(4 * state.roller_tangent * 39 / stribeck * cosine * cosine, state.tangent,
@@ -79,9 +79,9 @@ TEST(BearingStiffness, BearingIsTheRollerTimesRowsTimesStribeck)
 TEST(BearingStiffness, ReachesThePublishedTotalAtTheReferenceLoads)
 {
   const auto load = reference("bearing.load_for_published_total");
-  EXPECT_TRUE(near(solve_bearing(tapered("palmgren", 19.66), load.at("tangent")).tangent, 2.01e10,
+  EXPECT_TRUE(near(solve_bearing(tapered(OneRollerLaw::palmgren, 19.66), load.at("tangent")).tangent, 2.01e10,
                    within(1e-9, "power law inverted")));
-  EXPECT_TRUE(near(solve_bearing(tapered("palmgren", 19.66), load.at("secant")).secant, 2.01e10,
+  EXPECT_TRUE(near(solve_bearing(tapered(OneRollerLaw::palmgren, 19.66), load.at("secant")).secant, 2.01e10,
                    within(1e-9, "power law inverted")));
 }
 
@@ -97,11 +97,11 @@ TEST(BearingStiffness, FourRowsByTheStandardsLaw)
                               {4000, 2.248e7, 2.497e7, 111.5, 1.665e7, 2.489e7, 17}};
   const auto printed       = within(6e-4, "printed with four digits");
   for (const auto &row : table) {
-    const BearingState tight = solve_bearing(tapered("iso", 20), row[0] * 1e3);
+    const BearingState tight = solve_bearing(tapered(OneRollerLaw::iso, 20), row[0] * 1e3);
     EXPECT_TRUE(near(tight.secant * 1e-3, row[1], printed));
     EXPECT_TRUE(near(tight.tangent * 1e-3, row[2], printed));
     EXPECT_TRUE(near(tight.roller_max * 1e-3, row[3], within(2e-3, "printed with three digits")));
-    const BearingState loose = solve_bearing(tapered("iso", 20, 1e-4), row[0] * 1e3);
+    const BearingState loose = solve_bearing(tapered(OneRollerLaw::iso, 20, 1e-4), row[0] * 1e3);
     EXPECT_TRUE(near(loose.secant * 1e-3, row[4], printed));
     EXPECT_TRUE(near(loose.tangent * 1e-3, row[5], printed));
     EXPECT_EQ(loose.loaded_rollers[2], int(row[6]));
@@ -125,8 +125,8 @@ TEST(BearingStiffness, FourRowsWithTheStandardsCrown)
 
 TEST(BearingStiffness, InterferenceLoadsMoreRollers)
 {
-  const BearingState light = solve_bearing(tapered("iso", 20, -20e-6), 1e6),
-                     heavy = solve_bearing(tapered("iso", 20, -50e-6), 1e6);
+  const BearingState light = solve_bearing(tapered(OneRollerLaw::iso, 20, -20e-6), 1e6),
+                     heavy = solve_bearing(tapered(OneRollerLaw::iso, 20, -50e-6), 1e6);
   EXPECT_TRUE(near(light.secant * 1e-3, 2.59e7, within(3e-3, "printed with three digits")));
   EXPECT_TRUE(near(heavy.secant * 1e-3, 4.03e7, within(3e-3, "printed with three digits")));
   EXPECT_EQ(light.loaded_rollers[0], 23);
@@ -139,7 +139,7 @@ TEST(BearingStiffness, TiltMovesLoadBetweenRows)
                               {1e6, 0.5e-3, -10.7, 30.8, 15.8, 64.1},
                               {500e3, 0.5e-3, -45.7, 36.4, 8.7, 100.6}};
   for (const auto &row : share) {
-    const BearingState state = solve_bearing(tapered("iso", 20), row[0], row[1]);
+    const BearingState state = solve_bearing(tapered(OneRollerLaw::iso, 20), row[0], row[1]);
     for (int r = 0; r < 4; ++r)
       EXPECT_TRUE(near(
           state.row_share[r] * 100, row[2 + r],
@@ -148,9 +148,10 @@ TEST(BearingStiffness, TiltMovesLoadBetweenRows)
     EXPECT_TRUE(near(state.row_share.sum(), 1, within(1e-12, "shares of one load")));
   }
   // 22.1075 and 19.5678 kN/um by a bisection of (5.11) to (5.13) in another language, 41 laminae and one.
-  EXPECT_TRUE(near(solve_bearing(tapered("iso", 20), 1e6, 1e-3).secant, 22.1075e9, within(1e-5, "printed")));
-  EXPECT_TRUE(near(solve_bearing(tapered("iso", 20), 1e6).secant, 19.5678e9, within(1e-5, "printed")));
-  const BearingState level = solve_bearing(tapered("iso", 20), 1e6);
+  EXPECT_TRUE(
+      near(solve_bearing(tapered(OneRollerLaw::iso, 20), 1e6, 1e-3).secant, 22.1075e9, within(1e-5, "printed")));
+  EXPECT_TRUE(near(solve_bearing(tapered(OneRollerLaw::iso, 20), 1e6).secant, 19.5678e9, within(1e-5, "printed")));
+  const BearingState level = solve_bearing(tapered(OneRollerLaw::iso, 20), 1e6);
   for (int r = 0; r < 4; ++r)
     EXPECT_TRUE(near(level.row_share[r], 0.25, within(1e-12, "four equal rows")));
 }
@@ -159,7 +160,7 @@ TEST(BearingStiffness, TiltMovesLoadBetweenRows)
 // between -81 and 81 deg.
 TEST(BearingStiffness, ARollerAtRightAnglesDoesNotCount)
 {
-  RollerBearing b   = tapered("iso", 20);
+  RollerBearing b   = tapered(OneRollerLaw::iso, 20);
   b.rollers_per_row = 40;
   EXPECT_EQ(solve_bearing(b, 1e6).loaded_rollers[0], 19);
 }
@@ -167,7 +168,7 @@ TEST(BearingStiffness, ARollerAtRightAnglesDoesNotCount)
 // All rows of one hand: the tilted rims press all of them to one side, and the ring settles on the other.
 TEST(BearingStiffness, RowsOfOneHandBalanceUnderTilt)
 {
-  RollerBearing b = tapered("iso", 20);
+  RollerBearing b = tapered(OneRollerLaw::iso, 20);
   b.arrangement   = "+";
   for (const double tilt : {0.5e-3, -0.5e-3}) {
     const BearingState state = solve_bearing(b, 1e5, tilt);
@@ -179,10 +180,11 @@ TEST(BearingStiffness, RowsOfOneHandBalanceUnderTilt)
 // d F / d displacement against the curve itself, in every kind of state.
 TEST(BearingStiffness, TangentIsTheSlopeOfTheCurve)
 {
-  RollerBearing log_profile = tapered("palmgren", 19.66, 50e-6);
-  log_profile.profile       = "log";
-  for (const RollerBearing &bearing : {tapered("palmgren", 19.66), tapered("iso", 20, 1e-4),
-                                       tapered("iso", 20, -50e-6), crowned(41), log_profile})
+  RollerBearing log_profile = tapered(OneRollerLaw::palmgren, 19.66, 50e-6);
+  log_profile.profile       = RollerProfile::log;
+  for (const RollerBearing &bearing :
+       {tapered(OneRollerLaw::palmgren, 19.66), tapered(OneRollerLaw::iso, 20, 1e-4),
+        tapered(OneRollerLaw::iso, 20, -50e-6), crowned(41), log_profile})
     for (const double tilt : {0.0, 0.3e-3}) {
       const double load = 300e3, step = 1e-4 * load;
       const double slope = 2 * step /
@@ -193,8 +195,10 @@ TEST(BearingStiffness, TangentIsTheSlopeOfTheCurve)
                within(5e-4, "a lamina that comes into contact inside the step bends the curve like d^(1/9)")));
     }
   const double load = 300e3, step = 1e-4 * load;
-  const auto value_at = [&](double F) { return solve_bearing(tapered("palmgren", 19.66), F).displacement; };
-  EXPECT_TRUE(near(solve_bearing(tapered("palmgren", 19.66), load).tangent,
+  const auto value_at = [&](double F) {
+    return solve_bearing(tapered(OneRollerLaw::palmgren, 19.66), F).displacement;
+  };
+  EXPECT_TRUE(near(solve_bearing(tapered(OneRollerLaw::palmgren, 19.66), load).tangent,
                    2 * step / (value_at(load + step) - value_at(load - step)),
                    within(1e-6, "no roller changes its state: central difference, truncation 1e-9")));
 }
@@ -202,7 +206,7 @@ TEST(BearingStiffness, TangentIsTheSlopeOfTheCurve)
 TEST(BearingStiffness, EquilibriumAndCurve)
 {
   for (const double load : {100e3, 1e6, 4e6}) {
-    const BearingState state = solve_bearing(tapered("iso", 20, 1e-4), load);
+    const BearingState state = solve_bearing(tapered(OneRollerLaw::iso, 20, 1e-4), load);
     double force = 0, across = 0;
     for (int r = 0; r < 4; ++r)
       for (int j = 0; j < 39; ++j) {
@@ -217,8 +221,8 @@ TEST(BearingStiffness, EquilibriumAndCurve)
 TEST(BearingStiffness, SmallAndLargeLoadsConverge)
 {
   for (const double load : {1e-3, 1.0, 1e9}) {
-    EXPECT_TRUE(
-        near(solve_bearing(tapered("iso", 20, 1e-3), load).load, load, within(1e-15, "returned as given")));
+    EXPECT_TRUE(near(solve_bearing(tapered(OneRollerLaw::iso, 20, 1e-3), load).load, load,
+                     within(1e-15, "returned as given")));
     EXPECT_GT(solve_bearing(crowned(41), load).tangent, 0);
   }
 }
@@ -226,20 +230,20 @@ TEST(BearingStiffness, SmallAndLargeLoadsConverge)
 TEST(BearingStiffness, RefusesInWords)
 {
   try {
-    solve_bearing(tapered("iso", 20, 1e-4), 0);
+    solve_bearing(tapered(OneRollerLaw::iso, 20, 1e-4), 0);
     FAIL() << "accepted";
   } catch (const InputError &error) {
     EXPECT_STREQ(error.problems.at(0).message.c_str(),
                  "bearing.trb: radial load 0 kN; with a clearance of 100 um no roller is loaded "
                  "without load, so a stiffness does not exist");
   }
-  EXPECT_THROW(solve_bearing(tapered("iso", 20), -1e3), InputError);
-  EXPECT_THROW(solve_bearing(tapered("iso", 13.5), 1e5), InputError);
-  RollerBearing narrow = tapered("iso", 20);
+  EXPECT_THROW(solve_bearing(tapered(OneRollerLaw::iso, 20), -1e3), InputError);
+  EXPECT_THROW(solve_bearing(tapered(OneRollerLaw::iso, 13.5), 1e5), InputError);
+  RollerBearing narrow = tapered(OneRollerLaw::iso, 20);
   narrow.width         = not_given;
   EXPECT_NO_THROW(solve_bearing(narrow, 1e5));
   EXPECT_THROW(solve_bearing(narrow, 1e5, 1e-3), InputError);
-  RollerBearing plain     = tapered("iso", 20);
+  RollerBearing plain     = tapered(OneRollerLaw::iso, 20);
   plain.bore              = not_given;
   plain.roller_cone_angle = 0;
   EXPECT_THROW(solve_bearing(plain, 1e5, 1e-3), InputError) << "no pitch diameter, no place of the rim";

@@ -31,14 +31,14 @@ ClusterStand six_masses_as_rolls(const LumpedModel &chain)
     ClusterSupport guide;
     guide.roll      = roll.name;
     guide.name      = roll.name + "_guide";
-    guide.type      = "guide";
+    guide.type      = SupportType::guide;
     guide.stiffness = 1e12;
     stand.supports.push_back(guide);
   }
   const auto spring = [&](const char *pair, const double k) {
     ClusterContact c;
     c.pair      = pair;
-    c.law       = "spring";
+    c.law       = ClusterLaw::spring;
     c.stiffness = k;
     stand.contacts.push_back(c);
   };
@@ -49,7 +49,7 @@ ClusterStand six_masses_as_rolls(const LumpedModel &chain)
   for (const auto &[roll, k] : {std::pair{"M1", chain.K[0].value}, std::pair{"M6", chain.K[6].value}}) {
     ClusterSupport ground;
     ground.roll      = roll;
-    ground.type      = "guide";
+    ground.type      = SupportType::guide;
     ground.direction = M_PI / 2;
     ground.stiffness = k;
     stand.supports.push_back(ground);
@@ -63,7 +63,8 @@ TEST(OtherStacks, AFourHighHasTheVerticalFrequenciesOfItsChain)
   const LumpedModel chain  = published_stand();
   const ClusterStand stand = six_masses_as_rolls(chain);
   const auto state         = cluster::pass_state(stand, {}, 1e6);
-  const auto expected      = dynamics::modes(dynamics::mill_model(chain, settings("disturbance", 0))).frequency;
+  const auto expected =
+      dynamics::modes(dynamics::mill_model(chain, settings(ForceMeaning::disturbance, 0))).frequency;
   std::vector<double> vertical;
   for (const cluster::Mode &mode : state.modes) {
     double up = 0;
@@ -117,7 +118,7 @@ TEST(OtherStacks, ContactsAtRestAreThoseOfRollsThatTurnFreely)
   const Case the_case = read_case("cases/z-mill.toml");
   ClusterStand stand  = *std::get<ClusterCase>(the_case.spec).stand;
   const auto free     = cluster::pass_state(stand, stand.schedule[0], 1148e3);
-  stand.stack.spin    = "coupled";
+  stand.stack.spin    = ClusterSpin::coupled;
   const auto coupled  = cluster::pass_state(stand, stand.schedule[0], 1148e3);
   const auto approach = [](const cluster::PassState &s, const std::size_t i) {
     return cluster::contact_state(s.stack, s.stack.contacts[i], s.rest.u).approach;
@@ -132,7 +133,7 @@ TEST(OtherStacks, WithCoupledSpinTheRollsTurnTogetherFreely)
   const Case the_case = read_case("cases/z-mill.toml");
   ClusterStand stand  = *std::get<ClusterCase>(the_case.spec).stand;
   const auto free     = cluster::pass_state(stand, stand.schedule[0], 1148e3);
-  stand.stack.spin    = "coupled";
+  stand.stack.spin    = ClusterSpin::coupled;
   const auto coupled  = cluster::pass_state(stand, stand.schedule[0], 1148e3);
   ASSERT_EQ(coupled.modes.size(), 15u);
   // Four contacts without a ring join five spins: one is left free.

@@ -12,8 +12,8 @@
 
 using namespace mill;
 using namespace mill::dynamics;
-using bite::Linearisation;
 using Eigen::VectorXd;
+using mill::Linearisation;
 
 namespace {
 constexpr Linearisation schemes[] = {Linearisation::sequential, Linearisation::implicit,

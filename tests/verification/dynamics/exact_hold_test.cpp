@@ -175,7 +175,7 @@ TEST(ExactHold, RepeatedPolesAreIntegratedAsExactly)
   ForceRecord force = twelve_tones();
   force.time.conservativeResize(2001);
   force.force.conservativeResize(2001);
-  const MillModel model   = mill_model(published_stand(), settings("measured", 1));
+  const MillModel model   = mill_model(published_stand(), settings(ForceMeaning::measured, 1));
   const Response response = mill_response(model, force, 10e3);
   const Eigen::MatrixXd expected =
       exact_hold(model.M, model.K, model.C, model.b, force.force.array() - force.force.mean(), 1e-4);

@@ -41,7 +41,7 @@ void name(ExchangedStand &stand)
   stand.step       = 5e-5;
 }
 
-Sample sample(const std::string &meaning, const std::string &frame, const double gap_damper)
+Sample sample(const ForceMeaning meaning, const FrameForm frame, const double gap_damper)
 {
   LumpedModel lumped = published_stand();
   lumped.C.value     = gap_damper;
@@ -49,7 +49,7 @@ Sample sample(const std::string &meaning, const std::string &frame, const double
   dynamics.frame     = frame;
   Sample s{mill_model(lumped, dynamics), {}, {}};
   s.own   = driven_model(s.chain);
-  s.stand = exchanged(s.chain, dynamics, meaning == "measured" ? 0 : gap_damper);
+  s.stand = exchanged(s.chain, dynamics, meaning == ForceMeaning::measured ? 0 : gap_damper);
   name(s.stand);
   s.stand.unknowns = s.stand.points;
   add_step_test(s.stand, s.own);
@@ -120,8 +120,9 @@ void add_outputs(const Sample &s, const Motion &m, modelica::Values &values)
   values["F_cell"] = one(m.cell);
 }
 
-const std::vector<std::array<std::string, 2>> kinds{
-    {"measured", "open"}, {"disturbance", "closed"}, {"published", "open"}};
+const std::vector<std::pair<ForceMeaning, FrameForm>> kinds{{ForceMeaning::measured, FrameForm::open},
+                                                            {ForceMeaning::disturbance, FrameForm::closed},
+                                                            {ForceMeaning::published, FrameForm::open}};
 }  // namespace
 
 TEST(Exchange, EquationsOfModelicaAreThoseOfTheChain)
@@ -135,7 +136,7 @@ TEST(Exchange, EquationsOfModelicaAreThoseOfTheChain)
     modelica::Values values = parameters_of(model);
     values["y"] = m.y, values["v"] = values["der(y)"] = m.v, values["der(v)"] = m.a;
     add_outputs(s, m, values);
-    EXPECT_LT(residual(model, values), 1e-9) << meaning << ": rounding of K y, whose terms cancel";
+    EXPECT_LT(residual(model, values), 1e-9) << word_of(meaning) << ": rounding of K y, whose terms cancel";
     // As many equations as unknowns: whatever is changed is noticed.
     for (const char *unknown :
          {"der(y)", "der(v)", "y_upper_frame", "a_upper_frame", "a_lower_work_roll", "F_cell", "y_lower_frame"}) {
@@ -155,7 +156,7 @@ TEST(Exchange, EquationsOfModelicaAreThoseOfTheChain)
 
 TEST(Exchange, EquationsOfModelicaInModesMoveAsTheChainDoes)
 {
-  const Sample chain = sample("disturbance", "open", 2e5), s = in_modes(chain, 2e5);
+  const Sample chain = sample(ForceMeaning::disturbance, FrameForm::open, 2e5), s = in_modes(chain, 2e5);
   const modelica::Class package = modelica::read(modelica_package(s.stand, "force.txt"));
   const modelica::Class &model  = package.classes.at("Equations");
   EXPECT_TRUE(undeclared(model).empty()) << undeclared(model).front();
@@ -214,7 +215,7 @@ TEST(Exchange, ComponentsOfModelicaAreJoinedAsTheSpringsAre)
     const Eigen::VectorXd shape = undamped.shape.col(leading);
     EXPECT_TRUE(near(shape.dot((C - gap * s.chain.b * s.chain.b.transpose()) * shape),
                      2 * 0.01 * 2 * M_PI * s.stand.leading_frequency, within(1e-9, "modes of the chain")));
-    EXPECT_EQ(gap, meaning == "measured" ? 0 : 2e5);
+    EXPECT_EQ(gap, meaning == ForceMeaning::measured ? 0 : 2e5);
     for (int i = 0; i < 6; ++i)
       EXPECT_EQ(value_of(model.components.at(s.stand.points[std::size_t(i)]).modifiers.at("m"), known)(0, 0),
                 s.chain.M[i]);
@@ -244,7 +245,7 @@ void expect_bound_inputs(const modelica::Class &model)
 
 TEST(Exchange, TheStepTestGivesTheForceAsABinding)
 {
-  const Sample s     = sample("measured", "open", 0);
+  const Sample s     = sample(ForceMeaning::measured, FrameForm::open, 0);
   const auto package = modelica::read(modelica_package(s.stand, ""));
   const auto &test   = package.classes.at("ForceStep");
   expect_bound_inputs(test);
@@ -260,7 +261,7 @@ TEST(Exchange, TheStepTestGivesTheForceAsABinding)
 
 TEST(Exchange, RecordsOfAnyLengthAreDriven)
 {
-  Sample s = sample("measured", "open", 0);
+  Sample s = sample(ForceMeaning::measured, FrameForm::open, 0);
   for (const Eigen::Index n : {longest_series_in_package, longest_series_in_package + 1}) {
     s.stand.series = {Eigen::VectorXd::LinSpaced(n, 0, 1), Eigen::VectorXd::Constant(n, 976e3), {}};
     const auto model =
@@ -294,7 +295,7 @@ TEST(Exchange, RecordsOfAnyLengthAreDriven)
 // The peak that the test model promises, by the closed form of each mode after a step.
 TEST(Exchange, TheStepTestPromisesTheRightPeak)
 {
-  const Sample s      = sample("measured", "open", 0);
+  const Sample s      = sample(ForceMeaning::measured, FrameForm::open, 0);
   const auto undamped = modes(s.chain);
   double peak         = 0;
   for (int i = 0; i <= 100000; ++i) {
@@ -317,7 +318,7 @@ TEST(Exchange, TheStepTestPromisesTheRightPeak)
 
 TEST(Exchange, TheReaderOfModelicaFindsMistakes)
 {
-  const std::string whole = modelica_package(sample("measured", "open", 0).stand, "");
+  const std::string whole = modelica_package(sample(ForceMeaning::measured, FrameForm::open, 0).stand, "");
   const auto refusal      = [&](const std::string &from, const std::string &to) {
     std::string broken = whole;
     broken.replace(broken.find(from), from.size(), to);
@@ -337,7 +338,7 @@ TEST(Exchange, TheReaderOfModelicaFindsMistakes)
 
 TEST(Exchange, StateSpaceFilesGivePolesAndResponsesOfTheChain)
 {
-  const Sample s = sample("disturbance", "closed", 2e5);
+  const Sample s = sample(ForceMeaning::disturbance, FrameForm::closed, 2e5);
   std::map<std::string, Eigen::MatrixXd> read;
   std::string names;
   for (const NamedText &file : state_space_files(s.stand)) {
@@ -396,7 +397,7 @@ TEST(Exchange, StateSpaceFilesGivePolesAndResponsesOfTheChain)
 TEST(Exchange, TheCheckSeesAWrongNumber)
 {
   for (const bool modal : {false, true}) {
-    Sample s = sample("disturbance", "open", 2e5);
+    Sample s = sample(ForceMeaning::disturbance, FrameForm::open, 2e5);
     if (modal)
       s = in_modes(s, 2e5);
     const auto difference = [&](const ExchangedStand &stand) {
@@ -417,16 +418,17 @@ TEST(Exchange, TheCheckSeesAWrongNumber)
     EXPECT_GT(difference(wrong), exchange_agreement) << "sign";
   }
   // Critical damping: a double pole, which rounding splits, is not a difference.
-  const Sample damped = sample("disturbance", "open", 6.2e6);
+  const Sample damped = sample(ForceMeaning::disturbance, FrameForm::open, 6.2e6);
   EXPECT_LT(difference_from(first_order_form(damped.stand), damped.own, damped.stand.frequency),
             exchange_agreement);
 }
 
 TEST(Exchange, FilesAreTheSameEachTime)
 {
-  const Sample s = sample("published", "open", 2e5), again = sample("published", "open", 2e5);
+  const Sample s     = sample(ForceMeaning::published, FrameForm::open, 2e5),
+               again = sample(ForceMeaning::published, FrameForm::open, 2e5);
   EXPECT_EQ(modelica_package(s.stand, "f"), modelica_package(again.stand, "f"));
   EXPECT_EQ(matlab_function(s.stand), matlab_function(again.stand));
   EXPECT_EQ(matlab_data(s.stand), matlab_data(again.stand));
-  EXPECT_NE(matlab_data(s.stand), matlab_data(sample("measured", "open", 0).stand));
+  EXPECT_NE(matlab_data(s.stand), matlab_data(sample(ForceMeaning::measured, FrameForm::open, 0).stand));
 }

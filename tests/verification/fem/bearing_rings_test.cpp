@@ -17,7 +17,7 @@ using namespace mill;
 namespace {
 constexpr double mm = 1e-3;
 
-RollerBearing mill_bearing(const std::string &chock, const std::string &hands)
+RollerBearing mill_bearing(const ChockForm chock, const std::string &hands)
 {
   RollerBearing b       = demo_bearing();
   b.rows                = int(hands.size());
@@ -65,7 +65,7 @@ double mirror(const int a, const int b)
 
 TEST(BearingRings, BlockLessBoreAndCupFillTheSpaceTheyShould)
 {
-  const auto sections = bearing::ring_sections(mill_bearing("block", "+-+-"));
+  const auto sections = bearing::ring_sections(mill_bearing(ChockForm::block, "+-+-"));
   const Scratch made(sections, {0.5, 1}, "block");
   const auto &h       = sections.housing;
   const double length = 2 * h.half_length;
@@ -85,7 +85,8 @@ TEST(BearingRings, MirroredRowsGiveMirroredFlexibilities)
   fem::RingOptions options;
   options.last_harmonic   = 12;
   options.chock_harmonics = 4;
-  const auto r = result(bearing::ring_sections(mill_bearing("block", "+-+-")), {0.4, 0.6}, options).flexibility;
+  const auto r =
+      result(bearing::ring_sections(mill_bearing(ChockForm::block, "+-+-")), {0.4, 0.6}, options).flexibility;
   ASSERT_EQ(r.rows, 4);
   ASSERT_EQ(r.modes, 3);
   ASSERT_EQ(r.chock_cosine.rows(), 4 * 12);
@@ -115,9 +116,9 @@ TEST(BearingRings, MirroredRowsGiveMirroredFlexibilities)
 // Rows of one hand have no mid-plane: the whole block is meshed.
 TEST(BearingRings, AWholeRoundBlockIsItsMeridianSection)
 {
-  const auto sections   = bearing::ring_sections(mill_bearing("round", "++"));
+  const auto sections   = bearing::ring_sections(mill_bearing(ChockForm::round, "++"));
   auto as_block         = sections;
-  as_block.housing.kind = Housing::Kind::block;
+  as_block.housing.kind = ChockForm::block;
   const Scratch lines(as_block, {0.4, 0.8}, "lines");
   EXPECT_FALSE(lines.meshes.chock_halved);
   const std::string path = folder + "/" + scratch("whole.msh");
@@ -143,8 +144,8 @@ TEST(BearingRings, ACupHeldOnItsOutsideAddsLittleToItsRaceway)
 {
   fem::RingOptions options;
   options.last_harmonic = 20;
-  const auto rigid      = result(bearing::ring_sections(mill_bearing("rigid", "+-")), {0.6, 1}, options);
-  const auto round      = result(bearing::ring_sections(mill_bearing("round", "+-")), {0.6, 1}, options);
+  const auto rigid      = result(bearing::ring_sections(mill_bearing(ChockForm::rigid, "+-")), {0.6, 1}, options);
+  const auto round      = result(bearing::ring_sections(mill_bearing(ChockForm::round, "+-")), {0.6, 1}, options);
   EXPECT_EQ(rigid.flexibility.chock_harmonics, 0);
   // Wall and held raceway are the same thickness in the middle, not at the ends.
   EXPECT_LT(std::abs(rigid.flexibility.outer[2](0, 0)), 0.05 * round.flexibility.outer[2](0, 0));
@@ -156,7 +157,7 @@ TEST(BearingRings, ACupHeldOnItsOutsideAddsLittleToItsRaceway)
 
 TEST(BearingRings, TheCoarserMeshGivesTheErrorEstimate)
 {
-  const auto sections = bearing::ring_sections(mill_bearing("round", "+-"));
+  const auto sections = bearing::ring_sections(mill_bearing(ChockForm::round, "+-"));
   const meshes::RingMeshSize size;
   const Scratch fine(sections, size, "fine"), coarse(sections, meshes::coarsened(size), "coarse");
   fem::RingOptions options;
@@ -180,7 +181,7 @@ TEST(StribeckFlexibility, OfOneHarmonicIsThatHarmonic)
 
 TEST(ChockPicture, IsWritten)
 {
-  const auto sections = bearing::ring_sections(mill_bearing("block", "+-"));
+  const auto sections = bearing::ring_sections(mill_bearing(ChockForm::block, "+-"));
   const Scratch made(sections, {0.4, 0.6}, "picture");
   const std::string path = folder + "/" + scratch("chock.vtu");
   fem::write_chock_vtu(path, sections.cup, made.meshes.chock, made.meshes.chock_halved, sections.material,

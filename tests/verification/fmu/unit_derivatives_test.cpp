@@ -93,7 +93,7 @@ TEST(UnitDerivatives, OutputDerivativesAreThoseInTime)
 // What an unknown does not depend on by its description has no derivative, at rest and in motion.
 TEST(UnitDerivatives, WhatIsNotADependencyHasNoDerivative)
 {
-  const SampleStand coupled = sample_stand("published", 0.02, 3e6);
+  const SampleStand coupled = sample_stand(ForceMeaning::published, 0.02, 3e6);
   for (const fmu::ExportedModel &of : {coupled.model, in_modes(coupled)}) {
     const fmu::Dependencies depends(of.data);
     const auto variables = fmu::variables_of(of.data);
@@ -121,13 +121,13 @@ TEST(UnitDerivatives, WhatIsNotADependencyHasNoDerivative)
         for (unsigned k = 1; k < variables.size(); ++k) {
           if (!variables[k].has_start() || variables[k].type != fmu::Type::real)
             continue;
-          const double found = derivative(u, k);
+          const double slope = derivative(u, k);
           if (std::find(listed.begin(), listed.end(), k) == listed.end()) {
             ++independent;
-            EXPECT_LT(found, 1e-7) << variables[u].name << " by " << variables[k].name << at_start
+            EXPECT_LT(slope, 1e-7) << variables[u].name << " by " << variables[k].name << at_start
                                    << ": rounding of differences of fourth order";
           } else
-            dependent += found > 1e-7;
+            dependent += slope > 1e-7;
         }
       }
     };

@@ -30,7 +30,7 @@ TEST(UnitForce, AMissingRecordIsAnErrorWhenItIsNeeded)
 // A copy taken in the middle of a stored force goes on in an instance that has not read it yet.
 TEST(UnitForce, CopiesKnowWhereTheStoredForceIs)
 {
-  SampleStand with = sample_stand("disturbance", 0.01, 2e6);
+  SampleStand with = sample_stand(ForceMeaning::disturbance, 0.01, 2e6);
   carry(with.model, sample_force(1000, 1e-3));
   Client2 client(with.model);
   ASSERT_TRUE(client.c) << client.logged();
@@ -60,7 +60,7 @@ TEST(UnitForce, CopiesKnowWhereTheStoredForceIs)
 // a client sets it.  use_stored_force decides where it is set.
 TEST(UnitForce, TheStoredForcePlaysUntilTheInputIsSet)
 {
-  SampleStand with = sample_stand("disturbance", 0.01, 2e6);
+  SampleStand with = sample_stand(ForceMeaning::disturbance, 0.01, 2e6);
   carry(with.model, sample_force(1000, 1e-3));
   Client2 first(with.model);
   ASSERT_TRUE(first.c) << first.logged();

@@ -27,16 +27,16 @@ double difference_at(Client &client, const dynamics::Response &response, const E
 }
 
 struct Setting {
-  const char *meaning;
+  ForceMeaning meaning;
   double damping, gap_damper;
 };
 // Separate modes, undamped, coupled by a damper, as published, and one mode so near to critical that the matrix
 // exponential is used.
-const Setting all_settings[] = {{"measured", 0.01, 0},
-                                {"measured", 0, 0},
-                                {"disturbance", 0.01, 2e6},
-                                {"published", 0.02, 5e6},
-                                {"disturbance", 0, 1e9}};
+const Setting all_settings[] = {{ForceMeaning::measured, 0.01, 0},
+                                {ForceMeaning::measured, 0, 0},
+                                {ForceMeaning::disturbance, 0.01, 2e6},
+                                {ForceMeaning::published, 0.02, 5e6},
+                                {ForceMeaning::disturbance, 0, 1e9}};
 }  // namespace
 
 // The recorded force played inside: the result does not depend on the communication step, from 1e-5 s to 1 s.
@@ -65,7 +65,7 @@ TEST(UnitMotion, StoredForceAgreesWithSimulateAtAnyStep)
         if (std::abs(outputs - double(row)) < 1e-6 && (i % 20 == 0 || h > 1e-3))
           worst = std::max(worst, difference_at(client, response, row));
       }
-      EXPECT_LT(worst, 1e-10) << set.meaning << " C " << set.gap_damper << " h " << h;
+      EXPECT_LT(worst, 1e-10) << word_of(set.meaning) << " C " << set.gap_damper << " h " << h;
     }
   }
 }
@@ -105,7 +105,7 @@ TEST(UnitMotion, HeldInputAgreesWithAnExactStaircase)
                                        std::abs(fine.get(accelerations[j]) - exact) / scale});
       }
     }
-    EXPECT_LT(worst, 1e-10) << set.meaning << " C " << set.gap_damper;
+    EXPECT_LT(worst, 1e-10) << word_of(set.meaning) << " C " << set.gap_damper;
   }
 }
 
@@ -150,7 +150,7 @@ TEST(UnitMotion, InputDerivativesAreOfSecondOrder)
 TEST(UnitMotion, OneMassAnswersAStepInClosedForm)
 {
   fmu::ModelData data;
-  data.kind           = "modal";
+  data.kind           = fmu::StandKind::modal;
   data.points         = {"mass"};
   data.frequency      = {40};
   data.shape          = {0.01};
@@ -183,7 +183,7 @@ TEST(UnitMotion, OneMassAnswersAStepInClosedForm)
 TEST(UnitMotion, ShortStepsLoseNoDigits)
 {
   fmu::ModelData data;
-  data.kind           = "modal";
+  data.kind           = fmu::StandKind::modal;
   data.points         = {"mass"};
   data.frequency      = {5};
   data.shape          = {1};
@@ -203,7 +203,7 @@ TEST(UnitMotion, ShortStepsLoseNoDigits)
 // The three ways of a step against each other where more than one is right.
 TEST(UnitMotion, ModesPolesAndExponentialAreOneSolution)
 {
-  const SampleStand stand = sample_stand("disturbance", 0.01, 2e6);
+  const SampleStand stand = sample_stand(ForceMeaning::disturbance, 0.01, 2e6);
   fmu::Tuning tuning      = fmu::start_of(stand.model.data);
   std::map<double, fmu::Motion::Form> forms;
   for (const double damper : {0.0, 2e6, 1e9}) {
@@ -231,7 +231,7 @@ TEST(UnitMotion, ModesPolesAndExponentialAreOneSolution)
 // A detailed stand comes in its modes; here those of the chain, which must move as the chain does.
 TEST(UnitMotion, GivenModesMoveAsTheirChain)
 {
-  const SampleStand stand        = sample_stand("published", 0.02, 5e6);
+  const SampleStand stand        = sample_stand(ForceMeaning::published, 0.02, 5e6);
   const fmu::ExportedModel modal = in_modes(stand);
   Client2 chain(stand.model), modes(modal);
   ASSERT_EQ(chain.start(980e3), fmi2OK) << chain.logged();

@@ -47,7 +47,7 @@ std::vector<void (*)(int)> handlers()
 
 TEST(UnitProcess, IsLeftAsItWasFound)
 {
-  const SampleStand stand = sample_stand("disturbance", 0.01, 2e6);
+  const SampleStand stand = sample_stand(ForceMeaning::disturbance, 0.01, 2e6);
   Client2 first(stand.model);
   ASSERT_TRUE(first.c) << first.logged();
   const double wanted   = hundred_steps(first);

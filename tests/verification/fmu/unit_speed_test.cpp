@@ -18,7 +18,7 @@ template <class Work> double seconds_of(const Work &work)
 TEST(UnitSpeed, TenSecondsAtTwentyKilohertz)
 {
   for (const double damper : {0.0, 2e6}) {
-    const SampleStand stand = sample_stand("disturbance", 0.01, damper);
+    const SampleStand stand = sample_stand(ForceMeaning::disturbance, 0.01, damper);
     Client2 first(stand.model);
     ASSERT_TRUE(first.c) << first.logged();
     const unsigned F = 1, outputs[] = {first.at("a_upper_work_roll"), first.at("a_lower_work_roll")};

@@ -22,7 +22,7 @@ live::TwinModel model_of(const std::string &set)
 fmu::ModalSystem unit_system(const dynamics::MillModel &chain, const double damping)
 {
   fmu::ModelData data;
-  data.kind             = "chain";
+  data.kind             = fmu::StandKind::chain;
   data.modal_damping    = damping;
   data.load_cell_spring = 6;
   data.mass.assign(chain.M.begin(), chain.M.end());

@@ -305,8 +305,8 @@ TEST_F(LivePage, NothingIsCutAtAnySizeOrTheme)
     for (const char *screen : {"1", "2"}) {
       browser->size(width, height);
       browser->type(screen);
-      const auto found = browser->run(cut);
-      EXPECT_TRUE(found.empty()) << width << " x " << height << ", screen " << screen << ": " << found.dump(1);
+      const auto words = browser->run(cut);
+      EXPECT_TRUE(words.empty()) << width << " x " << height << ", screen " << screen << ": " << words.dump(1);
       if (width >= 1400)
         EXPECT_LE(browser->run("return document.documentElement.scrollHeight").get<int>(), height) << screen;
       if (const char *folder = std::getenv("MILLSTAND_SCREENSHOTS"))
@@ -358,11 +358,11 @@ TEST_F(LivePage, LoadsWithoutErrorsAndWithoutTheNetwork)
 {
   for (const auto &entry : browser->console())
     EXPECT_NE(entry.at("level"), "SEVERE") << entry.dump();
-  const std::string own = plant->url().substr(0, plant->url().find('#'));
-  const auto all        = browser->requests();
+  const std::string address = plant->url().substr(0, plant->url().find('#'));
+  const auto all            = browser->requests();
   EXPECT_GT(all.size(), 10u);
   for (const std::string &url : all)
-    EXPECT_EQ(url.compare(0, own.size(), own), 0) << url;
+    EXPECT_EQ(url.compare(0, address.size(), address), 0) << url;
 }
 
 TEST_F(LivePage, SurvivesARestartOfTheServer)

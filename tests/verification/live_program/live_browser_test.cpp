@@ -169,11 +169,11 @@ TEST_F(LiveBrowser, LoadsWithoutErrorsAndWithoutTheNetwork)
 {
   for (const auto &entry : browser->console())
     EXPECT_NE(entry.at("level"), "SEVERE") << entry.dump();
-  const std::string own = program->url().substr(0, program->url().find('#'));
-  const auto all        = browser->requests();
+  const std::string address = program->url().substr(0, program->url().find('#'));
+  const auto all            = browser->requests();
   EXPECT_GT(all.size(), 10u);
   for (const std::string &url : all)
-    EXPECT_EQ(url.compare(0, own.size(), own), 0) << url;
+    EXPECT_EQ(url.compare(0, address.size(), address), 0) << url;
 }
 
 TEST_F(LiveBrowser, WithoutItsTokenThePageShowsNothing)

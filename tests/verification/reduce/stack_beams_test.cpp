@@ -266,10 +266,10 @@ TEST(StackBeams, SolveBarrelsWhoseEndsDifferByMicrometres)
 TEST(StackBeams, ABearingIsASpringThatTouchesItsCurveAtItsLoad)
 {
   RollerBearing crb;
-  crb.type            = "four-row cylindrical";
+  crb.type            = BearingType::four_row_cylindrical;
   crb.rollers_per_row = 32;
   crb.roller_length   = 0.11;
-  crb.roller_law      = "palmgren";
+  crb.roller_law      = OneRollerLaw::palmgren;
   BearingCurve curve;
   for (double load = 50 * kN; load < 3000 * kN; load *= 1.25) {
     const bearing::BearingState state = bearing::solve_bearing(crb, load);

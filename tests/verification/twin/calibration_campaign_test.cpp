@@ -48,7 +48,7 @@ void expect_entries()
     const Calibration done = calibrate(input_of(recipe), {});
     std::printf("%s: misfit %.4f -> %.4f, worst band %.4f and %.4f, %zu refusals\n", name, done.check.before,
                 done.check.after, done.fit.worst, done.check.worst, done.refusals.size());
-    if (recipe.frame == "closed") {
+    if (recipe.frame == mill::FrameForm::closed) {
       EXPECT_GT(done.fit.worst, 1.05);
       EXPECT_GT(done.check.worst, 1.05);
       EXPECT_EQ(done.refusals.size(), 4u);  // both records, K1 and K7

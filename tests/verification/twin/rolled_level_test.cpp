@@ -33,7 +33,7 @@ LumpedModel lumped(const double force = 1, const double K3 = 1)
   return chain;
 }
 
-dynamics::MillModel model_of(const LumpedModel &chain, const std::string &force_meaning)
+dynamics::MillModel model_of(const LumpedModel &chain, const ForceMeaning force_meaning)
 {
   DynamicsSettings settings;
   settings.modal_damping = modal_damping;
@@ -45,7 +45,7 @@ const Eigen::VectorXd damping = Eigen::VectorXd::Constant(6, modal_damping);
 
 std::optional<VibratingStand> open_chain(const StandChange &change)
 {
-  return open_stand(model_of(lumped(change.force), "disturbance"), damping, change);
+  return open_stand(model_of(lumped(change.force), ForceMeaning::disturbance), damping, change);
 }
 
 dynamics::ChatterStandModel around(const dynamics::StandStructure &structure)
@@ -98,7 +98,7 @@ double level_by_equations(const bite::RollBite &bite, const double speed, const 
                           const double c_upper, const RolledPass &before, const ForceBand &force)
 {
   const auto structure = [](const LumpedModel &chain) {
-    return dynamics::structure_of(model_of(chain, "measured"));
+    return dynamics::structure_of(model_of(chain, ForceMeaning::measured));
   };
   dynamics::StandStructure changed = structure(after);
   changed.C(1, 1) += c_upper, changed.C(2, 2) += c_upper;
@@ -124,7 +124,7 @@ ProcessAction process(const bite::PassNumber number, const double factor)
 
 AdvisedStand advised()
 {
-  const auto chain = model_of(lumped(), "measured");
+  const auto chain = model_of(lumped(), ForceMeaning::measured);
   return {vibrating_stand(chain, damping), chain, open_chain};
 }
 
@@ -205,7 +205,7 @@ TEST(RolledLevel, ADisturbanceDrivesTheCoupledEquations)
   const auto now    = dynamics::working_point(pass.model.bite, 8, scheme),
              then   = dynamics::working_point(bite, 8, scheme);
   const auto stand  = [](const double ratio) {
-    return around(dynamics::structure_of(model_of(lumped(ratio), "measured")));
+    return around(dynamics::structure_of(model_of(lumped(ratio), ForceMeaning::measured)));
   };
   const auto before = stand(1), behind = stand(then.state.force / now.state.force);
   double square = 0, square_after = 0;
@@ -245,7 +245,7 @@ TEST(RolledLevel, ActionsOfTheStandKeepTheCriticalSpeed)
   const LevelAdvice advice = level_advice(advised(), q);
   const auto scheme        = q.pass->model.scheme;
   const auto critical      = [&](const LumpedModel &chain, const double c) {
-    auto structure = dynamics::structure_of(model_of(chain, "measured"));
+    auto structure = dynamics::structure_of(model_of(chain, ForceMeaning::measured));
     structure.C(1, 1) += c, structure.C(2, 2) += c, structure.C(1, 2) -= c, structure.C(2, 1) -= c;
     return dynamics::critical_speed(around(structure), film_pass(), scheme).speed;
   };

@@ -68,16 +68,16 @@ void ChatterEvents::rise(const Rise &rise, const std::function<double(std::size_
 void ChatterEvents::beyond_limit(const Rise &rise, const std::string &sentence,
                                  const std::function<double(std::size_t band)> &level, AlarmBook &book)
 {
-  Event *event   = event_of(rise, level);
-  const bool own = event == nullptr;
-  if (own)
+  Event *event      = event_of(rise, level);
+  const bool is_new = event == nullptr;
+  if (is_new)
     event = &begin(rise);
   else if (std::find(event->bands.begin(), event->bands.end(), rise.band) == event->bands.end())
     event->bands.push_back(rise.band);
   if (event->above_limit)
     return;
   event->above_limit = true;
-  if (!own)
+  if (!is_new)
     event->text += "; " + sentence;
   raise(*event, book);
 }

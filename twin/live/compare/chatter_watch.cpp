@@ -70,10 +70,10 @@ std::optional<PageChatter> ChatterWatch::take(const LiveBlock &block, const doub
   std::optional<PageChatter> row;
   const Eigen::Index rows = block.measured.rows();
   for (Eigen::Index done = 0; done < rows;) {
-    const std::int64_t at = block.first + done, this_second = at / per_second;
-    const auto end = std::min<Eigen::Index>(rows, done + Eigen::Index((this_second + 1) * per_second - at));
+    const std::int64_t sample = block.first + done, this_second = sample / per_second;
+    const auto end = std::min<Eigen::Index>(rows, done + Eigen::Index((this_second + 1) * per_second - sample));
     if (second >= 0 && this_second != second) {  // after a gap the rest of a second is taken as one
-      row = close_second(block.start_time + double(at) / double(per_second), growth, book);
+      row = close_second(block.start_time + double(sample) / double(per_second), growth, book);
     }
     second = this_second;
     for (int i = 0; i < n_inputs; ++i) {
@@ -87,7 +87,7 @@ std::optional<PageChatter> ChatterWatch::take(const LiveBlock &block, const doub
         }
     }
     done = end;
-    if (at / per_second != (block.first + done) / per_second) {
+    if (sample / per_second != (block.first + done) / per_second) {
       row    = close_second(block.start_time + double(block.first + done) / double(per_second), growth, book);
       second = -1;
     }

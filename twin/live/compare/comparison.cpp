@@ -85,7 +85,7 @@ std::vector<twin::Unknown> unknowns_of(const LumpedModel &chain)
                                                              : assumed_spring_error;
     unknowns.push_back({fmt::format("K{}", j + 1), sd});
   }
-  unknowns.push_back({"zeta", std::log(2.0)});
+  unknowns.push_back({twin::ratios_name, std::log(2.0)});
   return unknowns;
 }
 
@@ -273,17 +273,17 @@ void Comparison::begin_recalibration(const ModeDrift &drift)
   std::vector<twin::Unknown> unknowns;
   for (const twin::Unknown &unknown :
        setup_.unknowns)  // K4 belongs to the chain by the meaning of the force alone
-    if (unknown.name == "zeta" || twin::is_spring(stand, unknown.name))
+    if (twin::moves(unknown) == twin::Moves::ratios || twin::is_spring(stand, unknown.name))
       unknowns.push_back(unknown);
   const auto work = [stand = std::move(stand), record = std::move(record), unknowns, load = load_] {
-    twin::Recalibration found;
+    twin::Recalibration recalibration;
     try {
-      found = twin::recalibrate(stand, unknowns, record);
+      recalibration = twin::recalibrate(stand, unknowns, record);
     } catch (const std::exception &error) {
-      found.refused = error.what();
+      recalibration.refused = error.what();
     }
-    found.load = load;
-    return found;
+    recalibration.load = load;
+    return recalibration;
   };
   task.start(work);
   answered = drift;

@@ -63,7 +63,7 @@ LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &recalibra
 double recalibrated(double damping, const twin::Recalibration &recalibration)
 {
   for (const twin::RecalibratedValue &value : recalibration.values)
-    if (value.identified && value.name == "zeta")
+    if (value.identified && twin::moves(value) == twin::Moves::ratios)
       damping *= std::exp(value.change);
   return damping;
 }
@@ -193,8 +193,8 @@ PageProposal page_proposal(const Proposal &p)
     page.text += " Nothing is changed until it is adopted.";
   for (const twin::RecalibratedValue &value : p.found.values) {
     ProposedValue row;
-    row.key          = value.name == "zeta" ? "damping" : value.name;
-    row.unit         = value.name == "zeta" ? "-" : "N/m";
+    row.key          = twin::moves(value) == twin::Moves::ratios ? "damping" : value.name;
+    row.unit         = twin::moves(value) == twin::Moves::ratios ? "-" : "N/m";
     row.identified   = value.identified;
     const bool known = is_spring(value.name);
     row.from         = known ? p.before.K[spring_index(value.name)].value : p.damping_before;

@@ -30,9 +30,10 @@ StandModel in_modes(const StandModel &whole, const Eigen::MatrixXd &V)
 
 const Connection *connection_of(const StandModel &stand, const std::string &name)
 {
-  const auto &all  = stand.connections;
-  const auto found = std::find_if(all.begin(), all.end(), [&](const Connection &c) { return c.name == name; });
-  return found == all.end() ? nullptr : &*found;
+  const auto &all = stand.connections;
+  const auto connection =
+      std::find_if(all.begin(), all.end(), [&](const Connection &c) { return c.name == name; });
+  return connection == all.end() ? nullptr : &*connection;
 }
 // The rolls bend by themselves: what is left of K2 and K6 are the bearings of the backup rolls in their chocks, in
 // series with parts of the frame that have no mass ("oil column + cylinder body + upper chock and K_Zy").
@@ -67,17 +68,17 @@ DetailedTwin detailed_twin(StandModel whole, const Eigen::VectorXd &frequency, c
 
 double stiffness_of_connection(const StandModel &stand, const std::string &name)
 {
-  const Connection *found = name.empty() ? nullptr : connection_of(stand, name);
-  return found ? found->stiffness.sum() : 0;
+  const Connection *connection = name.empty() ? nullptr : connection_of(stand, name);
+  return connection ? connection->stiffness.sum() : 0;
 }
 
 void take_springs(const DetailedTwin &detailed, LumpedModel &chain)
 {
   for (std::size_t j = 0; j < chain.K.size(); ++j) {
-    chain.K[j].value        = detailed.stiffness[j];
-    const Connection *found = connection_of(detailed.whole, detailed.connection[j]);
-    if (found && !std::isnan(found->error_estimate))
-      chain.K[j].error_estimate = found->error_estimate;
+    chain.K[j].value             = detailed.stiffness[j];
+    const Connection *connection = connection_of(detailed.whole, detailed.connection[j]);
+    if (connection && !std::isnan(connection->error_estimate))
+      chain.K[j].error_estimate = connection->error_estimate;
   }
 }
 

@@ -211,10 +211,10 @@ void Engine::flush()
   if (n_waiting_ == 0)
     return;
   Eigen::MatrixXd rows(n_waiting_, Eigen::Index(source_->channels.size()));
-  Eigen::Index at = 0;
+  Eigen::Index index = 0;
   for (const Eigen::MatrixXd &part : waiting_) {
-    rows.middleRows(at, part.rows()) = part;
-    at += part.rows();
+    rows.middleRows(index, part.rows()) = part;
+    index += part.rows();
   }
   const Eigen::Index n     = n_waiting_;
   const std::int64_t first = first_waiting_;

@@ -65,8 +65,8 @@ void adopt_stored(const StoredObject &stored, TwinModel &model)
     const double value = springs[i].number_or_unknown("value", 0, any_size);
     if ((value > 0) != (K.value > 0))
       stored.refuse("has other springs than the case");
-    const bool own = !(value > 0) || value == K.value;
-    if (own)
+    const bool unchanged = !(value > 0) || value == K.value;
+    if (unchanged)
       continue;
     K.value          = value;
     K.error_estimate = springs[i].number_or_unknown("error", 0, any_size);

@@ -22,17 +22,17 @@ namespace {
 constexpr std::int64_t first_of_all = std::numeric_limits<std::int64_t>::min();
 
 // All bytes at a place of a file, or the error number.
-int write_at(const int file, const char *bytes, std::size_t n, std::int64_t at)
+int write_at(const int file, const char *bytes, std::size_t n, std::int64_t offset)
 {
   while (n > 0) {
-    const ssize_t done = ::pwrite(file, bytes, n, off_t(at));
+    const ssize_t done = ::pwrite(file, bytes, n, off_t(offset));
     if (done < 0 && errno == EINTR)
       continue;
     if (done <= 0)
       return done < 0 ? errno : ENOSPC;
     bytes += done;
     n -= std::size_t(done);
-    at += done;
+    offset += done;
   }
   return 0;
 }
