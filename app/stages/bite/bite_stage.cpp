@@ -6,6 +6,7 @@
 #include "core/model/bite_case.h"
 #include "core/model/case.h"
 #include "core/model/four_high.h"
+#include "core/records/result_names.h"
 #include "reduce/chain/line_contact.h"
 #include <algorithm>
 #include <cmath>
@@ -134,10 +135,36 @@ void check_bites(const Case &the_case)
     throw InputError(std::move(problems));
 }
 
+namespace {
+// The theory that was asked for on a free arc, here that of a half plane.
+std::optional<Warning> free_arc_refused(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass)
+{
+  try {
+    bite::SlabModel model = slab_model(settled_setup(setup, bite::regime_of(bite)));
+    model.curve_points    = 0;
+    if (model.arc == bite::Arc::elastic)
+      bite::solve_slab(bite, model);
+  } catch (const InputError &) {  // check_bites() says so
+  } catch (const SolverError &e) {
+    return Warning{WarningId::bite_model_refused,
+                   "bite of " + pass.name,
+                   e.report.what,
+                   e.report.cause + "; a run asks the section of the roll, here it is a half plane",
+                   e.report.remedy,
+                   {result_name({family::bite, pass.name})},
+                   "",
+                   pass.place};
+  }
+  return {};
+}
+}  // namespace
+
 std::optional<Warning> bite_without_theory(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass)
 {
-  if (setup.method == BiteMethod::slab || !setup.fit.empty())
+  if (!setup.fit.empty())
     return {};
+  if (setup.method == BiteMethod::slab)
+    return free_arc_refused(bite, setup, pass);
   BiteQuestion q;
   q.bite  = bite;
   q.setup = setup;
