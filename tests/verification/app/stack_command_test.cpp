@@ -178,10 +178,10 @@ TEST(StackCommandResults, ABearingOfTheCaseHoldsTheBackupRoll)
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   const StackRun held{folder, nlohmann::json::parse(mill::read_text(folder + "/results.json"))};
   mill::RollerBearing crb;
-  crb.type             = "four-row cylindrical";
+  crb.type             = mill::BearingType::four_row_cylindrical;
   crb.rollers_per_row  = 32;
   crb.roller_length    = 0.11;
-  crb.roller_law       = "palmgren";
+  crb.roller_law       = mill::OneRollerLaw::palmgren;
   const double tangent = mill::bearing::solve_bearing(crb, 976.2 * kN / 2).tangent;
   for (const char *roll : {"roll.B.bearing_stiffness", "roll.lower_B.bearing_stiffness"})
     EXPECT_TRUE(near(held.value(roll), tangent, within(1e-4, "cubic between the loads of a curve"))) << roll;
