@@ -1,5 +1,4 @@
 #include "app/stack/stack_bearings.h"
-#include "app/stack/stack_stage.h"
 #include "app/stages/bearing/bearing_files.h"
 #include "app/stages/bearing/bearing_model.h"
 #include "app/stages/bearing/bearing_results.h"
@@ -105,6 +104,22 @@ Stack with_rigid_bearings(const StackInput &input, Stack stack)
     curves[name] = curve_of(question, assembly.curve(loadings));
   }
   return with_curves(std::move(stack), curves);
+}
+
+StackNumbers bearing_numbers(const Stack &stack)
+{
+  StackNumbers numbers;
+  if (!(stack.strip.force > 0))
+    return numbers;
+  const auto resultants = stack_resultants(stack, stack.strip.force);
+  for (std::size_t r = 0; r < stack.rolls.size(); ++r)
+    if (const StackRoll &roll = stack.rolls[r]; !bearing_of_roll(roll).empty())
+      numbers.push_back({result_name({family::roll, roll.name, "bearing_stiffness"}),
+                         bearing_point(*roll.supports.front().curve, heavier_load(stack, r, resultants)).tangent,
+                         "N/m",
+                         "laminae between rigid rings, tangent under the load of the heavier bearing",
+                         {}});
+  return numbers;
 }
 
 void add_stack_bearings(RunContext &run, const StackInput &input, const Stack &solved,

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run/run_context.h"
+#include "app/stack/stack_stage.h"
 #include "app/stages/bearing/bearing_study.h"
 #include "core/model/stack_input.h"
 #include <map>
@@ -18,6 +19,10 @@ StackBearings solve_stack_bearings(RunContext &run, const StackInput &input, con
 Stack with_bearing_curves(Stack stack, const StackBearings &bearings);
 /// The same between rigid rings, without finite elements: what a trace follows.
 Stack with_rigid_bearings(const StackInput &input, Stack stack);
+
+/// roll.NAME.bearing_stiffness of the heavier bearing of each roll, under its load.
+/// @param stack  with its curves and a rolling force; without one there is no number
+StackNumbers bearing_numbers(const Stack &stack);
 
 /// roll.NAME.bearing_stiffness, curves/bearing-NAME.csv, and what the reader of the report has to know.
 /// @param solved  with its rolling force

@@ -19,8 +19,7 @@ std::vector<ClosedFormResult> traced(const Case &the_case)
   const auto &spec   = std::get<StackCase>(the_case.spec);
   const KeyList keys = keys_of_stack(the_case);
   std::vector<ClosedFormResult> all;
-  const Stack stack = with_rigid_bearings(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack));
-  for (const StackNumber &number : traced_stack(*spec.input, stack)) {
+  const auto add = [&](const StackNumber &number, const char *relation, const char *file, const char *equation) {
     ClosedFormResult result;
     result.name             = number.name;
     result.parameter.value  = number.value;
@@ -29,11 +28,16 @@ std::vector<ClosedFormResult> traced(const Case &the_case)
     result.parameter.inputs = keys;
     result.closed           = keys;
     result.own_keys         = keys;
-    result.relation         = "equilibrium of rolls as beams, on the coarser mesh";
-    result.file             = "reduce/stack/beam_stack";
-    result.equation         = "(51.9)";
+    result.relation         = relation;
+    result.file             = file;
+    result.equation         = equation;
     all.push_back(std::move(result));
-  }
+  };
+  const Stack stack = with_rigid_bearings(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack));
+  for (const StackNumber &number : traced_stack(*spec.input, stack))
+    add(number, "equilibrium of rolls as beams, on the coarser mesh", "reduce/stack/beam_stack", "(51.9)");
+  for (const StackNumber &number : bearing_numbers(stack))
+    add(number, "equilibrium of all rollers", "reduce/bearing/assembly", "(5.23)");
   return all;
 }
 }  // namespace

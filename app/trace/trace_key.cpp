@@ -101,6 +101,8 @@ std::map<std::string, std::string> resolved_values(const std::string &text)
       section                = fmt::format("{}.{}.", name, listed[name]++);
     } else if (!line.empty() && line[0] == '[') {
       section = line.substr(1, line.rfind(']') - 1) + ".";
+      if (const auto list = listed.find(section.substr(0, section.find('.'))); list != listed.end())
+        section.insert(list->first.size(), fmt::format(".{}", list->second - 1));  // of the one above
       section.erase(std::remove(section.begin(), section.end(), '"'), section.end());
     } else if (const auto equals = line.find(" = "); equals != std::string::npos && line[0] != '#') {
       std::string value = line.substr(equals + 3);
@@ -111,6 +113,18 @@ std::map<std::string, std::string> resolved_values(const std::string &text)
   }
   return values;
 }
+
+namespace {
+// "roll" for "roll.saddles", where there are several [[roll]], each with its own; "" for a section of the case.
+std::string list_around(const std::string &kind, const std::string &name)
+{
+  const std::string head = name.substr(0, name.find('.'));
+  for (const SectionRows &section : sections_of(kind))
+    if (section.repeat == SectionRows::Repeat::list && section.name == head && head != name)
+      return head;
+  return "";
+}
+}  // namespace
 
 std::vector<TraceKey> keys_of(const Case &the_case)
 {
@@ -131,6 +145,11 @@ std::vector<TraceKey> keys_of(const Case &the_case)
     } else if (section.repeat == SectionRows::Repeat::list) {
       for (const std::string &number : repeated_sections(the_case, section.name))
         add(section.name + "." + number, section.name + "." + number, section.rows);
+    } else if (const std::string list = list_around(the_case.kind, section.name); !list.empty()) {
+      for (const std::string &number : repeated_sections(the_case, section.name)) {
+        const std::string one = list + "." + number + section.name.substr(list.size());
+        add(one, one, section.rows);
+      }
     } else {
       add(section.name, section.name, section.rows);
     }

@@ -11,8 +11,8 @@
 
 namespace mill {
 namespace {
-// A twenty-high mill with saddles has some thirty bodies; forty held by guides take 5 s, and the time grows with the
-// fifth power and more.
+// A twenty-high mill with saddles has some thirty bodies; forty held by guides take 5 s, and the time grows with
+// the fifth power and more.
 constexpr std::size_t most_rolls = 40;
 
 bool is_given(const Reading &reading, const std::string &key)

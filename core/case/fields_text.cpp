@@ -1,3 +1,4 @@
+#include "core/base/hidden_characters.h"
 #include "core/base/units.h"
 #include "core/case/fields.h"
 #include <algorithm>
@@ -96,12 +97,9 @@ std::string quoted(const std::string &text)
   for (const char c : text) {
     if (c == '"' || c == '\\')
       out += '\\';
-    if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
-      out += fmt::format("\\u{:04X}", static_cast<unsigned char>(c));
-    else
-      out += c;
+    out += c;
   }
-  return out + '"';
+  return escaped(out, [](const char32_t code) { return fmt::format("\\u{:04X}", unsigned(code)); }) + '"';
 }
 
 std::vector<std::string> split(const std::string &list, const std::string &separator)

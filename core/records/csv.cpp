@@ -2,6 +2,7 @@
 #include "core/base/csv_sheet.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/hidden_characters.h"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -17,6 +18,14 @@ Sheet sheet_of(const std::string &path)
   return csv::sheet_of(path, read_text(path), "time [s], force [kN]");
 }
 
+// A text from outside without characters that a terminal or an editor would obey; line ends and tabs are layout.
+std::string without_commands(const std::string &text)
+{
+  return escaped(text, [](const char32_t code) {
+    return code == '\n' || code == '\r' || code == '\t' ? std::string(1, char(code)) : number_of_character(code);
+  });
+}
+
 // "name [unit]" as a cell of one line, in quotes where RFC 4180 wants them or where the reader would take it for
 // something else. A name that ends like a unit gets an empty one.
 std::string header_text(std::string name, const std::string &unit)
@@ -25,7 +34,7 @@ std::string header_text(std::string name, const std::string &unit)
     if (c == '\n' || c == '\r')
       c = ' ';
   const bool like_a_unit = unit.empty() && !name.empty() && name.back() == ']';
-  const std::string cell = name + (like_a_unit ? " []" : unit.empty() ? "" : " [" + unit + "]");
+  const std::string cell = without_commands(name + (like_a_unit ? " []" : unit.empty() ? "" : " [" + unit + "]"));
   const bool plain       = cell.find_first_of(",;\t\"") == std::string::npos && cell.rfind('#', 0) != 0;
   if (plain)
     return cell;
@@ -86,7 +95,8 @@ std::string csv_text(const Table &table)
 bool reads_back(const Table &table)
 {
   const auto plain = [](const std::string &text) {
-    return text == csv::without_blanks(text) && text.find_first_of("\n\r\"[]") == std::string::npos;
+    return text == csv::without_blanks(text) && text.find_first_of("\n\r\"[]") == std::string::npos &&
+           text == without_commands(text);
   };
   if (table.columns.empty() || table.columns.front().size() == 0)
     return false;  // a file without rows has its own rules
@@ -122,7 +132,7 @@ Table read_table(const std::string &path)
 std::string quoted_cell(const std::string &text)
 {
   std::string quoted = "\"";
-  for (const char c : text)
+  for (const char c : without_commands(text))
     quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
 }

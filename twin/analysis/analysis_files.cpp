@@ -1,4 +1,5 @@
 #include "twin/analysis/analysis_files.h"
+#include "core/base/hidden_characters.h"
 #include "core/records/compared_bands.h"
 #include "core/records/results.h"
 #include "twin/analysis/channel_analysis.h"
@@ -428,10 +429,10 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
 }
 
 namespace {
-// A cell of CSV: quoted where it holds a comma or a quotation mark.
+// A cell of CSV: quoted where it holds a comma, a quotation mark or a character that a terminal would obey.
 std::string text_cell(const std::string &text)
 {
-  if (text.find_first_of(",\"\n") == std::string::npos)
+  if (text.find_first_of(",\"\n") == std::string::npos && !has_hidden(text))
     return text;
   return quoted_cell(text);
 }

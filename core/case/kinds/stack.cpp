@@ -73,6 +73,13 @@ const CaseKind &case_kind(const StackCase *)
         return names_in(input.materials);
       if (section == "bearing")
         return names_in(input.bearings);
+      if (section == "roll.saddles") {
+        std::vector<std::string> with_saddles;
+        for (std::size_t r = 0; r < input.rolls.size(); ++r)
+          if (input.rolls[r].saddles.given)
+            with_saddles.push_back(std::to_string(r));
+        return with_saddles;
+      }
       if (section == "pass")
         return numbers_to(input.passes.size());
       return section == "roll" ? numbers_to(input.rolls.size()) : std::vector<std::string>();

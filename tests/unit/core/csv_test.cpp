@@ -34,6 +34,18 @@ TEST_F(Csv, NamesOfATableComeBackWhateverTheyHold)
   EXPECT_EQ(back.columns[3][1], 4);
 }
 
+TEST_F(Csv, CharactersThatATerminalObeysAreWrittenOut)
+{
+  Table table;
+  table.add("\x1b[2Jforce", "kN", Eigen::Vector2d(1, 2));
+  table.add("\xe2\x80\xae"
+            "x",
+            "", Eigen::Vector2d(3, 4));
+  EXPECT_EQ(csv_text(table), "\\x1b[2Jforce [kN],\\u202ex\n1,3\n2,4\n");
+  EXPECT_FALSE(reads_back(table));
+  EXPECT_EQ(quoted_cell("a\tb\n\x07\""), "\"a\tb\n\\x07\"\"\"");
+}
+
 TEST_F(Csv, ATableComesBackWithAllDigits)
 {
   const unsigned seed = 77;

@@ -30,7 +30,7 @@ Results sample()
                           "filter less",
                           {"pass 1"},
                           "pass.0.force",
-                          {"a.toml", 7, 9}}};
+                          {"cases/a.toml", 7, 9}}};
   results.assumptions = {"bearing load F/20"};
   return results;
 }
@@ -63,6 +63,7 @@ TEST(Results, JsonHasEveryPart)
   EXPECT_EQ(record.at("concerns").at(0), "pass 1");
   EXPECT_EQ(record.at("key"), "pass.0.force");
   EXPECT_EQ(record.at("place").at("line"), 7);
+  EXPECT_EQ(record.at("place").at("file"), "a.toml") << "not the way to it";
   EXPECT_EQ(json.at("assumptions").at(0), "bearing load F/20");
 }
 

@@ -1,6 +1,7 @@
 // Text from a file on its way to a terminal or a log.
 #include "core/base/errors.h"
 #include "core/base/visible_text.h"
+#include "core/case/fields.h"
 #include <gtest/gtest.h>
 
 using namespace mill;
@@ -27,6 +28,15 @@ TEST(VisibleText, ControlCharactersAreWrittenOut)
                     "abc\xe2\x81\xa9"),
             "\\u202eabc\\u2069")
       << "right-to-left override";
+}
+
+TEST(VisibleText, ATextOfTomlHasNoCharacterThatATerminalObeys)
+{
+  EXPECT_EQ(quoted("a \"b\" \\ \xc3\xa9"), "\"a \\\"b\\\" \\\\ \xc3\xa9\"");
+  EXPECT_EQ(quoted("\x1b\t\x7f"), "\"\\u001B\\u0009\\u007F\"");
+  EXPECT_EQ(quoted("\xe2\x80\xae"
+                   "abc\xc2\x9b"),
+            "\"\\u202Eabc\\u009B\"");
 }
 
 TEST(VisibleText, BytesThatAreNotUtf8AreWrittenOut)

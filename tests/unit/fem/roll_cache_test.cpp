@@ -80,8 +80,8 @@ TEST_F(RollCache, NoDamagedFileIsTrusted)
   }
 }
 
-// An entry with a checksum that fits, but counts that are no counts: the first bytes of what is kept of a component
-// are the length of its name.
+// An entry with a checksum that fits, but counts that are no counts: the first bytes of what is kept of a
+// component are the length of its name.
 TEST_F(RollCache, CountsThatAreNoCountsAreRefused)
 {
   Component component;

@@ -27,6 +27,16 @@ class Cases(unittest.TestCase):
         self.assertEqual(case["strip.friction"], 0.2)
         self.assertIsNone(case["contact.upper.friction"])
 
+    def test_a_roll_of_a_stack_has_its_own_saddles_and_the_window_its_defaults(self):
+        case = ms.load(CASES / "stack-twenty-high.toml")
+        self.assertEqual(case["roll.7.saddles.shaft_diameter"], "130 mm")
+        case["roll.7.saddles.shaft_diameter"] = "120 mm"
+        case["roll.1.shift"] = "20 mm"
+        self.assertEqual(case["roll.7.saddles.shaft_diameter"], "120 mm")
+        self.assertEqual(case["roll.6.saddles.shaft_diameter"], "130 mm")
+        self.assertEqual(case["window.points"], 9)
+        case.check()
+
     def test_an_unknown_key_is_refused_at_once_with_the_nearest_one(self):
         case = ms.load(CASES / "four-high-1400.toml")
         with self.assertRaises(ms.InputError) as caught:

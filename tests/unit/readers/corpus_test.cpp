@@ -1,7 +1,5 @@
 #include "tests/fuzz/readers.h"
-#include <algorithm>
 #include <csignal>
-#include <cstring>
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
@@ -10,8 +8,8 @@
 #include <string>
 #include <unistd.h>
 
-// The inputs that libFuzzer has kept for each reader, and what once broke one, read without it.  A reader that does
-// not hold what its target promises calls abort().
+// The inputs that libFuzzer has kept for each reader, and what once broke one, read without it.  A reader that
+// does not hold what its target promises calls abort().
 namespace {
 const std::filesystem::path corpus = std::filesystem::path(MILLSTAND_SOURCE_DIR) / "tests/fuzz/corpus";
 
@@ -19,7 +17,7 @@ std::string path_of_input;
 
 void name_input(int)
 {
-  const std::string text = path_of_input + "\n";
+  const std::string text              = path_of_input + "\n";
   [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text.data(), text.size());
 }
 
@@ -35,6 +33,12 @@ std::string name_of(const testing::TestParamInfo<Reader> &reader)
   return reader.param.name;
 }
 }  // namespace
+
+// What gtest prints of a parameter.
+void PrintTo(const Reader &reader, std::ostream *out)
+{
+  *out << reader.name;
+}
 
 class ReaderCorpus : public testing::TestWithParam<Reader> {};
 

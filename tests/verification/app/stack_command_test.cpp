@@ -1,4 +1,6 @@
 #include "core/base/files.h"
+#include "core/model/roller_bearing.h"
+#include "reduce/bearing/rigid_rings.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/reference.h"
@@ -158,4 +160,33 @@ TEST(StackCommandResults, BothEnginesRunAndCheckEachOther)
         << name;
     EXPECT_NE(condensed.value(name), beams.value(name));
   }
+}
+
+// Its tangent is that of the bearing between rigid rings under half the rolling force.
+TEST(StackCommandResults, ABearingOfTheCaseHoldsTheBackupRoll)
+{
+  std::string text        = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/cases/stack-four-high.toml");
+  const std::string given = "bearing_stiffness = [\"2070 kN/mm\", \"3030 kN/mm\"]";
+  const auto position     = text.find(given);
+  ASSERT_NE(position, std::string::npos);
+  text.replace(position, given.size(), "bearing = \"crb\"\nhousing_stiffness = [\"2500 kN/mm\", \"2600 kN/mm\"]");
+  text += "\n[bearing.crb]\ntype = \"four-row cylindrical\"\nrollers_per_row = 32\nroller_length = \"110 mm\"\n"
+          "roller_law = \"palmgren\"\n";
+  const std::string file = scratch("stack-bearing") + ".toml", folder = scratch("stack-bearing-run");
+  mill::write_atomically(file, text);
+  const Outcome outcome = millstand("run " + file + " -o " + folder + by_beams);
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  const StackRun held{folder, nlohmann::json::parse(mill::read_text(folder + "/results.json"))};
+  mill::RollerBearing crb;
+  crb.type             = mill::BearingType::four_row_cylindrical;
+  crb.rollers_per_row  = 32;
+  crb.roller_length    = 0.11;
+  crb.roller_law       = mill::OneRollerLaw::palmgren;
+  const double tangent = mill::bearing::solve_bearing(crb, 976.2 * kN / 2).tangent;
+  for (const char *roll : {"roll.B.bearing_stiffness", "roll.lower_B.bearing_stiffness"})
+    EXPECT_TRUE(near(held.value(roll), tangent, within(1e-4, "cubic between the loads of a curve"))) << roll;
+  const StackRun stiff = stack_run("four", by_beams + " --set \"roll.1.bearing_stiffness=1e7 kN/mm\"");
+  const double softer  = 1 / held.value("stack.modulus.mid") - 1 / stiff.value("stack.modulus.mid");
+  EXPECT_TRUE(near(softer, 1 / tangent + 0.5 / 2.5e9 + 0.5 / 2.6e9, within(1e-3, "1e7 kN/mm are not rigid")));
+  std::filesystem::remove(file);
 }

@@ -205,3 +205,41 @@ TEST(CondensedStack, ContactsOpenAsThoseOfTheBeams)
         << name;
   }
 }
+
+// The next setting starts from the last one and keeps what stays; nothing of that is seen in the state.
+TEST(CondensedStack, SettingsInARowAreThoseFromNothing)
+{
+  for (const char *name : {"six-high.all", "twenty-high.asu"}) {
+    const Stack drawn = stack_named(name);
+    std::vector<std::shared_ptr<const fem::RollKernel>> kernels;
+    for (const StackRoll &roll : drawn.rolls)
+      kernels.push_back(std::make_shared<const fem::RollKernel>(fem::beam_kernel(roll, 0.02)));
+    fem::CondensedStack in_a_row(drawn, kernels);
+    in_a_row.solve();
+    Stack stack = drawn;
+    for (int i = 0; i < 5; ++i) {
+      stack.strip.force *= i == 4 ? 3 : 1.05;
+      for (StackRoll &roll : stack.rolls) {
+        for (StackLoad &load : roll.loads)
+          load.force[1] *= 1.1;
+        if (roll.supports.size() > 2)
+          roll.supports[2].motion[1] += 2e-5;
+      }
+      stack.rolls[stack.upper].profile.crown += 2e-5;
+      if (i == 2)
+        stack.rolls[stack.contacts.front().b].shift += 0.012;
+      ASSERT_TRUE(in_a_row.change(stack)) << name;
+      const reduce::StackState warm = in_a_row.solve(), cold = fem::CondensedStack(stack, kernels).solve();
+      const auto same = within(1e-8, "steps end at 1e-11 of the forces", um);
+      EXPECT_TRUE(near(warm.strip.crown, cold.strip.crown, same)) << name << " setting " << i;
+      EXPECT_TRUE(near(warm.strip.wedge, cold.strip.wedge, same)) << name << " setting " << i;
+      EXPECT_TRUE(near(warm.modulus.mid, cold.modulus.mid, within(1e-6, "factors within 1e-7 of the forces")))
+          << name << " setting " << i;
+      for (std::size_t c = 0; c < cold.pairs.size(); ++c)
+        EXPECT_TRUE(near(warm.pairs[c].peak_load, cold.pairs[c].peak_load, within(1e-8, "the same steps")))
+            << name << " setting " << i << " contact " << c;
+    }
+    stack.strip.width -= 0.1;
+    EXPECT_FALSE(in_a_row.change(stack)) << "another strip has other stations";
+  }
+}

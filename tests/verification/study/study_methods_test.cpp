@@ -160,4 +160,38 @@ TEST(StudyMethods, RowsOfKindStackVaryPairsAndASampleHoldsItsResults)
   EXPECT_TRUE(near(crown(0) - crown(1), crown(1) - crown(2),
                    within(0.05, "bending acts almost linearly while the rolls touch everywhere")));
 }
+
+// Saddles are keys of their own roll, a bearing and its housing those of theirs; the law of the strip is a word.
+TEST(StudyMethods, KeysOfSaddlesBearingsAndTheLawOfAStackVary)
+{
+  const auto rows = [](const std::string &file, const std::string &key, const std::string &watched) {
+    const std::string folder = scratch("sweep-keys") + "/sweep";
+    const Outcome done = millstand("sweep " + file + " --model quick --vary '" + key + "' --watch " + watched +
+                                   " --watch stack.crown -q -o " + folder);
+    EXPECT_EQ(done.exit_code, 0) << done.err;
+    return nlohmann::json::parse(mill::read_text(folder + "/sweep.json"))["rows"];
+  };
+  const auto saddles =
+      rows("cases/stack-twenty-high.toml", "roll.7.saddles.shaft_diameter=100 mm,130 mm", "stack.modulus.mid");
+  EXPECT_LT(saddles[0]["results"][0], saddles[1]["results"][0]) << "a thinner backing shaft gives way more";
+  std::string text        = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/cases/stack-four-high.toml");
+  const std::string given = "bearing_stiffness = [\"2070 kN/mm\", \"3030 kN/mm\"]";
+  ASSERT_NE(text.find(given), std::string::npos);
+  text.replace(text.find(given), given.size(), "bearing = \"crb\"\nhousing_stiffness = \"2500 kN/mm\"");
+  text += "friction = 0.05\n\n[strip.flow_stress]\nlaw = \"constant\"\nk = \"300 MPa\"\n\n"
+          "[bearing.crb]\ntype = \"four-row cylindrical\"\nrollers_per_row = 32\nroller_length = \"110 mm\"\n"
+          "roller_law = \"palmgren\"\n";
+  const std::string file = scratch("stack-keys") + ".toml";
+  mill::write_atomically(file, text);
+  const auto housing = rows(file, "roll.1.housing_stiffness=2000 kN/mm,3000 kN/mm", "stack.opening");
+  EXPECT_TRUE(near(housing[0]["results"][0].get<double>() - housing[1]["results"][0].get<double>(),
+                   976.2e3 * (1 / 2e9 - 1 / 3e9), within(1e-6, "half the force on each side, both halves")));
+  const auto rollers = rows(file, "bearing.crb.rollers_per_row=24,32", "roll.B.bearing_stiffness");
+  EXPECT_LT(rollers[0]["results"][0], rollers[1]["results"][0]);
+  EXPECT_TRUE(near(rollers[0]["results"][1].get<double>(), rollers[1]["results"][1].get<double>(),
+                   within(1e-7, "both chocks move alike")));
+  const auto laws = rows(file, "strip.law=modulus,bite", "stack.modulus.mid");
+  EXPECT_NE(laws[0]["results"][1], laws[1]["results"][1]) << "the slopes of the bite are others";
+  fs::remove(file);
+}
 }  // namespace
