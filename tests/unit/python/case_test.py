@@ -143,6 +143,14 @@ class Runs(unittest.TestCase):
         del run, b
         np.testing.assert_array_equal(a, values)
 
+    def test_warnings_have_parts_and_the_same_words(self):
+        run = lumped_run()
+        self.assertEqual([str(warning) for warning in run.warning_records], run.warnings)
+        rate = next(warning for warning in run.warning_records if warning.id == "output-rate")
+        self.assertEqual(rate.key, "dynamics.output_rate")
+        self.assertEqual(rate.remedy, "74 kHz would show them")
+        self.assertEqual(pickle.loads(pickle.dumps(run)).warning_records, run.warning_records)
+
     def test_a_run_pickles_with_results_and_curves(self):
         run = lumped_run()
         other = pickle.loads(pickle.dumps(run))

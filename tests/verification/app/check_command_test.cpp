@@ -9,7 +9,7 @@
 namespace fs = std::filesystem;
 
 namespace {
-std::vector<std::string> names()
+std::vector<std::string> checked_case_names()
 {
   std::vector<std::string> found;
   for (const auto &entry : fs::directory_iterator(MILLSTAND_SOURCE_DIR "/tests/broken/check"))
@@ -30,7 +30,7 @@ TEST_P(CheckedCases, AreReportedWordForWord)
             mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/" + stem + ".txt"));
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, CheckedCases, testing::ValuesIn(names()),
+INSTANTIATE_TEST_SUITE_P(Files, CheckedCases, testing::ValuesIn(checked_case_names()),
                          [](const testing::TestParamInfo<std::string> &info) {
                            std::string name = info.param;
                            std::replace(name.begin(), name.end(), '-', '_');
