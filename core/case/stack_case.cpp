@@ -318,7 +318,7 @@ void check_stack_strip(const StackStripInput &strip, Reading &reading)
         contradict(reading, "strip.gap", fmt::format("needs {}: the force is that at which the strip has it", key),
                    {});
   if (strip.law == StackStripLaw::modulus && lacks("modulus"))
-    reading.add(reading.place("strip.law"),
+    reading.add(reading.place(given("law") ? "strip.law" : "strip.width"),
                 "[strip] has law = \"modulus\" and no 'modulus'; add for example modulus = \"300 MPa\", or law = "
                 "\"uniform\"");
   if (given("tension_modulus") && strip.tension_modulus > 0 &&
