@@ -123,8 +123,8 @@ std::vector<std::int64_t> recorded(const std::string &folder, const std::string 
     const std::string path = entry.path().string();
     if (path.size() < ending.size() || path.compare(path.size() - ending.size(), ending.size(), ending) != 0)
       continue;
-    if (entry.path().filename().string().rfind("state.json", 0) == 0)
-      continue;  // killed while the state was written aside
+    if (entry.path().filename().string().find(".json.") != std::string::npos)
+      continue;  // killed while the state or the description of a recording was written aside
     std::ifstream file(path, std::ios::binary);
     const std::string bytes((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
     live::NpyHeader header;
