@@ -99,7 +99,7 @@ public:
     if (d.maxCoeff() > 0) {
       start.size() ? begin_at(start) : begin_cold();
       iterate(out.iterations);
-      if (!active.empty()) {
+      if (!active.empty() && directions.cols() > 0) {  // a solver of Eigen reads the first of no columns
         const MatrixXd slope = factor().solve(MatrixXd(directions(active, Eigen::all)));
         for (std::size_t i = 0; i < active.size(); ++i)
           out.slope.row(active[i]) = slope.row(Index(i));
