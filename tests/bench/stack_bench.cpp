@@ -94,6 +94,13 @@ Stack setting(const Stack &drawn, const int i)
   return stack;
 }
 
+fem::CondensedStackSettings on_two_threads()
+{
+  fem::CondensedStackSettings settings;
+  settings.threads = 2;
+  return settings;
+}
+
 void time_engines(const std::string &name, const double asked)
 {
   const Stack stack     = reference_stack(reference(name, "stack"));
@@ -101,6 +108,14 @@ void time_engines(const std::string &name, const double asked)
   print(name + ", condensed, cold",
         best_of(10,
                 [&] { return [&stack, unused = fresh(kernels)] { fem::CondensedStack(stack, unused).solve(); }; }),
+        asked);
+  print(name + ", condensed, cold, two threads",
+        best_of(10,
+                [&] {
+                  return [&stack, unused = fresh(kernels)] {
+                    fem::CondensedStack(stack, unused, on_two_threads()).solve();
+                  };
+                }),
         asked);
   print(name + ", beams, cold", best_of(10, [&] { return [&] { reduce::BeamStack(stack).solve(); }; }), asked);
 }
@@ -120,9 +135,9 @@ void time_settings(const std::string &name)
             fem::CondensedStack(setting(stack, i), kernels).solve();
         })),
         1e4);
-  fem::CondensedStack engine(stack, kernels);
+  fem::CondensedStack engine(stack, kernels, on_two_threads());
   int steps = 0;
-  print(name + ", condensed, 1000 settings in a row", time_of([&] {
+  print(name + ", condensed, 1000 settings in a row, two threads", time_of([&] {
           for (int i = 0; i < settings; ++i) {
             if (!engine.change(setting(stack, i)))
               std::abort();
