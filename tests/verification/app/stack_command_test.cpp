@@ -4,9 +4,12 @@
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/reference.h"
+#include "tests/support/run_results.h"
 #include <filesystem>
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 // kind = "stack" as a user meets it: cases of the tree against the independent model of
 // tests/reference/stack.json.
@@ -189,4 +192,27 @@ TEST(StackCommandResults, ABearingOfTheCaseHoldsTheBackupRoll)
   const double softer  = 1 / held.value("stack.modulus.mid") - 1 / stiff.value("stack.modulus.mid");
   EXPECT_TRUE(near(softer, 1 / tangent + 0.5 / 2.5e9 + 0.5 / 2.6e9, within(1e-3, "1e7 kN/mm are not rigid")));
   std::filesystem::remove(file);
+}
+
+// A crown that leaves the ends of the contact open, a soft steel, a strip nearly as wide as the barrel.
+TEST(StackWarnings, NameContactPressureAndEdge)
+{
+  const StackRun run =
+      stack_run("four", by_beams + " --set strip.width='1370 mm' --set steel.yield_stress='100 MPa'"
+                                   " --set roll.0.crown='0.4 mm'");
+  const auto open = warning_with(run.results, "contact-partly-open"),
+             soft = warning_with(run.results, "contact-yield"),
+             edge = warning_with(run.results, "strip-at-barrel-end");
+  ASSERT_TRUE(open.is_object() && soft.is_object() && edge.is_object()) << run.results.at("warnings");
+  std::smatch share;
+  const std::string fact = open.at("fact");
+  ASSERT_TRUE(std::regex_match(fact, share, std::regex("contact W-B is open on (\\d+) % of its length"))) << fact;
+  EXPECT_GT(std::stoi(share[1]), 5) << "0.4 mm of crown under 1 kN/mm";
+  EXPECT_EQ(soft.at("subject"), "contact W-B");
+  EXPECT_EQ(soft.at("fact"), fmt::format("the peak pressure of {:.0f} MPa is above five times the yield stress of "
+                                         "roll W",
+                                         run.value("pair.W-B.peak_pressure") / 1e6));
+  EXPECT_EQ(edge.at("fact"),
+            "the edge of the strip is 15 mm from the end of the barrel of roll W, less than twice "
+            "the length of contact");
 }
