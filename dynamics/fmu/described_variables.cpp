@@ -108,8 +108,9 @@ std::string text_of(const ExportedModel &model, const Variable &v)
                                    : "radius of the flattened rolls, which the vibration does not change";
   case Role::mean_force:
     return std::string("mean rolling force: displacements count from the state of rest under it") +
-           (model.data.kind == StandKind::curves ? "; it cannot be changed, since the springs are loaded by it at rest"
-                                        : "");
+           (model.data.kind == StandKind::curves
+                ? "; it cannot be changed, since the springs are loaded by it at rest"
+                : "");
   case Role::stored_force:
     return "true plays resources/force.csv, linear between its samples, for any F_roll; false does not. Where "
            "it is "

@@ -218,7 +218,7 @@ std::vector<std::string> ratios_that_suffice(const CalibrationInput &in, const F
 {
   const Eigen::Index common = index_of(in.unknowns, ratios_name);
   const bool some_free      = std::any_of(in.unknowns.begin(), in.unknowns.end(),
-                                     [](const Unknown &u) { return moves(u) == Moves::ratio; });
+                                          [](const Unknown &u) { return moves(u) == Moves::ratio; });
   if (common < 0 || some_free)
     return {};
   std::vector<Unknown> unknowns;

@@ -37,8 +37,8 @@ void add_ratio_refusal(std::vector<std::string> &refusals, const Calibration &c)
 
 int freed(const Calibration &c)
 {
-  return int(
-      std::count_if(c.unknowns.begin(), c.unknowns.end(), [](const Calibrated &u) { return moves(u) != Moves::delay; }));
+  return int(std::count_if(c.unknowns.begin(), c.unknowns.end(),
+                           [](const Calibrated &u) { return moves(u) != Moves::delay; }));
 }
 
 bool any_identified(const Calibration &c)

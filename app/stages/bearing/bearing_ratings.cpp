@@ -218,10 +218,10 @@ void add_speeds(RatingResults &out, const RatedBearing &r)
   const double speed     = r.study.question.speed;
   const RollerBearing &b = r.bearing;
   if (!(speed > 0)) {
-    out.run.assume(
-        fmt::format("bearing.{}: the lives are in revolutions only, since the speed of the shaft is not "
-                    "known; give {} for hours",
-                    b.name, std::holds_alternative<FourHigh>(out.run.the_case.spec) ? "pass.speed" : "load.speed"));
+    out.run.assume(fmt::format(
+        "bearing.{}: the lives are in revolutions only, since the speed of the shaft is not "
+        "known; give {} for hours",
+        b.name, std::holds_alternative<FourHigh>(out.run.the_case.spec) ? "pass.speed" : "load.speed"));
     return;
   }
   const auto hours = [&](const char *name) {

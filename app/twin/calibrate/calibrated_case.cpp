@@ -138,7 +138,9 @@ Case with_damping(const Case &origin, const twin::Calibration &result)
   double change = 0;  // ln of the geometric mean over all modes; the ratio of a mode that is not freed stays
   for (const twin::Calibrated &u : result.unknowns)
     if (u.taken && twin::moves_damping(u))
-      change += twin::moves(u) == twin::Moves::ratios ? u.kept : u.kept / double(std::max<std::size_t>(1, result.modes.size()));
+      change += twin::moves(u) == twin::Moves::ratios
+                    ? u.kept
+                    : u.kept / double(std::max<std::size_t>(1, result.modes.size()));
   dynamics_of(changed).modal_damping *= std::exp(change);
   return changed;
 }

@@ -31,8 +31,8 @@ StandKind stand_kind(const std::string &name);
 /// A linear stand driven by its bite force, as a chain of masses whose springs may be tuned or in modes that are
 /// kept as they are, with springs on curves or without; or a stand whose bite is part of the model.
 struct ModelData {
-  std::string runtime;              ///< runtime_version of the program that wrote it
-  std::string guid;                 ///< identity of model, variables and runtime
+  std::string runtime;  ///< runtime_version of the program that wrote it
+  std::string guid;     ///< identity of model, variables and runtime
   StandKind kind = StandKind::chain;
   std::vector<std::string> points;  ///< (m) what moves, "upper_work_roll"
   double modal_damping    = 0;      ///< -, ratio of critical of every mode
@@ -60,7 +60,9 @@ struct ModelData {
 
   std::size_t n_modes() const
   {
-    return kind == StandKind::chain ? mass.size() : kind == StandKind::chatter ? chatter.gap_row.size() : frequency.size();
+    return kind == StandKind::chain     ? mass.size()
+           : kind == StandKind::chatter ? chatter.gap_row.size()
+                                        : frequency.size();
   }
 };
 

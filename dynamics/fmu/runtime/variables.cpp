@@ -165,9 +165,9 @@ std::vector<Variable> variables_of(const ModelData &model)
   all.push_back(output("F_cell", Role::cell_force, 0, "N", "kN", 1e6));
   // Springs that may be tuned move the frequencies; modes that are kept as they are do not move.
   for (std::size_t k = 0; k < model.n_modes(); ++k)
-    all.push_back({"f" + std::to_string(k + 1), Role::frequency, int(k), Type::real,
-                   Causality::calculated_parameter,
-                   model.kind == StandKind::chain ? Variability::tunable : Variability::fixed, "Hz", "", 0, -1, 0, 0});
+    all.push_back(
+        {"f" + std::to_string(k + 1), Role::frequency, int(k), Type::real, Causality::calculated_parameter,
+         model.kind == StandKind::chain ? Variability::tunable : Variability::fixed, "Hz", "", 0, -1, 0, 0});
   return all;
 }
 }  // namespace mill::fmu
