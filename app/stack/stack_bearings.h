@@ -21,7 +21,7 @@ Stack with_bearing_curves(Stack stack, const StackBearings &bearings);
 Stack with_rigid_bearings(const StackInput &input, Stack stack);
 
 /// roll.NAME.bearing_stiffness of the heavier bearing of each roll, under its load.
-/// @param stack  with its curves and a rolling force; without one there is no number
+/// @param stack  with its curves and a rolling force; without a force the list is empty
 StackNumbers bearing_numbers(const Stack &stack);
 
 /// roll.NAME.bearing_stiffness, curves/bearing-NAME.csv, and what the reader of the report has to know.

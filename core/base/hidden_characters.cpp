@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 namespace mill {
-std::size_t utf8_length(const std::string &text, const std::size_t begin, char32_t &code)
+std::size_t utf8_length(const std::string_view text, const std::size_t begin, char32_t &code)
 {
   const auto first    = static_cast<unsigned char>(text[begin]);
   const std::size_t n = first < 0x80   ? 1

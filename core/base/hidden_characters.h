@@ -2,10 +2,11 @@
 #include <cstddef>
 #include <functional>
 #include <string>
+#include <string_view>
 
 namespace mill {
 /// Bytes of the UTF-8 character (RFC 3629) that begins there, and its number; 0 where none does.
-std::size_t utf8_length(const std::string &text, std::size_t begin, char32_t &code);
+std::size_t utf8_length(std::string_view text, std::size_t begin, char32_t &code);
 
 /// Control characters, marks that turn the direction of writing, and the separators that end a line for some
 /// readers.

@@ -1,4 +1,5 @@
 #include "core/base/valid_text.h"
+#include "core/base/hidden_characters.h"
 #include <algorithm>
 #include <array>
 #include <cstring>
@@ -13,28 +14,6 @@ constexpr std::array<char32_t, 32> western{
     0x02C6,      0x2030,      0x0160, 0x2039, 0x0152, replacement, 0x017D, replacement,  //
     replacement, 0x2018,      0x2019, 0x201C, 0x201D, 0x2022,      0x2013, 0x2014,       //
     0x02DC,      0x2122,      0x0161, 0x203A, 0x0153, replacement, 0x017E, 0x0178};
-
-// Bytes of the character at the beginning of `text`, 0 where it is not UTF-8.
-std::size_t character_length(const std::string_view text)
-{
-  const auto byte     = [&](const std::size_t i) { return static_cast<unsigned char>(text[i]); };
-  const auto first    = byte(0);
-  const std::size_t n = first < 0x80   ? 1
-                        : first < 0xC2 ? 0
-                        : first < 0xE0 ? 2
-                        : first < 0xF0 ? 3
-                        : first < 0xF5 ? 4
-                                       : 0;
-  if (n == 0 || n > text.size())
-    return 0;
-  for (std::size_t i = 1; i < n; ++i)
-    if ((byte(i) & 0xC0) != 0x80)
-      return 0;
-  const bool too_long  = (first == 0xE0 && byte(1) < 0xA0) || (first == 0xF0 && byte(1) < 0x90);
-  const bool surrogate = first == 0xED && byte(1) >= 0xA0;
-  const bool beyond    = first == 0xF4 && byte(1) >= 0x90;
-  return too_long || surrogate || beyond ? 0 : n;
-}
 
 bool is_ascii(const std::string_view text)
 {
@@ -54,7 +33,8 @@ bool is_utf8(const std::string_view text)
   if (is_ascii(text))
     return true;
   for (std::size_t position = 0; position < text.size();) {
-    const std::size_t n = character_length(text.substr(position, 4));
+    char32_t code       = 0;
+    const std::size_t n = utf8_length(text, position, code);
     if (n == 0)
       return false;
     position += n;
