@@ -109,6 +109,47 @@ TEST(StackCommandForces, FollowFromStaticsAlone)
                      within(3e-8, "positions of the reference have nine digits")));
 }
 
+// ST-8: what does not change the stack changes no result.  The six-high stand is shifted, no side of it is like
+// the other.
+TEST(StackCommandForces, UnitsAndOrderOfTheRollsChangeNothing)
+{
+  const std::string drawn = mill::read_text(std::string(MILLSTAND_SOURCE_DIR) + "/cases/stack-six-high.toml");
+  std::string metres, reordered;
+  const std::regex length(R"re("(-?[0-9.]+) mm")re");
+  auto from   = drawn.cbegin();
+  int lengths = 0;
+  for (std::smatch m; std::regex_search(from, drawn.cend(), m, length); from = m.suffix().first, ++lengths)
+    metres += m.prefix().str() + fmt::format("\"{:.15g} m\"", std::stod(m[1]) / 1000);
+  metres.append(from, drawn.cend());
+  EXPECT_GT(lengths, 20);
+  const auto first = drawn.find("[[roll]]"), last = drawn.find("[[roll]]\nname = \"B\""),
+             strip = drawn.find("[strip]");
+  ASSERT_LT(last, strip);
+  reordered = drawn.substr(0, first) + drawn.substr(last, strip - last) + drawn.substr(first, last - first) +
+              drawn.substr(strip);
+  const StackRun as_drawn = stack_run("six");
+  for (const auto &[name, text] : {std::pair("metres", metres), std::pair("reordered", reordered)}) {
+    const std::string file   = scratch(std::string("stack-") + name) + ".toml",
+                      folder = scratch(std::string("stack-run-") + name);
+    mill::write_atomically(file, text);
+    const Outcome outcome = millstand("run " + file + " -o " + folder);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const StackRun other{folder, nlohmann::json::parse(mill::read_text(folder + "/results.json"))};
+    int compared = 0;
+    for (const auto &[result, entry] : as_drawn.results.at("values").items()) {
+      if (!entry.at("value").is_number())
+        continue;
+      const double value = entry.at("value").get<double>();
+      EXPECT_TRUE(near(other.value(result), value, within(1e-10, "rounding", std::abs(value))))
+          << name << ' ' << result;
+      ++compared;
+    }
+    EXPECT_GT(compared, 60) << name;
+    EXPECT_EQ(other.results.at("values").size(), as_drawn.results.at("values").size()) << name;
+    std::filesystem::remove(file);
+  }
+}
+
 // The gap that a run with a force states gives that force back.
 TEST(StackCommandForces, TheGapGivesTheForceBack)
 {

@@ -1,5 +1,6 @@
 #include "core/base/errors.h"
 #include "core/model/roller_bearing.h"
+#include "core/model/stack_statics.h"
 #include "reduce/bearing/rigid_rings.h"
 #include "reduce/stack/beam_stack.h"
 #include "tests/support/near.h"
@@ -137,6 +138,36 @@ TEST(StackBeams, ForcesOfTheTwentyHighFollowFromItsAngles)
   EXPECT_EQ(compared, 12);
 }
 
+TEST(StackBeams, ResultantsFollowFromStaticsAlone)
+{
+  for (const char *name :
+       {"four-high.bend", "six-high.all", "six-high.cvc", "twenty-high.asu", "twenty-high.taper"}) {
+    const Solved solved(name);
+    const auto resultants = stack_resultants(solved.stack, solved.stack.strip.force);
+    for (std::size_t c = 0; c < resultants.size(); ++c) {
+      const PairState &pair = solved.state.pairs[c];
+      EXPECT_TRUE(near(pair.force, resultants[c].force, within(1e-9, "no elasticity in it"))) << name << ' ' << c;
+      EXPECT_TRUE(near(pair.load_centre, resultants[c].centre,
+                       within(1e-9, "no elasticity in it", solved.stack.strip.width)))
+          << name << ' ' << c;
+    }
+  }
+}
+
+// A strip off the middle: the backup rolls carry the strip's load where it is, and it is not even.
+TEST(StackBeams, APairCarriesTheStripWhereItIs)
+{
+  const Solved solved("four-high.offset");
+  const StripState &strip      = solved.state.strip;
+  const Eigen::VectorXd length = strip.edges.tail(strip.load.size()) - strip.edges.head(strip.load.size()),
+                        z      = 0.5 * (strip.edges.tail(strip.load.size()) + strip.edges.head(strip.load.size()));
+  const double centre =
+      solved.stack.strip.offset + z.cwiseProduct(length).dot(strip.load) / length.dot(strip.load);
+  EXPECT_GT(std::abs(centre - solved.stack.strip.offset), 0.1 * mm) << "the wedge moves the load";
+  for (const PairState &pair : solved.state.pairs)
+    EXPECT_TRUE(near(pair.load_centre, centre, within(1e-9, "no elasticity in it", solved.stack.strip.width)));
+}
+
 TEST(StackBeams, DerivativesAgreeWithTheReference)
 {
   const Reference slopes = entry_of("influence")["result"];
@@ -164,21 +195,45 @@ TEST(StackBeams, DerivativesAgreeWithTheReference)
                    per("six-high.all: d/d wb um per kN") * um / kN, reason));
 }
 
+// Differences of the fourth order: (8 (c1 - c-1) - (c2 - c-2)) / 12 step.
 TEST(StackBeams, DerivativesAreThoseOfItsOwnSolutions)
 {
-  const auto slope = [](const std::string &name, const double step) {
-    const auto crown = [&](const double change) {
-      Stack stack = stack_of(name);
-      stack.strip.force += change;
-      return BeamStack(stack).solve().strip.crown;
+  const auto compare = [](const std::string &name, const double step, const Tolerance &tolerance) {
+    Solved solved(name);
+    const auto slope = [&](const std::function<void(Stack &, double)> &change, const double h) {
+      const auto crown = [&](const double times) {
+        Stack stack = stack_of(name);
+        change(stack, times * h);
+        return BeamStack(stack, settings_of(name)).solve().strip.crown;
+      };
+      return (8 * (crown(1) - crown(-1)) - (crown(2) - crown(-2))) / (12 * h);
     };
-    return (crown(step) - crown(-step)) / (2 * step);
+    const std::size_t roll = solved.stack.upper, backup = solved.stack.contacts[0].b;
+    EXPECT_TRUE(near(solved.engine.influence_of_force().crown,
+                     slope([](Stack &s, const double more) { s.strip.force += more; }, step), tolerance))
+        << name;
+    EXPECT_TRUE(near(solved.engine.influence_of_loads(roll, {{-1, {0, 1}}, {1, {0, 1}}}).crown,
+                     slope(
+                         [&](Stack &s, const double more) {
+                           for (const double z : {-1., 1.})
+                             s.rolls[roll].loads.push_back({z, {0, more}});
+                         },
+                         step / 2),
+                     tolerance))
+        << name;
+    for (const std::size_t of : {roll, backup}) {
+      const double length = solved.stack.rolls[of].length;
+      EXPECT_TRUE(near(
+          solved.engine.influence_of_radius(of, [&](const double z) { return -0.5 * std::pow(2 * z / length, 2); })
+              .crown,
+          slope([&](Stack &s, const double more) { s.rolls[of].profile.crown += more; }, step * 5e-11), tolerance))
+          << name << ' ' << solved.stack.rolls[of].name;
+    }
   };
-  const Solved open("four-high.crown"), closed("six-high.all");
-  EXPECT_TRUE(near(open.engine.influence_of_force().crown, slope("four-high.crown", 100),
-                   within(1e-4, "a contact that is partly open, step too small to close another Gauss point")));
-  EXPECT_TRUE(near(closed.engine.influence_of_force().crown, slope("six-high.all", 20 * kN),
-                   within(1e-5, "third derivative over a step of 0.25 % of the force")));
+  compare("four-high", 10 * kN, within(1e-6, "fifth derivative, away from changes of contact"));
+  compare("four-high.bend", 10 * kN, within(1e-6, "fifth derivative, away from changes of contact"));
+  // A contact that is partly open: a Gauss point that opens within the step bends the curve.
+  compare("four-high.crown", 20, within(1e-6, "no Gauss point opens within the step"));
 }
 
 TEST(StackBeams, AMirroredStackHasTheMirroredState)
