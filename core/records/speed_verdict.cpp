@@ -75,6 +75,11 @@ double SpeedVerdict::margin() const
   return 1 - speed / critical;
 }
 
+bool SpeedVerdict::is_doubtful() const
+{
+  return finding == SpeedFinding::below && !std::isnan(speed) && !(low > speed);
+}
+
 std::string speed_digits(const SpeedVerdict &v)
 {
   return number_within(v.critical, 0.1 * relative_error(v), 4);

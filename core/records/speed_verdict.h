@@ -44,6 +44,8 @@ struct SpeedVerdict {
   std::string remedy;                                           ///< a sentence; may be empty
   /// 1 - speed/critical; NaN without a critical speed.
   double margin() const;
+  /// Below the critical speed by less than its interval reaches down: unstable within the stated errors.
+  bool is_doubtful() const;
 };
 
 /// Of a pass whose critical speed is not searched because these keys are missing: "pass.speed".

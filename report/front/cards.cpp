@@ -67,9 +67,9 @@ std::string tile(const std::string &label, const std::string &number, const std:
 
 std::string speed_state(const SpeedVerdict &v)
 {
-  return v.finding == SpeedFinding::unstable                             ? " bad"
-         : v.finding == SpeedFinding::below && v.margin() < small_margin ? " fair"
-                                                                         : "";
+  if (v.finding == SpeedFinding::unstable)
+    return " bad";
+  return v.is_doubtful() || (v.finding == SpeedFinding::below && v.margin() < small_margin) ? " fair" : "";
 }
 
 std::string speed_card(const SpeedVerdict &v, const std::string &of_pass)

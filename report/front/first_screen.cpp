@@ -78,18 +78,20 @@ std::string verdict(const Run &run)
            escaped(run.status) + "\u201d; what is shown below was finished before.</p></div>\n";
   const auto verdicts         = speed_verdicts(run);
   const bool poor             = !verdicts.empty() && verdicts.front().finding == SpeedFinding::unstable;
+  const bool unsure           = !verdicts.empty() && verdicts.front().is_doubtful();
   const bool doubt            = run.status == "warnings" || !run.warnings.empty();
   const std::string finished  = doubt ? "Finished with " + count_of_warnings(run) + "." : "Finished.";
   const std::string stability = stability_sentence(run, verdicts), outcome = sentence(run);
   const std::string words =
-      stability.empty() ? "<b>" + finished + "</b>" + (outcome.empty() ? "" : " " + outcome + ".")
-                        : "<b>" + stability + "</b> " +
-                              (verdicts.front().remedy.empty() ? "" : escaped(verdicts.front().remedy) + " ") +
-                              (doubt ? finished : "");
+      stability.empty()
+          ? "<b>" + finished + "</b>" + (outcome.empty() ? "" : " " + outcome + ".")
+          : "<b>" + stability + "</b> " + (unsure ? "The working speed lies in the interval. " : "") +
+                (verdicts.front().remedy.empty() ? "" : escaped(verdicts.front().remedy) + " ") +
+                (doubt ? finished : "");
   return std::string("<div class=\"verdict ") +
-         (poor    ? "failed"
-          : doubt ? "warnings"
-                  : "ok") +
+         (poor              ? "failed"
+          : doubt || unsure ? "warnings"
+                            : "ok") +
          "\"><p>" + words + "</p></div>\n";
 }
 

@@ -81,10 +81,15 @@ TEST(FirstScreen, BeginsWithTheVerdictOfTheWorstPass)
   run.manifest.speeds = {v};
   run.results.push_back(result("chatter.stand 5.gap_mode_frequency", 126, "Hz"));
   const std::string html = first_screen(run);
-  EXPECT_TRUE(says(html,
-                   "<div class=\"verdict ok\"><p><b>At 16.0 m/s, 15 % below the critical speed of 18.9 m/s (15 "
-                   "to 23); the gap mode at 107 Hz (third octave) becomes unstable first.</b>"))
+  EXPECT_TRUE(
+      says(html, "<div class=\"verdict warnings\"><p><b>At 16.0 m/s, 15 % below the critical speed of 18.9 m/s "
+                 "(15 to 23); the gap mode at 107 Hz (third octave) becomes unstable first.</b> The working speed "
+                 "lies in the interval. </p>"))
       << html;
+  EXPECT_TRUE(says(html, "class=\"card fair\" title=\"95 % interval\"")) << html;
+  run.manifest.speeds[0].low = 16.5;
+  EXPECT_TRUE(says(first_screen(run), "<div class=\"verdict ok\"><p><b>At 16.0 m/s, 15 %"));
+  EXPECT_TRUE(says(first_screen(run), "class=\"card\" title=\"95 % interval\""));
   EXPECT_TRUE(
       says(html, "<span>critical speed</span><b>18.9</b> m/s<small>15 to 23; margin 15 % at 16.0 m/s</small>"))
       << html;
