@@ -86,6 +86,7 @@ public:
   }
 
 private:
+  [[noreturn]] void not_held(std::size_t roll) const;  ///< @param roll  place in `stacked`
   // The forces of a contact's touching stations, or the motions of a roll.
   struct Unknowns {
     bool is_force;
