@@ -91,6 +91,21 @@ Stack with_bearing_curves(Stack stack, const StackBearings &bearings)
   return with_curves(std::move(stack), curves);
 }
 
+Stack with_softer_bearing(Stack stack, const std::string &bearing, const double share)
+{
+  for (StackRoll &roll : stack.rolls)
+    for (StackSupport &support : roll.supports)
+      if (support.bearing == bearing) {
+        BearingCurve softer = *support.curve;
+        for (double &approach : softer.approach)
+          approach *= 1 + share;
+        for (double &tangent : softer.tangent)
+          tangent /= 1 + share;
+        support.curve = std::make_shared<const BearingCurve>(std::move(softer));
+      }
+  return stack;
+}
+
 Stack with_rigid_bearings(const StackInput &input, Stack stack)
 {
   std::map<std::string, std::shared_ptr<const BearingCurve>> curves;

@@ -17,6 +17,8 @@ StackBearings solve_stack_bearings(RunContext &run, const StackInput &input, con
 
 /// The stack with the curves of its bearings, which an engine takes at the load on each.  theory.md (51.25)
 Stack with_bearing_curves(Stack stack, const StackBearings &bearings);
+/// The same with one bearing softer by a share of its deflection at every load.
+Stack with_softer_bearing(Stack stack, const std::string &bearing, double share);
 /// The same between rigid rings, without finite elements: what a trace follows.
 Stack with_rigid_bearings(const StackInput &input, Stack stack);
 

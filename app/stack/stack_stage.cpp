@@ -5,6 +5,7 @@
 #include "app/stack/stack_bite.h"
 #include "app/stack/stack_curves.h"
 #include "app/stack/stack_motion.h"
+#include "app/stages/bearing/bearing_results.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
@@ -17,6 +18,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -67,7 +69,46 @@ struct StackNumberSets {
   const char *other_method;
 };
 
-void add_results(RunContext &run, const StackNumberSets &sets, const double force)
+// By how much the results move, relative to each, with the errors of the bearings that hold rolls.
+struct BearingErrors {
+  std::map<std::string, double> square;               // by the name of the result: sum over the bearings
+  std::map<std::string, std::set<std::string>> lack;  // the bearings without an error that move a result
+};
+
+// Beams answer to a spring as condensed rolls do, in a hundredth of the time.
+BearingErrors bearing_errors(const StackInput &input, const Stack &stack, const StackBearings &bearings,
+                             const int threads)
+{
+  constexpr double unknown = 0.1, moves = 1e-6;
+  const MakeStackEngine beams = beams_of(input, elements_over_width, threads);
+  const auto numbers_of       = [&](const Stack &held) {
+    const SolvedStack solved      = solve_stack(input, held, beams);
+    StackNumbers numbers          = stack_numbers(input, solved, by_beams);
+    const StackNumbers influences = stack_influences(input, solved, beams);
+    numbers.insert(numbers.end(), influences.begin(), influences.end());
+    return numbers;
+  };
+  BearingErrors errors;
+  if (bearings.empty())
+    return errors;
+  const StackNumbers held = numbers_of(stack);
+  for (const auto &[name, study] : bearings) {
+    const double error         = tangent_of(study, {}).error_estimate;
+    const bool known           = std::isfinite(error);
+    const StackNumbers changed = numbers_of(with_softer_bearing(stack, name, known ? error : unknown));
+    for (std::size_t i = 0; i < held.size(); ++i) {
+      const double change = held[i].value == 0 ? 0 : changed[i].value / held[i].value - 1;
+      if (known)
+        errors.square[held[i].name] += change * change;
+      else if (std::abs(change) > moves)
+        errors.lack[held[i].name].insert("bearing." + name);
+    }
+  }
+  return errors;
+}
+
+void add_results(RunContext &run, const StackNumberSets &sets, const BearingErrors &of_bearings,
+                 const double force)
 {
   const auto &[fine, coarse, other, other_method] = sets;
   const std::vector<std::string> inputs           = keys_of_stack(run.the_case);
@@ -95,6 +136,12 @@ void add_results(RunContext &run, const StackNumberSets &sets, const double forc
                           "shoulders, the surface of the rolls around their contacts and the flattening at the "
                           "edges of the strip are in the condensed rolls only"});
     p.error_estimate = p.value == 0 || p.value == coarse[i].value ? 0 : mesh_pair_error(p.value, coarse[i].value);
+    if (const auto by = of_bearings.square.find(number.name); by != of_bearings.square.end())
+      p.error_estimate = std::hypot(p.error_estimate, std::sqrt(by->second));
+    if (const auto by = of_bearings.lack.find(number.name); by != of_bearings.lack.end()) {
+      p.error_estimate = not_given;
+      p.error_lacks.assign(by->second.begin(), by->second.end());
+    }
     run.results.add(number.name, p);
   }
 }
@@ -344,7 +391,7 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, c
     const StackNumbers influences = stack_influences(input, *solved, engine(condensed, coarser));
     numbers->insert(numbers->end(), influences.begin(), influences.end());
   }
-  add_results(run, sets, force);
+  add_results(run, sets, bearing_errors(input, stack, bearings, run.threads), force);
   add_stack_bearings(run, input, fine.stack, bearings);
   write_stack_curves(run, input, fine);
   write_stack_maps(run, input, stack);

@@ -232,6 +232,14 @@ TEST(StackCommandResults, ABearingOfTheCaseHoldsTheBackupRoll)
   const StackRun stiff = stack_run("four", by_beams + " --set \"roll.1.bearing_stiffness=1e7 kN/mm\"");
   const double softer  = 1 / held.value("stack.modulus.mid") - 1 / stiff.value("stack.modulus.mid");
   EXPECT_TRUE(near(softer, 1 / tangent + 0.5 / 2.5e9 + 0.5 / 2.6e9, within(1e-3, "1e7 kN/mm are not rigid")));
+  // Two bearings of either backup roll in parallel, both rolls in series.
+  const auto error_of = [&](const char *name) {
+    return held.results.at("values").at(name).at("error_estimate").get<double>();
+  };
+  const double by_bearings = error_of("roll.B.bearing_stiffness") * held.value("stack.modulus.mid") / tangent;
+  EXPECT_GT(by_bearings, 1e-3);
+  EXPECT_TRUE(near(error_of("stack.modulus.mid"), by_bearings, within(0.02, "error of the mesh")));
+  EXPECT_LT(error_of("stack.crown"), 1e-3) << "both chocks of a roll move alike";
   std::filesystem::remove(file);
 }
 
