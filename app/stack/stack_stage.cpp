@@ -15,6 +15,7 @@
 #include "reduce/stack/line_law.h"
 #include "reduce/stack/section_forces.h"
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
@@ -107,6 +108,27 @@ BearingErrors bearing_errors(const StackInput &input, const Stack &stack, const 
   return errors;
 }
 
+// A crown that bending and shift take away is a small difference of large numbers, in which the engines differ
+// more than their meshes: by how much, m; NaN where they agree.
+double engines_apart(const StackNumberSets &sets, const std::string &name)
+{
+  constexpr double share = 0.1, least = 2e-6;  // -, m
+  const auto of = [&](const StackNumbers &numbers) {
+    const auto entry = std::find_if(numbers.begin(), numbers.end(),
+                                    [&](const StackNumber &number) { return number.name == name; });
+    return entry == numbers.end() ? not_given : entry->value;
+  };
+  const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
+  return apart > least && apart > share * std::max(std::abs(here), std::abs(other)) ? apart : not_given;
+}
+
+const std::array<std::string, 2> &small_differences()
+{
+  static const std::array<std::string, 2> names = {result_name({family::stack, "crown"}),
+                                                   result_name({family::stack, "edge_drop"})};
+  return names;
+}
+
 void add_results(RunContext &run, const StackNumberSets &sets, const BearingErrors &of_bearings,
                  const double force)
 {
@@ -136,6 +158,9 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
                           "shoulders, the surface of the rolls around their contacts and the flattening at the "
                           "edges of the strip are in the condensed rolls only"});
     p.error_estimate = p.value == 0 || p.value == coarse[i].value ? 0 : mesh_pair_error(p.value, coarse[i].value);
+    if (const auto &names = small_differences(); std::find(names.begin(), names.end(), number.name) != names.end())
+      if (const double apart = engines_apart(sets, number.name); std::isfinite(apart) && p.value != 0)
+        p.error_estimate = std::max(p.error_estimate, apart / std::abs(p.value));
     if (const auto by = of_bearings.square.find(number.name); by != of_bearings.square.end())
       p.error_estimate = std::hypot(p.error_estimate, std::sqrt(by->second));
     if (const auto by = of_bearings.lack.find(number.name); by != of_bearings.lack.end()) {
@@ -146,27 +171,16 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
   }
 }
 
-// A crown that bending and shift take away is a small difference of large numbers, in which the engines differ
-// more.
 void warn_of_engines(RunContext &run, const StackNumberSets &sets)
 {
-  constexpr double share = 0.1, least = 2e-6;  // -, m
-  for (const char *what : {"crown", "edge_drop"}) {
-    const std::string name = result_name({family::stack, what});
-    const auto of          = [&](const StackNumbers &numbers) {
-      const auto entry = std::find_if(numbers.begin(), numbers.end(),
-                                               [&](const StackNumber &number) { return number.name == name; });
-      return entry == numbers.end() ? not_given : entry->value;
-    };
-    const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
-    if (apart > least && apart > share * std::max(std::abs(here), std::abs(other)))
+  for (const std::string &name : small_differences())
+    if (const double apart = engines_apart(sets, name); std::isfinite(apart))
       run.warn({WarningId::stack_engines,
                 name,
-                fmt::format("take {:.1f} um as its error", 1e6 * apart),
-                fmt::format("{:.1f} um here, {:.1f} um by the other engine", 1e6 * here, 1e6 * other),
+                fmt::format("the engines differ by {:.1f} um, which is taken as its error", 1e6 * apart),
+                "bending and shift leave a small difference of large numbers",
                 "",
                 {name}});
-  }
 }
 
 void warn_of_state(RunContext &run, const SolvedStack &solved)

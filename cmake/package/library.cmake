@@ -18,11 +18,11 @@ install(TARGETS ${libraries} mill_options EXPORT millstand-targets
         ARCHIVE DESTINATION lib/${CMAKE_LIBRARY_ARCHITECTURE} COMPONENT dev INCLUDES DESTINATION include/millstand)
 install(EXPORT millstand-targets NAMESPACE mill:: DESTINATION lib/${CMAKE_LIBRARY_ARCHITECTURE}/cmake/millstand COMPONENT dev)
 
-# Fixed-size vectors and matrices of Eigen are in the interfaces: both sides must align them alike.
+# Vectors and matrices of Eigen are in the interfaces: both sides must align and allocate them alike.
 if(MILLSTAND_NATIVE)
   set(MILLSTAND_INTERFACE_OPTIONS "-march=native")
 else()
-  set(MILLSTAND_INTERFACE_OPTIONS "-DEIGEN_MAX_ALIGN_BYTES=16")
+  list(TRANSFORM MILL_EIGEN_ALIGNMENT PREPEND "-D" OUTPUT_VARIABLE MILLSTAND_INTERFACE_OPTIONS)
 endif()
 set(config ${PROJECT_BINARY_DIR}/installed/cmake)
 configure_package_config_file(${CMAKE_CURRENT_LIST_DIR}/millstand-config.cmake.in ${config}/millstand-config.cmake

@@ -1,5 +1,6 @@
 #include "core/process/own_library.h"
 #include "core/base/errors.h"
+#include "core/base/vector_alignment.h"
 #include <cerrno>
 #include <cstring>
 #include <dlfcn.h>
@@ -68,6 +69,9 @@ void *function_of_own_library(const char *library, const char *function)
   void *const symbol = dlsym(opened, function);
   if (build == nullptr || symbol == nullptr || std::string(*build) != MILLSTAND_BUILD)
     refuse_library(path, "it is of another build");
+  const auto *alignment = static_cast<const int *>(dlsym(opened, "millstand_vector_alignment"));
+  if (alignment == nullptr || *alignment != vector_alignment)
+    refuse_library(path, "its vectors are aligned in another way");
   return symbol;
 }
 }  // namespace mill

@@ -1,3 +1,4 @@
+#include "core/base/vector_alignment.h"
 #include "fem/dealii/dealii_bodies.h"
 
 namespace mill::fem {
@@ -11,6 +12,8 @@ const OnMesh &found_on_mesh()
 /// By which a program tells whether a library is of its own build.
 extern "C" __attribute__((visibility("default"))) const char *const millstand_build;
 const char *const millstand_build = MILLSTAND_BUILD;
+extern "C" __attribute__((visibility("default"))) const int millstand_vector_alignment;
+const int millstand_vector_alignment = mill::vector_alignment;
 
 extern "C" __attribute__((visibility("default"))) const mill::fem::OnMesh *millstand_on_mesh()
 {
