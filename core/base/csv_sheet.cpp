@@ -6,16 +6,6 @@
 #include <utility>
 
 namespace mill::csv {
-std::string_view without_blanks(std::string_view text)
-{
-  const auto is_blank = [](const char c) { return c == ' ' || c == '\t' || c == '\r'; };
-  while (!text.empty() && is_blank(text.front()))
-    text.remove_prefix(1);
-  while (!text.empty() && is_blank(text.back()))
-    text.remove_suffix(1);
-  return text;
-}
-
 namespace {
 // The first of these that stands outside quotes separates the columns.
 char separator_of(const std::string_view line)
@@ -31,82 +21,22 @@ char separator_of(const std::string_view line)
   return ',';
 }
 
-// The cells of one line, quoted as in RFC 4180 or as they stand.
-class CellReader {
-public:
-  CellReader(Sheet &sheet, const std::string_view line, const int number)
-      : file_(sheet.file), unquoted_(sheet.unquoted), line_(line), separator_(sheet.separator), number_(number)
-  {
-  }
-  // Appends them and tells how many.
-  std::size_t add_to(std::vector<Cell> &all)
-  {
-    const std::size_t before = all.size();
-    do {
-      skip_blanks();
-      const int column = column_;
-      all.push_back({at_ < line_.size() && line_[at_] == '"' ? quoted_text() : plain_text(), number_, column});
-    } while (step_over_separator());
-    return all.size() - before;
-  }
-
-private:
-  void skip_blanks()
-  {
-    while (at_ < line_.size() && line_[at_] != separator_ && (line_[at_] == ' ' || line_[at_] == '\t'))
-      step();
-  }
-  void step()
-  {
-    column_ += (line_[at_++] & 0xC0) != 0x80;  // characters, not bytes
-  }
-  bool step_over_separator()
-  {
-    if (at_ == line_.size())
-      return false;
-    step();
-    return true;
-  }
-  std::string_view plain_text()
-  {
-    const std::size_t begin = at_;
-    while (at_ < line_.size() && line_[at_] != separator_)
-      step();
-    return without_blanks(line_.substr(begin, at_ - begin));
-  }
-  // Between quotes, a doubled one standing for itself.
-  std::string_view quoted_text()
-  {
-    const Place open{file_, number_, column_};
-    std::string text;
-    step();
-    while (true) {
-      if (at_ == line_.size())
-        throw InputError(open, "this quote is not closed on its line");
-      const char c = line_[at_];
-      step();
-      if (c != '"')
-        text += c;
-      else if (at_ < line_.size() && line_[at_] == '"') {
-        text += '"';
-        step();
-      } else
-        break;
-    }
-    skip_blanks();
-    if (at_ < line_.size() && line_[at_] != separator_)
-      throw InputError({file_, number_, column_},
-                       "something follows a closing quote; a quote inside quotes is doubled");
-    return without_blanks(unquoted_.emplace_back(std::move(text)));
-  }
-
-  const std::string &file_;
-  std::deque<std::string> &unquoted_;
-  std::string_view line_;
-  char separator_;
-  int number_, column_ = 1;
-  std::size_t at_ = 0;
-};
+// Appends the cells of a line and returns how many; the column of each is counted in characters.
+std::size_t add_cells(Sheet &sheet, std::vector<Cell> &all, const std::string_view line, const int number)
+{
+  const std::size_t before = all.size();
+  std::size_t counted      = 0;
+  int column               = 1;
+  const auto fault =
+      each_cell(line, sheet.separator, sheet.unquoted, [&](const std::string_view text, const std::size_t begin) {
+        column += characters_in(line.substr(counted, begin - counted));
+        counted = begin;
+        all.push_back({text, number, column});
+      });
+  if (fault)
+    throw InputError({sheet.file, number, 1 + characters_in(line.substr(0, fault->at))}, fault->message);
+  return all.size() - before;
+}
 
 // "force [kN]" -> name and unit.
 Header header_of(const Cell &cell)
@@ -150,13 +80,13 @@ Sheet sheet_of(const std::string &file, std::string text, const std::string &exa
     if (sheet.header.empty()) {
       sheet.separator = separator_of(line);
       std::vector<Cell> cells;
-      CellReader(sheet, line, number).add_to(cells);
+      add_cells(sheet, cells, line, number);
       for (const Cell &cell : cells)
         sheet.header.push_back(header_of(cell));
       sheet.cells.reserve(cells.size() * std::size_t(1 + std::count(rest.begin(), rest.end(), '\n')));
       continue;
     }
-    if (const auto n = CellReader(sheet, line, number).add_to(sheet.cells); n != sheet.header.size())
+    if (const auto n = add_cells(sheet, sheet.cells, line, number); n != sheet.header.size())
       throw InputError(Place{file, number, 1},
                        fmt::format("this line has {} cells, the header has {}; a decimal comma needs ';' or tab "
                                    "between the columns",

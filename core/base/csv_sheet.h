@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/csv_cells.h"
 #include "core/base/errors.h"
 #include "core/base/units.h"
 #include <deque>
@@ -10,9 +11,6 @@
 // A table in a text file, cell by cell with its place, for whoever reads one with words or units in it.
 namespace mill::csv {
 constexpr double largest_in_cell = 1e15;  ///< nothing a mill records reaches this in any unit
-
-/// Without blanks, tabs and carriage returns at both ends.
-std::string_view without_blanks(std::string_view text);
 
 /// A cell with its place; the column is a number of characters.  Its text stays where it is in the file: a record
 /// of 100 s has millions of cells.

@@ -1,4 +1,5 @@
 #include "core/case/case_sheet.h"
+#include "core/base/csv_cells.h"
 #include "core/base/error_list.h"
 #include "core/base/units.h"
 #include "core/case/case_template.h"
@@ -25,38 +26,26 @@ char separator_of(const std::string &line)
   return first == std::string::npos ? ',' : line[first];
 }
 
-std::string stripped(std::string text)
+std::string stripped(const std::string &text)
 {
-  const char *blanks = " \t\r";
-  text.erase(0, std::min(text.find_first_not_of(blanks), text.size()));
-  text.erase(text.find_last_not_of(blanks) + 1);
-  return text;
+  return std::string(csv::without_blanks(text));
 }
 
-// Cells of a line; quotes hold separators and doubled quotes.
-std::vector<std::string> cells_of(const std::string &line, const char separator)
+// Cells of a line up to the last that holds something.
+std::vector<std::string> cells_of(const std::string &line, const char separator, const Place &at)
 {
-  std::vector<std::string> cells{""};
-  bool inside_quotes = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (c == '"' && inside_quotes && i + 1 < line.size() && line[i + 1] == '"')
-      cells.back() += line[++i];
-    else if (c == '"')
-      inside_quotes = !inside_quotes;
-    else if (c == separator && !inside_quotes)
-      cells.emplace_back();
-    else
-      cells.back() += c;
-  }
-  for (std::string &cell : cells)
-    cell = stripped(cell);
+  std::vector<std::string> cells;
+  std::deque<std::string> unquoted;
+  const auto fault = csv::each_cell(line, separator, unquoted,
+                                    [&](const std::string_view text, std::size_t) { cells.emplace_back(text); });
+  if (fault)
+    throw InputError(Place{at.file, at.line, 1 + csv::characters_in(line.substr(0, fault->at))}, fault->message);
   while (!cells.empty() && cells.back().empty())
     cells.pop_back();
   return cells;
 }
 
-std::vector<SheetRow> rows_of_sheet(std::string text)
+std::vector<SheetRow> rows_of_sheet(const std::string &file, std::string text)
 {
   if (text.rfind("\xef\xbb\xbf", 0) == 0)
     text.erase(0, 3);
@@ -69,7 +58,7 @@ std::vector<SheetRow> rows_of_sheet(std::string text)
       continue;
     if (!separator)
       separator = separator_of(line);
-    const auto cells = cells_of(line, separator);
+    const auto cells = cells_of(line, separator, {file, number, 1});
     if (!cells.empty() && !(rows.empty() && (cells[0] == "key" || cells[0] == "Key" || cells[0] == "KEY")))
       rows.push_back({cells, number});
   }
@@ -390,7 +379,7 @@ std::string template_from_sheet(const std::string &kind, const std::string &file
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
     throw InputError(fmt::format("no template is available for the kind '{}'{}", kind, suggestion(kind, kinds)));
   SheetReader reader(kind_named(kind), file);
-  const auto rows       = rows_of_sheet(sheet);
+  const auto rows       = rows_of_sheet(file, sheet);
   reader.decimal_commas = shows_decimal_commas(rows);
   for (const SheetRow &row : rows)
     reader.take(row);

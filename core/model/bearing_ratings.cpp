@@ -1,5 +1,6 @@
 #include "core/model/bearing_ratings.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include <algorithm>
 #include <cmath>
 
@@ -59,19 +60,14 @@ double dynamic_of(RollerBearing b, const double diameter, const int Z)
   return ratings(b).dynamic;
 }
 
-// Diameter at which the pair of ratings closes, by bisection; NaN where no roller that is left room does.  With
+// Diameter at which the pair of ratings closes; NaN where no roller that is left room does.  With
 // (5.40) put in, (5.29) grows with the diameter as D^(14/27) and more slowly with 1 - g and f_c: one root.
 double diameter_of(const RollerBearing &b, const int Z)
 {
   const double D_pw = pitch_diameter(b);
-  double low = 1e-4 * D_pw, high = std::min(M_PI / Z, 0.4) * D_pw;
-  if (!(dynamic_of(b, low, Z) <= b.dynamic_rating) || !(dynamic_of(b, high, Z) >= b.dynamic_rating))
-    return not_given;
-  for (int i = 0; i < 200 && high - low > 1e-16 * high; ++i) {
-    const double middle                                        = (low + high) / 2;
-    (dynamic_of(b, middle, Z) < b.dynamic_rating ? low : high) = middle;
-  }
-  return (low + high) / 2;
+  return root_between(1e-4 * D_pw, std::min(M_PI / Z, 0.4) * D_pw,
+                      [&](const double diameter) { return dynamic_of(b, diameter, Z) - b.dynamic_rating; })
+      .value_or(not_given);
 }
 
 bool has_room(const RollerBearing &b, const RollerCandidate &c)
@@ -153,13 +149,8 @@ double yield_pressure_of(const double flow_stress, const bool plane_strain, cons
     const double h = std::hypot(1, s), x = -((1 + 2 * s * s) / h - 2 * s), z = -1 / h, y = nu * (x + z);
     return std::sqrt(((x - y) * (x - y) + (y - z) * (y - z) + (z - x) * (z - x)) / 6);
   };
-  double low = 0.2, high = 2;  // one maximum, near 0.7: golden section
-  const double section = (std::sqrt(5.0) - 1) / 2;
-  for (int i = 0; i < 60; ++i) {
-    const double a = high - section * (high - low), c = low + section * (high - low);
-    (root_J2(a) < root_J2(c) ? low : high) = root_J2(a) < root_J2(c) ? a : c;
-  }
-  const double k = plane_strain ? flow_stress / 2 : flow_stress / std::sqrt(3.0);
-  return k / root_J2((low + high) / 2);
+  const double largest = -minimum_between(0.2, 2, [&](const double s) { return -root_J2(s); }).value;  // near 0.7
+  const double k       = plane_strain ? flow_stress / 2 : flow_stress / std::sqrt(3.0);
+  return k / largest;
 }
 }  // namespace mill

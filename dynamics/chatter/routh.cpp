@@ -1,5 +1,6 @@
 #include "dynamics/chatter/routh.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include <Eigen/LU>
 #include <boost/multiprecision/cpp_bin_float.hpp>
 #include <cmath>
@@ -319,13 +320,11 @@ RouthCount routh_count_in_double(const Eigen::MatrixXd &A)
   return result;
 }
 
-double boundary_by_routh(const MatrixAtSpeed &matrix, double low, double high, const double tolerance)
+double boundary_by_routh(const MatrixAtSpeed &matrix, const double low, const double high, const double tolerance)
 {
-  const int below = unstable_roots(matrix(low));
-  while (high - low > tolerance) {
-    const double middle                                    = 0.5 * (low + high);
-    (unstable_roots(matrix(middle)) == below ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  const int below   = unstable_roots(matrix(low));
+  const Border edge = border_between(
+      low, high, [&](const double speed) { return unstable_roots(matrix(speed)) == below; }, tolerance / high);
+  return 0.5 * (edge.holds + edge.fails);
 }
 }  // namespace mill::dynamics

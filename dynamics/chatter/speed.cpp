@@ -1,5 +1,6 @@
 #include "dynamics/chatter/speed.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -135,33 +136,6 @@ void find_edges(Samples &samples, const RootsAtSpeed &roots)
   samples = std::move(next);
 }
 
-// Root of f between a and b, where it has opposite signs: false position, the weight of an end that stays twice
-// reduced after Anderson and Bjorck, halving where that is slow.
-double bracketed_root(const std::function<double(double)> &f, double a, double fa, double b, double fb,
-                      const double tolerance)
-{
-  for (int i = 0; i < 200 && b - a > tolerance; ++i) {
-    double x = i % 4 == 3 ? 0.5 * (a + b) : (a * fb - b * fa) / (fb - fa);
-    x        = std::clamp(x, a + 0.4 * tolerance, b - 0.4 * tolerance);  // so that the far end comes close too
-    const double fx = f(x);
-    if (fx == 0)
-      return x;
-    const bool left     = (fx > 0) == (fa > 0);
-    const double kept   = 1 - fx / (left ? fa : fb);
-    const double weight = kept > 0 ? kept : 0.5;
-    if (left) {
-      a  = x;
-      fa = fx;
-      fb *= weight;
-    } else {
-      b  = x;
-      fb = fx;
-      fa *= weight;
-    }
-  }
-  return 0.5 * (a + b);
-}
-
 std::complex<double> nearest(const Eigen::VectorXcd &roots, const std::complex<double> to)
 {
   Eigen::Index i;
@@ -183,7 +157,8 @@ Crossing solve_crossing(const RootsAtSpeed &roots, const Sample &a, const Sample
     return k < s.excess.size() ? s.excess[k] : -1.;  // a list of roots that ends before is one of decaying ones
   };
   Crossing c;
-  c.speed             = bracketed_root(excess, a.speed, a.excess[k], b.speed, b.excess[k], tolerance);
+  c.speed = root_between({a.speed, a.excess[k]}, {b.speed, b.excess[k]}, excess, tolerance / b.speed)
+                .value_or(0.5 * (a.speed + b.speed));
   c.upward            = b.excess[k] > 0;
   const Sample &there = point(c.speed);
   if (k >= there.roots.size())  // no bite between two speeds with one

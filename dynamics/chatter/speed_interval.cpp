@@ -1,8 +1,8 @@
 #include "dynamics/chatter/speed_interval.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include "dynamics/chatter/speed_slopes.h"
 #include <algorithm>
-#include <boost/math/tools/toms748_solve.hpp>
 #include <cmath>
 
 namespace mill::dynamics {
@@ -17,16 +17,6 @@ double growth_at(const SpeedQuestion &q, const double speed)
   } catch (const SolverError &) {
     return not_given;
   }
-}
-
-double bracketed_crossing(const SpeedQuestion &q, const double low, const double at_low, const double high,
-                          const double at_high)
-{
-  std::uintmax_t most       = 40;
-  const auto growth         = [&](const double speed) { return growth_at(q, speed); };
-  const auto close          = [](const double a, const double b) { return std::abs(b - a) < 1e-7 * b; };
-  const auto [below, above] = boost::math::tools::toms748_solve(growth, low, high, at_low, at_high, close, most);
-  return 0.5 * (below + above);
 }
 
 StructureNumber structure_number(const SpeedQuestion &q, const UncertainNumber &number)
@@ -92,8 +82,9 @@ double crossing_near(const SpeedQuestion &q, const double near)
     if (std::isnan(there))
       return not_given;
     if ((there > 0) != (growth > 0))
-      return upward ? bracketed_crossing(q, speed, growth, next, there)
-                    : bracketed_crossing(q, next, there, speed, growth);
+      return root_between(
+                 {speed, growth}, {next, there}, [&](const double s) { return growth_at(q, s); }, 1e-7)
+          .value_or(not_given);
     speed  = next;
     growth = there;
   }

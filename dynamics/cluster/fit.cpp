@@ -1,6 +1,7 @@
 #include "dynamics/cluster/fit.h"
 #include "core/case/cluster_variants.h"
 #include "core/numerics/eigen_instances.h"
+#include "core/numerics/quantiles.h"
 #include <Eigen/Cholesky>
 #include <Eigen/LU>
 #include <algorithm>
@@ -144,7 +145,7 @@ void add_intervals(Model &model, const Eigen::VectorXd &p, const Eigen::VectorXd
     return;
   const double s = std::sqrt(r.squaredNorm() / spare);
   for (std::size_t i = 0; i < fit.numbers.size(); ++i) {
-    const double width      = student_95(spare) * s * deviation[Eigen::Index(i)];
+    const double width      = student_above(0.025, spare) * s * deviation[Eigen::Index(i)];
     fit.numbers[i].interval = is_angle(model.keys[i]) ? width : width * fit.numbers[i].value;
   }
 }
@@ -161,15 +162,6 @@ double rms_of(const std::vector<MatchedFrequency> &all, const bool fitted)
   return n > 0 ? std::sqrt(sum / n) : nan;
 }
 }  // namespace
-
-double student_95(const int n)
-{
-  constexpr double table[] = {12.7062, 4.3027, 3.1824, 2.7764, 2.5706, 2.4469, 2.3646, 2.3060, 2.2622, 2.2281};
-  if (n >= 1 && n <= 10)
-    return table[n - 1];
-  const double z = 1.959964;  // Cornish and Fisher: 1e-3 from 11 on
-  return z + (z * z * z + z) / (4. * n) + (5 * std::pow(z, 5) + 16 * z * z * z + 3 * z) / (96. * n * n);
-}
 
 StackFit fit_variant(const ClusterStand &stand, const ClusterVariant &variant, const ClusterPass &pass,
                      const double force, const ComputedLaws &computed)

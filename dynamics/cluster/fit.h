@@ -39,7 +39,4 @@ struct StackFit {
 /// Cost: (unknowns + 1) equilibria and eigenvalue problems a step, some tens of steps.
 StackFit fit_variant(const ClusterStand &stand, const ClusterVariant &variant, const ClusterPass &pass,
                      double force, const ComputedLaws &computed = {});
-
-/// Two-sided 95 % quantile of Student's distribution.
-double student_95(int degrees_of_freedom);
 }  // namespace mill::cluster

@@ -1,5 +1,6 @@
 #include "dynamics/cluster/stability.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include "dynamics/cluster/modes.h"
 #include <algorithm>
 #include <cmath>
@@ -39,15 +40,7 @@ std::string lost_contact(const Stack &stack, const Equilibrium &before, const Eq
   return "";
 }
 
-// The parameter between a good and a bad value, to 1e-10 of it.
-template <class Good> double edge_of(double good, double bad, const Good &is_good)
-{
-  for (int i = 0; i < 60 && std::abs(bad - good) > 1e-10 * std::abs(bad); ++i) {
-    const double middle            = 0.5 * (good + bad);
-    (is_good(middle) ? good : bad) = middle;
-  }
-  return good;
-}
+constexpr double edge_within = 1e-10;  // of the parameter at which a state at rest ends
 }  // namespace
 
 std::optional<BucklingLoad> buckling_load(Stack stack, const double largest)
@@ -64,7 +57,7 @@ std::optional<BucklingLoad> buckling_load(Stack stack, const double largest)
   }
   if (factor > largest)
     return {};
-  const double edge = edge_of(good, factor, stable);
+  const double edge = border_between(good, factor, stable, edge_within).holds;
   BucklingLoad load{edge, ""};
   if (const auto e = at_factor(stack, edge))
     load.motion = modes(stack, e->u).front().label;
@@ -89,7 +82,7 @@ std::optional<double> least_guide(Stack stack, const std::size_t support)
     return {};
   if (stable(1))
     return 0.;
-  return edge_of(good, 1, stable);
+  return border_between(good, 1, stable, edge_within).holds;
 }
 
 std::optional<LostContact> leaving_load(const Stack &stack, const int roll, const Eigen::Vector2d &direction,
@@ -116,12 +109,13 @@ std::optional<LostContact> leaving_load(const Stack &stack, const int roll, cons
   for (int i = 1; i <= steps; ++i) {
     const double load = largest * i / steps;
     if (std::string contact = lost(load); !contact.empty()) {
-      const double edge = edge_of(largest * (i - 1) / steps, load, [&](const double tried) {
+      const auto holds = [&](const double tried) {
         const std::string now = lost(tried);
         if (!now.empty())
           contact = now;
         return now.empty();
-      });
+      };
+      const double edge = border_between(largest * (i - 1) / steps, load, holds, edge_within).holds;
       return LostContact{edge, contact};
     }
   }

@@ -1,6 +1,7 @@
 #include "dynamics/cluster/time_steps.h"
 #include "core/base/errors.h"
 #include "core/numerics/eigen_instances.h"
+#include "core/numerics/root_search.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
@@ -154,14 +155,13 @@ double TimeSteps::first_crossing(const Result &r, const double h, int &contact) 
     if (which.empty())
       continue;
     for (const int c : which) {
-      double low = i > 0 ? rule_.c[i - 1] : 0, high = x;
-      for (int k = 0; k < 60 && high - low > 1e-15; ++k) {
-        const double middle                                              = 0.5 * (low + high);
-        const auto now                                                   = changed_at(middle);
-        (std::find(now.begin(), now.end(), c) != now.end() ? high : low) = middle;
-      }
-      if (high < first || contact < 0) {
-        first   = high;
+      const auto same = [&](const double share) {
+        const auto now = changed_at(share);
+        return std::find(now.begin(), now.end(), c) == now.end();
+      };
+      const double change = border_between(i > 0 ? rule_.c[i - 1] : 0, x, same).fails;
+      if (change < first || contact < 0) {
+        first   = change;
         contact = c;
       }
     }

@@ -1,5 +1,6 @@
 #include "dynamics/tandem/delay.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include "dynamics/chatter/chatter.h"
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
@@ -295,16 +296,12 @@ double DelaySpectrum::loop_gain() const
     at_grid.push_back(gain(w));
   double best        = *std::max_element(at_grid.begin(), at_grid.end());
   const double rough = best;
-  for (std::size_t i = 0; i < grid.size(); ++i) {  // every peak that may be the highest: thirds of its bracket
+  for (std::size_t i = 0; i < grid.size(); ++i) {  // every peak that may be the highest
     const std::size_t left = i > 0 ? i - 1 : 0, right = std::min(i + 1, grid.size() - 1);
     if (at_grid[i] < 0.7 * rough || at_grid[i] < at_grid[left] || at_grid[i] < at_grid[right])
       continue;
-    double low = grid[left], high = grid[right];
-    for (int k = 0; k < 40; ++k) {
-      const double a = low + (high - low) / 3, b = high - (high - low) / 3, ga = gain(a), gb = gain(b);
-      (ga < gb ? low : high) = ga < gb ? a : b;
-      best                   = std::max({best, ga, gb});
-    }
+    best =
+        std::max(best, -minimum_between(grid[left], grid[right], [&](const double w) { return -gain(w); }).value);
   }
   return best;
 }

@@ -1,5 +1,6 @@
 #include "fem/contact/hertz.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -38,17 +39,12 @@ EllipticIntegrals elliptic_integrals(const double ratio)
 // as the ratio of the axes grows to 1, and the axes differ less than the radii do.
 double axis_ratio(const double radii)
 {
-  double low = -std::log(radii), high = 0;  // of ln(ratio)
-  if (low == 0)
-    return 1;
-  for (int i = 0; i < 200 && high - low > 1e-16; ++i) {
-    const double middle = (low + high) / 2, ratio = std::exp(middle);
-    if (middle == low || middle == high)
-      break;
-    const EllipticIntegrals e                        = elliptic_integrals(ratio);
-    (e.B > radii * ratio * ratio * e.D ? low : high) = middle;
-  }
-  return std::exp((low + high) / 2);
+  const auto excess = [&](const double log_ratio) {
+    const double ratio        = std::exp(log_ratio);
+    const EllipticIntegrals e = elliptic_integrals(ratio);
+    return e.B / (ratio * ratio * e.D) / radii - 1;
+  };
+  return std::exp(root_between(-std::log(radii), 0, excess).value_or(0));  // 0: radii that differ by rounding
 }
 }  // namespace
 

@@ -1,4 +1,5 @@
 #include "fem/housing/housing_component.h"
+#include "core/numerics/root_search.h"
 #include <algorithm>
 #include <cmath>
 
@@ -58,12 +59,9 @@ double housing_reach(const MillHousing &h, const ElasticBody &quarter)
 
 double longest_housing_element(const MillHousing &h, const double frequency_limit)
 {
-  double low = 0, high = 10 * (h.window_height + h.window_width);  // reach falls with the element
-  for (int i = 0; i < 60; ++i) {
-    const double middle                                          = 0.5 * (low + high);
-    (reach_of(h, middle, middle) > frequency_limit ? low : high) = middle;
-  }
-  return low;
+  const auto reaches = [&](const double element) { return reach_of(h, element, element) > frequency_limit; };
+  return border_between(0, 10 * (h.window_height + h.window_width), reaches)
+      .holds;  // reach falls with the element
 }
 
 Component housing_component(const MillHousing &housing, const ElasticBody &quarter,

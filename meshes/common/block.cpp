@@ -1,4 +1,5 @@
 #include "meshes/common/block.h"
+#include "meshes/common/series.h"
 #include "meshes/common/structured.h"
 #include <cmath>
 
@@ -20,20 +21,9 @@ std::vector<double> mesh_lines(const GradedLine &line)
   // As many elements as the wanted growth needs, then the growth that makes the last one end at `length`.
   const int n =
       std::max(1, int(std::lround(std::log1p(rest / first * (line.growth - 1)) / std::log(line.growth))));
-  const auto sum = [&](const double g) {
-    double s = 0, h = first;
-    for (int i = 0; i < n; ++i, h *= g)
-      s += h;
-    return s;
-  };
-  double low = 1e-3, high = 1e3;
-  for (int i = 0; i < 200; ++i) {
-    const double middle               = std::sqrt(low * high);
-    (sum(middle) < rest ? low : high) = middle;
-  }
-  const double start = out.back(), scale = rest / sum(low);
+  const double ratio = ratio_filling(rest, first, n), start = out.back(), scale = rest / sum_of(first, ratio, n);
   double h = first, position = 0;
-  for (int i = 0; i + 1 < n; ++i, h *= low)
+  for (int i = 0; i + 1 < n; ++i, h *= ratio)
     out.push_back(start + scale * (position += h));
   out.push_back(line.length);
   return out;

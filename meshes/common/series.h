@@ -7,4 +7,7 @@ inline double sum_of(const double first, const double ratio, const int n)
 {
   return std::abs(ratio - 1) < 1e-12 ? first * n : first * (std::pow(ratio, n) - 1) / (ratio - 1);
 }
+
+/// Ratio with which n elements fill `length`; 1 where n is 1, which no ratio changes.
+double ratio_filling(double length, double first, int n);
 }  // namespace mill::meshes

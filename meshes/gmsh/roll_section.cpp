@@ -6,17 +6,6 @@
 
 namespace mill::meshes {
 namespace {
-// Ratio of a geometric series of n elements that starts with `first` and fills `length`.
-double ratio_filling(const double length, const double first, const int n)
-{
-  double low = 1e-3, high = 1e3;
-  for (int i = 0; i < 200; ++i) {
-    const double middle                              = std::sqrt(low * high);
-    (sum_of(first, middle, n) < length ? low : high) = middle;
-  }
-  return std::sqrt(low * high);
-}
-
 // The ring of 3:1 templates between three fine edges and one coarse edge: four quadrilaterals each.
 //    o0 ------- o1      outer, coarse
 //    | a --- b  |

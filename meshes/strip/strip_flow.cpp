@@ -1,5 +1,6 @@
 #include "meshes/strip/strip_flow.h"
 #include "core/base/errors.h"
+#include "meshes/common/series.h"
 #include <algorithm>
 #include <cmath>
 
@@ -31,20 +32,10 @@ std::vector<double> arc_lines(const StripBlock &b)
 // n lines of a geometric series that begins with `first` and fills `length`, from 0.
 std::vector<double> growing_lines(const double first, const double length, const int n)
 {
-  double low = 0.1, high = 10;
-  const auto sum = [&](const double ratio) {
-    double s = 0, element = first;
-    for (int i = 0; i < n; ++i, element *= ratio)
-      s += element;
-    return s;
-  };
-  for (int i = 0; i < 100; ++i) {
-    const double middle                 = std::sqrt(low * high);
-    (sum(middle) < length ? low : high) = middle;
-  }
+  const double ratio = ratio_filling(length, first, n);
   std::vector<double> out{0};
   double element = first;
-  for (int i = 0; i < n; ++i, element *= low)
+  for (int i = 0; i < n; ++i, element *= ratio)
     out.push_back(out.back() + element);
   for (double &x : out)
     x *= length / out.back();

@@ -1,6 +1,7 @@
 #include "reduce/chain/mill_modulus.h"
 #include "core/base/errors.h"
 #include "core/numerics/gauss.h"
+#include "core/numerics/root_search.h"
 #include <algorithm>
 #include <cmath>
 
@@ -102,30 +103,12 @@ double GaugeCoupling::force_by_screw() const
 }
 
 double coupled_thickness(const double screw, const std::function<double(double)> &force,
-                         const std::function<double(double)> &stretch, double low, double high)
+                         const std::function<double(double)> &stretch, const double low, const double high)
 {
-  const auto excess = [&](const double h) { return h - screw - stretch(force(h)); };  // rises with h
-  double below = excess(low), above = excess(high);
-  if (!(below <= 0 && above >= 0))
+  const auto excess    = [&](const double h) { return h - screw - stretch(force(h)); };  // rises with h
+  const auto thickness = root_between(low, high, excess);
+  if (!thickness)
     throw InputError("no thickness in the range carries the force of the stand's stretch");
-  // Regula falsi with Illinois' halving of an end that stays twice: the bracket is kept, convergence is
-  // superlinear.
-  constexpr int most = 100;
-  int side           = 0;
-  for (int i = 0; i < most && high - low > 1e-15 * high && above != below; ++i) {
-    const double h = high - above * (high - low) / (above - below);
-    if (!(h > low && h < high))
-      break;  // no number lies between
-    const double e = excess(h);
-    if (e == 0)
-      return h;
-    (e > 0 ? high : low)    = h;
-    (e > 0 ? above : below) = e;
-    if (const int now = e > 0 ? 1 : -1; now == side)
-      (e > 0 ? below : above) *= 0.5;
-    else
-      side = now;
-  }
-  return std::abs(above) < std::abs(below) ? high : low;
+  return *thickness;
 }
 }  // namespace mill::reduce

@@ -1,13 +1,13 @@
 #include "twin/calibration/verdict.h"
+#include "core/numerics/quantiles.h"
 #include "twin/calibration/calibration_parts.h"
-#include "twin/spectra/welch.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace mill::twin {
 namespace {
-constexpr double upper_5_percent = 1.6449, upper_permille = 3.0902;  // normal deviates
+constexpr double upper_5_percent = 0.05, upper_permille = 0.001;  // probabilities
 
 void add_band_refusals(std::vector<std::string> &refusals, const CalibrationInput &in, const RecordFit &fit,
                        const std::string &record)
@@ -47,10 +47,10 @@ bool any_identified(const Calibration &c)
                      [](const Calibrated &u) { return u.identified && moves(u) != Moves::delay; });
 }
 
-/// Deviance that the case exceeds by chance alone with the probability of a normal deviate.
-double by_chance(const Calibration &c, const double deviate)
+/// Deviance that the case exceeds with this probability by chance alone.
+double by_chance(const Calibration &c, const double probability)
 {
-  return freed(c) * chi_square_over_dof(deviate, freed(c));
+  return chi_square_above(probability, freed(c));
 }
 
 bool any_wrong(const RecordFit &fit)

@@ -1,4 +1,5 @@
 #include "twin/records/csv_layout.h"
+#include "core/base/csv_cells.h"
 #include "core/base/valid_text.h"
 #include "twin/records/number_style.h"
 #include "twin/records/time_zone.h"
@@ -7,18 +8,9 @@
 
 namespace mill::twin {
 namespace {
-std::string_view without_blanks(std::string_view text)
-{
-  while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
-    text.remove_prefix(1);
-  while (!text.empty() && (text.back() == ' ' || text.back() == '\t' || text.back() == '\r'))
-    text.remove_suffix(1);
-  return text;
-}
-
 bool is_skipped(const std::string &line)
 {
-  return without_blanks(line).empty() || line.front() == '#';
+  return csv::without_blanks(line).empty() || line.front() == '#';
 }
 
 struct Cells {
@@ -178,38 +170,12 @@ void take_heads(CsvLayout &layout, const std::string &file, const std::vector<st
 }
 }  // namespace
 
-void split_cells(std::string_view line, const char separator, std::deque<std::string> &unquoted,
+void split_cells(const std::string_view line, const char separator, std::deque<std::string> &unquoted,
                  std::vector<std::string_view> &cells)
 {
-  if (separator == ' ')  // any number of blanks is one separator
-    line = without_blanks(line);
   cells.clear();
-  unquoted.clear();
-  std::size_t position = 0;
-  while (true) {
-    while (position < line.size() && line[position] == ' ')
-      ++position;
-    if (position < line.size() && line[position] == '"') {
-      std::string &text = unquoted.emplace_back();
-      for (++position; position < line.size(); ++position) {
-        if (line[position] != '"')
-          text += line[position];
-        else if (position + 1 < line.size() && line[position + 1] == '"')
-          text += line[++position];
-        else
-          break;
-      }
-      position = std::min(line.find(separator, std::min(position, line.size())), line.size());
-      cells.push_back(without_blanks(text));
-    } else {
-      const auto end = std::min(line.find(separator, position), line.size());
-      cells.push_back(without_blanks(line.substr(position, end - position)));
-      position = end;
-    }
-    if (position >= line.size())
-      return;
-    ++position;
-  }
+  csv::each_cell(line, separator, unquoted,
+                 [&](const std::string_view text, std::size_t) { cells.push_back(text); });
 }
 
 int column_of(const std::string_view line, const std::string_view cell, const std::size_t index,
@@ -221,8 +187,7 @@ int column_of(const std::string_view line, const std::string_view cell, const st
   else
     for (std::size_t i = 0; i < index && position < line.size(); ++position)
       i += line[position] == separator;
-  const auto before = line.substr(0, std::min(position, line.size()));
-  return 1 + int(std::count_if(before.begin(), before.end(), [](const char c) { return (c & 0xC0) != 0x80; }));
+  return 1 + csv::characters_in(line.substr(0, position));
 }
 
 bool is_missing(const std::string_view cell)

@@ -19,7 +19,8 @@ struct CsvLayout {
   std::vector<std::string> notes;
 };
 
-/// The cells of a line; quotes as in RFC 4180.  Views into the line or into `unquoted`.
+/// The cells of a line (core/base/csv_cells), faults of quotes passed over.  Views into the line or into
+/// `unquoted`.
 void split_cells(std::string_view line, char separator, std::deque<std::string> &unquoted,
                  std::vector<std::string_view> &cells);
 

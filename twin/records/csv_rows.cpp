@@ -145,24 +145,8 @@ CsvRows::Kind CsvRows::take(const std::string_view line, const int number, const
 
 void CsvRows::cut(const std::string_view line)
 {
-  if (layout_.separator == ' ' || line.find('"') != std::string_view::npos) {
-    split_cells(line, layout_.separator, unquoted_, cells_);
-    return;
-  }
-  cells_.clear();
-  std::size_t position = 0;
-  while (true) {
-    const auto end   = std::min(line.find(layout_.separator, position), line.size());
-    std::size_t from = position, to = end;
-    while (from < to && (line[from] == ' ' || line[from] == '\t'))
-      ++from;
-    while (to > from && (line[to - 1] == ' ' || line[to - 1] == '\t' || line[to - 1] == '\r'))
-      --to;
-    cells_.push_back(line.substr(from, to - from));
-    if (end == line.size())
-      return;
-    position = end + 1;
-  }
+  unquoted_.clear();
+  split_cells(line, layout_.separator, unquoted_, cells_);
 }
 
 Place CsvRows::place(const std::string_view line, const std::size_t c, const int number) const

@@ -1,4 +1,5 @@
 #include "twin/spectra/noise_floor.h"
+#include "core/numerics/quantiles.h"
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -15,44 +16,11 @@ double quantile_of(std::vector<double> &values, const double part)
   std::nth_element(values.begin(), place, values.end());
   return *place;
 }
-
-// Upper tail of the gamma distribution, Q(a, x): series below a + 1, continued fraction above.
-double upper_gamma(const double a, const double x)
-{
-  if (x <= 0)
-    return 1;
-  const double front = std::exp(a * std::log(x) - x - std::lgamma(a));
-  if (x < a + 1) {
-    double term = 1 / a, sum = term;
-    for (int n = 1; n < 10000 && term > 1e-16 * sum; ++n)
-      sum += term *= x / (a + n);
-    return 1 - front * sum;
-  }
-  double b = x + 1 - a, c = 1e300, d = 1 / b, h = d;
-  for (int n = 1; n < 10000; ++n) {
-    const double an = -n * (n - a);
-    b += 2;
-    d                   = 1 / (an * d + b);
-    c                   = b + an / c;
-    const double change = c * d;
-    h *= change;
-    if (std::abs(change - 1) < 1e-15)
-      break;
-  }
-  return front * h;
-}
 }  // namespace
 
 double chi_square_ratio(const double probability, const double dof)
 {
-  double low = 0, high = 1;
-  while (upper_gamma(dof / 2, high * dof / 2) > probability)
-    high *= 2;
-  for (int i = 0; i < 100 && high - low > 1e-12 * high; ++i) {
-    const double middle                                                 = 0.5 * (low + high);
-    (upper_gamma(dof / 2, middle * dof / 2) > probability ? low : high) = middle;
-  }
-  return 0.5 * (low + high);
+  return chi_square_above(probability, dof) / dof;
 }
 
 double detection_threshold(const double dof, const Eigen::Index bins)

@@ -1,12 +1,13 @@
 #include "twin/spectra/peaks.h"
+#include "twin/spectra/noise_floor.h"
 #include <algorithm>
 #include <cmath>
 
 namespace mill::twin {
 namespace {
-constexpr Eigen::Index neighbours = 60;  // to each side
-constexpr double least_rise       = 10;  // dB
-constexpr double once_in_1e9      = 6;   // normal deviate
+constexpr Eigen::Index neighbours = 60;    // to each side
+constexpr double least_rise       = 10;    // dB
+constexpr double once_in_1e9      = 1e-9;  // -, probability
 
 double decibel(const double ratio)
 {
@@ -79,7 +80,7 @@ std::vector<Peak> peaks(const WelchSpectrum &s, const double low, const double h
   std::vector<Peak> result;
   if (s.n == 0)
     return result;
-  const double least = std::max(least_rise, decibel(chi_square_over_dof(once_in_1e9, s.dof())));
+  const double least = std::max(least_rise, decibel(chi_square_ratio(once_in_1e9, s.dof())));
   struct Candidate {
     Eigen::Index k;
     double median;

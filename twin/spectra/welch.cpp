@@ -51,15 +51,9 @@ double WelchSpectrum::at(const Eigen::Index k) const
   return double(k) * rate / double(L);
 }
 
-double chi_square_over_dof(const double z, const double dof)
-{
-  const double a = 2 / (9 * dof);
-  return std::pow(std::max(0.0, 1 - a + z * std::sqrt(a)), 3);
-}
-
 std::array<double, 2> WelchSpectrum::band() const
 {
-  return {1 / chi_square_over_dof(1.959964, dof()), 1 / std::max(1e-9, chi_square_over_dof(-1.959964, dof()))};
+  return {1 / chi_square_ratio(0.025, dof()), 1 / chi_square_ratio(0.975, dof())};
 }
 
 Eigen::Index default_segment(const Eigen::Index n)

@@ -43,10 +43,6 @@ struct SpectralLine {
 /// @param k  a local maximum, 0 < k < L/2
 SpectralLine line_at(const WelchSpectrum &spectrum, Eigen::Index k);
 
-/// Upper quantile of chi-square over its degrees of freedom for a normal deviate z.  Source: Wilson and Hilferty
-/// (1931).
-double chi_square_over_dof(double z, double dof);
-
 /// m/s, root mean square of the velocity between two frequencies, by division with i w where the channel is an
 /// acceleration; NaN for others.  theory.md (41.7)
 double velocity_rms(const WelchSpectrum &spectrum, Quantity quantity, double low = 10, double high = 1000);

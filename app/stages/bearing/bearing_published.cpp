@@ -1,4 +1,5 @@
 #include "app/stages/bearing/bearing_published.h"
+#include "core/numerics/root_search.h"
 #include "core/records/result_names.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -17,16 +18,10 @@ std::string row_key(const Eigen::Index row)
   return fmt::format("row{}_roller", row + 1);
 }
 
-// Argument in [low, high] at which a rising function takes the value, by bisection in the logarithm; NaN: nowhere.
-double where(const std::function<double(double)> &f, const double value, double low, double high)
+// Argument in [low, high] at which a function takes the value; NaN: nowhere.
+double where(const std::function<double(double)> &f, const double value, const double low, const double high)
 {
-  if (!(value >= f(low)) || !(value <= f(high)))
-    return not_given;
-  for (int i = 0; i < 60 && high / low > 1 + 1e-9; ++i) {
-    const double middle              = std::sqrt(low * high);
-    (f(middle) < value ? low : high) = middle;
-  }
-  return std::sqrt(low * high);
+  return root_between(low, high, [&](const double x) { return f(x) - value; }).value_or(not_given);
 }
 
 using Stiffness = std::function<double(const bearing::AssemblyState &)>;

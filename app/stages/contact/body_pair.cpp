@@ -2,6 +2,7 @@
 #include "core/base/errors.h"
 #include "core/model/case.h"
 #include "core/model/ground_profile.h"
+#include "core/numerics/root_search.h"
 #include "fem/contact/hertz.h"
 #include <algorithm>
 #include <cmath>
@@ -110,14 +111,12 @@ SpaceShape::Slices SpaceShape::slices(const double load, const double tilt) cons
     return sum;
   };
   Slices out{};
-  double least = -std::abs(tilt) * length, most = least;
+  const double least = -std::abs(tilt) * length;
+  double most        = least;
   for (double step = hertz.half_width; carried(most, out) < load; step *= 2)
     most += step;
-  for (int i = 0; i < 60; ++i) {
-    const double middle                          = 0.5 * (least + most);
-    (carried(middle, out) < load ? least : most) = middle;
-  }
-  carried(most, out);
+  carried(root_between(least, most, [&](const double approach) { return carried(approach, out) - load; }).value(),
+          out);
   return out;
 }
 

@@ -4,6 +4,7 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/case/turning_keys.h"
+#include "core/numerics/root_search.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
 #include "dynamics/response/accelerance.h"
@@ -110,17 +111,10 @@ Peak peak_of(const Responder &r, const std::size_t force, const std::size_t plac
       best = i;
   if (best < 0)
     return {};
-  const auto magnitude    = [&](const double f) { return std::abs(dynamics::accelerance(one, f)(0, 0)); };
-  constexpr double golden = 0.6180339887498949;
-  double low = r.frequency[best - 1], high = r.frequency[best + 1];
-  double left = high - golden * (high - low), right = low + golden * (high - low);
-  for (int step = 0; step < 60; ++step) {
-    if (magnitude(left) < magnitude(right))
-      low = left, left = right, right = low + golden * (high - low);
-    else
-      high = right, right = left, left = high - golden * (high - low);
-  }
-  return {(low + high) / 2, magnitude((low + high) / 2)};
+  const auto [frequency, negative] =
+      minimum_between(r.frequency[best - 1], r.frequency[best + 1],
+                      [&](const double f) { return -std::abs(dynamics::accelerance(one, f)(0, 0)); });
+  return {frequency, -negative};
 }
 
 // What is drawn from, and what states no error.

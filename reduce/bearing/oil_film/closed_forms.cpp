@@ -1,5 +1,6 @@
 #include "reduce/bearing/oil_film/closed_forms.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include <cmath>
 
 namespace mill::bearing {
@@ -27,14 +28,9 @@ double ocvirk_attitude(const double e)
 
 double ocvirk_eccentricity(const double length_ratio, const double force)
 {
-  double low = 1e-9, high = 1 - 1e-9;
-  if (ocvirk_force(length_ratio, low) >= force)
-    return low;
-  for (int i = 0; i < 80; ++i) {
-    const double middle                                       = (low + high) / 2;
-    (ocvirk_force(length_ratio, middle) < force ? low : high) = middle;
-  }
-  return (low + high) / 2;
+  constexpr double low = 1e-9, high = 1 - 1e-9;
+  const auto excess = [&](const double e) { return ocvirk_force(length_ratio, e) - force; };
+  return root_between(low, high, excess).value_or(excess(low) > 0 ? low : high);
 }
 
 // (29.14), of a film whose force is 4 (L/D)^2 (r, t) in the directions of the line of centres and of rotation

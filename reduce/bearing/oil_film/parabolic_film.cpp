@@ -1,5 +1,6 @@
 #include "reduce/bearing/oil_film/parabolic_film.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include <cmath>
 #include <vector>
 
@@ -67,11 +68,8 @@ Eigen::Vector2d parabolic_force(const double length_ratio, const double e)
 
 double parabolic_eccentricity(const double length_ratio, const double force)
 {
-  double low = 1e-6, high = 0.999;
-  for (int i = 0; i < 40; ++i) {
-    const double middle                                                 = (low + high) / 2;
-    (parabolic_force(length_ratio, middle).norm() < force ? low : high) = middle;
-  }
-  return (low + high) / 2;
+  constexpr double low = 1e-6, high = 0.999;
+  const auto excess = [&](const double e) { return parabolic_force(length_ratio, e).norm() - force; };
+  return root_between(low, high, excess).value_or(excess(low) > 0 ? low : high);
 }
 }  // namespace mill::bearing

@@ -1,3 +1,4 @@
+#include "core/numerics/quantiles.h"
 #include "reduce/bite/fit/fit.h"
 #include <Eigen/Cholesky>
 #include <algorithm>
@@ -148,8 +149,6 @@ Eigen::MatrixXd confidence_region(const FitProblem &problem, const FitPoint &bes
 
 double largest_likely_misfit(const int freedom)
 {
-  // Wilson and Hilferty: the cube root of chi-square over its freedom is nearly normal; below 1 % off.
-  const double n = freedom, part = 2 / (9 * n);
-  return n * std::pow(1 - part + 2.3263478740408408 * std::sqrt(part), 3);
+  return chi_square_above(0.01, freedom);
 }
 }  // namespace mill::bite

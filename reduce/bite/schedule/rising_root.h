@@ -9,8 +9,8 @@ struct RisingRoot {
   bool met     = false;  ///< false: `wanted` lies outside the range, or in a jump (also one to infinity)
 };
 
-/// Smallest x of low..high with function(x) = wanted, by secants kept inside a bracket that is halved where they
-/// stall.  The function may jump, and be infinite above some x.
-/// Cost: 8 to 15 evaluations, 60 next to a jump.
+/// x of low..high with function(x) = wanted, or the end or the side of a jump that comes nearest to it.  The
+/// function may be infinite above some x.
+/// Cost: 8 to 15 evaluations, 160 next to a jump.
 RisingRoot rising_root(double low, double high, double wanted, const std::function<double(double)> &function);
 }  // namespace mill::bite

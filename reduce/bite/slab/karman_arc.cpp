@@ -1,5 +1,6 @@
 #include "reduce/bite/slab/karman_arc.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include "reduce/bite/sentence.h"
 #include "reduce/bite/slab/karman_path.h"
 #include "reduce/bite/slab/slab_checks.h"
@@ -142,11 +143,7 @@ std::optional<double> least_friction(const RollBite &bite, const Theory theory, 
     if (high > 1000)
       return std::nullopt;
   }
-  while (high - low > 1e-4 * high) {
-    const double middle          = 0.5 * (low + high);
-    (there(middle) ? high : low) = middle;
-  }
-  return high;
+  return border_between(high, low, there, 1e-4).holds;
 }
 
 /// Pressures and shear at n places of one side, by Runge-Kutta's fourth order from one to the next: no more than

@@ -1,5 +1,6 @@
 #include "reduce/bite/slab/karman_path.h"
 #include "core/base/errors.h"
+#include "core/numerics/root_search.h"
 #include "reduce/bite/sentence.h"
 #include <algorithm>
 #include <cmath>
@@ -49,20 +50,10 @@ PathNode BranchPath::stepped(const PathNode &from, const double length, double *
 /// Node at which the friction changes its regime inside a step that ends in the other one.
 PathNode BranchPath::event(const PathNode &from, const double length)
 {
-  double a = 0, b = length;
-  double at_a = excess(from), at_b = excess(stepped(from, length));
-  if ((at_a > 0) == (at_b > 0))  // it starts on the border
-    return from;
-  for (int i = 0; i < 60 && std::abs(b - a) > 1e-14 * std::abs(from.t); ++i) {
-    const double middle = i % 3 == 2 ? 0.5 * (a + b) : (a * at_b - b * at_a) / (at_b - at_a);
-    const PathNode node = stepped(from, middle);
-    const double there  = excess(node);
-    if (std::abs(there) < 1e-13)
-      return node;
-    ((there > 0) == (at_a > 0) ? a : b)       = middle;
-    ((there > 0) == (at_a > 0) ? at_a : at_b) = there;
-  }
-  return stepped(from, 0.5 * (a + b));
+  const auto at_end = root_between(
+      {from.t, excess(from)}, {from.t + length, excess(stepped(from, length))},
+      [&](const double t) { return excess(stepped(from, t - from.t)); }, 1e-14);
+  return at_end && *at_end != from.t ? stepped(from, *at_end - from.t) : from;  // else it starts on the border
 }
 
 void BranchPath::refuse_crawling(const PathNode &node_reached, const double length) const

@@ -208,3 +208,10 @@ TEST(Template, ATemplateBeginsWithTheDrawing)
   for (const std::string &line : split(experts, "\n"))
     EXPECT_TRUE(line.empty() || line[0] == '#') << line;
 }
+
+TEST_F(Sheets, RefuseAQuoteThatIsNotClosed)
+{
+  const std::string message = refused("key,value\nstrip.friction,\"0.06\ntitle,x\n");
+  EXPECT_NE(message.find("sheet.csv:2:16"), std::string::npos) << message;
+  EXPECT_NE(message.find("not closed"), std::string::npos) << message;
+}
