@@ -227,9 +227,23 @@ const char *fast_blas_kernels()
   return nullptr;
 }
 
+namespace {
+// The pthread flavour of OpenBLAS has one pool for the whole process, whose threads spin while ours work: a run of
+// the demo stand took three times the time.  It stays on the calling thread.
+void end_pool_of_pthreads()
+{
+  constexpr int pthreads = 1;  // what openblas_get_parallel() answers
+  const auto flavour     = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_parallel"));
+  const auto set_threads = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads"));
+  if (flavour != nullptr && set_threads != nullptr && flavour() == pthreads)
+    set_threads(1);
+}
+}  // namespace
+
 void set_blas_threads(const int n)
 {
-  threads_of_this = n;
+  [[maybe_unused]] static const bool once = (end_pool_of_pthreads(), true);
+  threads_of_this                         = n;
   omp_set_num_threads(n);                    // the openmp flavour of OpenBLAS and CHOLMOD share this pool
   omp_set_max_active_levels(n > 1 ? 1 : 0);  // CHOLMOD names its own number of threads; at level 0 it gets one
 }
