@@ -9,7 +9,12 @@ double ratio_filling(const double length, const double first, const int n)
     return 1;
   constexpr double least = 1e-3;
   const double most      = std::max(1., std::pow(length / first, 1. / (n - 1)));  // the last element fills all
-  return root_between(least, most, [&](const double ratio) { return sum_of(first, ratio, n) - length; })
-      .value_or(least);
+  const auto missing     = [&](const double ratio) {  // term by term: the closed form cancels near ratio 1
+    double rest = length, element = first;
+    for (int i = 0; i < n; ++i, element *= ratio)
+      rest -= element;
+    return rest;
+  };
+  return root_between(least, most, missing).value_or(least);
 }
 }  // namespace mill::meshes
