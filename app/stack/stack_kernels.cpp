@@ -2,7 +2,6 @@
 #include "app/run/kept_part.h"
 #include "core/base/files.h"
 #include "core/records/record_text.h"
-#include "fem/cache/roll_cache.h"
 #include "fem/members.h"
 #include "meshes/bearing/meridian.h"
 #include "meshes/common/mesher.h"
@@ -28,11 +27,8 @@ fem::FourierRoll kept_roll(RunContext &run, const StackRoll &roll, const RollGeo
     std::filesystem::remove(mesh_file);
     return fem::fourier_roll(body, geometry, roll.material, fem::stations_of(body), options, run.progress);
   };
-  const auto save = [](const std::string &to, const std::string &its_key, const fem::FourierRoll &made) {
-    fem::save_roll(to, its_key, made);
-  };
-  return kept_part<fem::FourierRoll>(run, "condensed roll " + roll.name, file, key, fem::load_fourier_roll, make,
-                                     save, "fewer programs at the same time");
+  return kept_part<fem::FourierRoll>(run, "condensed roll " + roll.name, file, key, make,
+                                     "fewer programs at the same time");
 }
 }  // namespace
 

@@ -41,11 +41,10 @@ struct RollerMeshes {
   MeshFile roller, inner, outer;
 };
 
-template <class Io> void each_member(Io &&io, const RollerSetup &record)
+template <class Io, class R, if_record<R, RollerSetup> = 0> void each_member(Io &&io, R &record)
 {
-  const auto &[diameter, length, contact_length, inner_radius, outer_radius, inner_depth, outer_depth, land,
-               material, largest_load, finest_load, elements_per_half_width, end_element, largest_element] =
-      record;
+  auto &[diameter, length, contact_length, inner_radius, outer_radius, inner_depth, outer_depth, land, material,
+         largest_load, finest_load, elements_per_half_width, end_element, largest_element] = record;
   io("diameter", diameter);
   io("length", length);
   io("contact_length", contact_length);
@@ -54,7 +53,7 @@ template <class Io> void each_member(Io &&io, const RollerSetup &record)
   io("inner_depth", inner_depth);
   io("outer_depth", outer_depth);
   io("land", land);
-  io("material", at_rest(material));
+  io("material", material);
   io("largest_load", largest_load);
   io("finest_load", finest_load);
   io("elements_per_half_width", elements_per_half_width);

@@ -7,9 +7,10 @@
 namespace mill {
 constexpr double last_digits = 4 * std::numeric_limits<double>::epsilon();
 
-/// A place and the value of a function there, in the units of the caller.
+/// A place and the value of a function there.
 struct Evaluated {
-  double at, value;
+  double at;     ///< unit of the argument
+  double value;  ///< unit of the function
 };
 
 /// Root of f between two ends: G. E. Alefeld, F. A. Potra, Y. Shi, ACM Transactions on Mathematical Software 21
@@ -31,7 +32,7 @@ Evaluated minimum_between(double low, double high, const std::function<double(do
 
 /// Where a property changes.
 struct Border {
-  double holds, fails;  ///< nearest places known on either side, in the units of the caller
+  double holds, fails;  ///< unit of the argument; nearest places known on either side
 };
 
 /// Border between a place where the property holds and one where it does not, which are not tried again, by

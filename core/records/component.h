@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -12,6 +13,15 @@ struct ComponentSurface {
   Eigen::MatrixXd displacement;  ///< (3 s, n) x, y, z of each point in turn
   Eigen::MatrixXd stress;        ///< (6 s, n) Pa per unit: xx yy zz xy xz yz of each point in turn
 };
+
+template <class Io, class R, if_record<R, ComponentSurface> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[position, faces, displacement, stress] = record;
+  io("position", position);
+  io("faces", faces);
+  io("displacement", displacement);
+  io("stress", stress);
+}
 
 /// A body reduced to its interface and to its modes with that interface held (Craig and Bampton 1968).
 /// Coordinates, in this order: n_i interface displacements, then n_m modal amplitudes.  theory.md 21
@@ -43,4 +53,25 @@ struct Component {
     return Eigen::Index(interface.size());
   }
 };
+
+template <class Io, class R, if_record<R, Component> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[name, source, interface, n_barrel, half_barrel, M, K, fixed_frequency, residual, axis_z, axis, mass,
+         reach, elements_per_radius, surface] = record;
+  io("name", name);
+  io("source", source);
+  io("interface", interface);
+  io("n_barrel", n_barrel);
+  io("half_barrel", half_barrel);
+  io("M", M);
+  io("K", K);
+  io("fixed_frequency", fixed_frequency);
+  io("residual", residual);
+  io("axis_z", axis_z);
+  io("axis", axis);
+  io("mass", mass);
+  io("reach", reach);
+  io("elements_per_radius", elements_per_radius);
+  io("surface", surface);
+}
 }  // namespace mill

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include <Eigen/Core>
 #include <string>
 #include <vector>
@@ -12,6 +13,14 @@ struct Table {
   Table &add(std::string name, std::string unit, Eigen::VectorXd column);
   const Eigen::VectorXd *column(const std::string &name) const;  ///< nullptr when absent
 };
+
+template <class Io, class R, if_record<R, Table> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[names, units, columns] = record;
+  io("names", names);
+  io("units", units);
+  io("columns", columns);
+}
 
 /// Text of a table: commas, 17 digits at most, '\n', header "name [unit]" in quotes where RFC 4180 wants them.  A
 /// number that is not finite is an empty cell.

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include <Eigen/Core>
 #include <optional>
 #include <string>
@@ -21,6 +22,22 @@ struct ContactCurve {
   double residual = 0;            ///< -, largest relative complementarity residual of the sweep
 };
 
+template <class Io, class R, if_record<R, ContactCurve> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[name, reference, load, approach, half_width, peak_pressure, tangent, secant, iterations, residual] =
+      record;
+  io("name", name);
+  io("reference", reference);
+  io("load", load);
+  io("approach", approach);
+  io("half_width", half_width);
+  io("peak_pressure", peak_pressure);
+  io("tangent", tangent);
+  io("secant", secant);
+  io("iterations", iterations);
+  io("residual", residual);
+}
+
 /// Distribution along the barrel at one load, m stations from mid-length to the barrel end.
 struct BarrelProfile {
   double load = 0;                ///< N
@@ -31,6 +48,18 @@ struct BarrelProfile {
   Eigen::VectorXd half_width;     ///< (m) m
   Eigen::VectorXd peak_pressure;  ///< (m) Pa
 };
+
+template <class Io, class R, if_record<R, BarrelProfile> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[load, z, line_load, approach, tangent, half_width, peak_pressure] = record;
+  io("load", load);
+  io("z", z);
+  io("line_load", line_load);
+  io("approach", approach);
+  io("tangent", tangent);
+  io("half_width", half_width);
+  io("peak_pressure", peak_pressure);
+}
 
 /// Force record of a pass.
 struct ForceRecord {

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/model/ring_sections.h"
 #include "core/process/progress.h"
 #include "reduce/bearing/ring_flexibility.h"
@@ -25,6 +26,21 @@ struct RingResult {
   int n_chock_unknowns    = 0;     ///< of the block as meshed
   std::vector<std::string> notes;  ///< what a reader of the numbers should know, one sentence each
 };
+
+template <class Io, class R, if_record<R, RingResult> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[flexibility, companion, error_estimate, chock_difference, truncated, indefinite, n_section_unknowns,
+         n_chock_unknowns, notes] = record;
+  io("flexibility", flexibility);
+  io("companion", companion);
+  io("error_estimate", error_estimate);
+  io("chock_difference", chock_difference);
+  io("truncated", truncated);
+  io("indefinite", indefinite);
+  io("n_section_unknowns", n_section_unknowns);
+  io("n_chock_unknowns", n_chock_unknowns);
+  io("notes", notes);
+}
 
 /// How far rings, neck and chock deflect under the rollers beyond the raceway pieces that the law of one roller
 /// contains. Bodies of revolution by one factorisation per harmonic; the block by one per symmetry case. theory.md

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/base/errors.h"
 #include "core/model/roller_setup.h"
 #include "core/process/progress.h"
@@ -25,6 +26,26 @@ struct CondensedRoller {
   int n_unknowns      = 0;  ///< of the roller and both raceways, one symmetry case of each
   double factor_bytes = 0;  ///< bytes, largest factor
 };
+
+template <class Io, class R, if_record<R, CondensedRoller::Parities> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[even, odd] = record;
+  io("even", even);
+  io("odd", odd);
+}
+
+template <class Io, class R, if_record<R, CondensedRoller> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[setup, grid, symmetric, antisymmetric, inner, outer, n_unknowns, factor_bytes] = record;
+  io("setup", setup);
+  io("grid", grid);
+  io("symmetric", symmetric);
+  io("antisymmetric", antisymmetric);
+  io("inner", inner);
+  io("outer", outer);
+  io("n_unknowns", n_unknowns);
+  io("factor_bytes", factor_bytes);
+}
 
 /// Condenses the three bodies: eight factorisations.
 /// @param meshes  of meshes::mesh_roller for the same setup

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include <Eigen/Core>
 #include <vector>
 
@@ -32,4 +33,19 @@ struct State {
   int iterations  = 0;
   double residual = 0;  ///< -, largest violation of the four conditions, relative
 };
+
+template <class Io, class R, if_record<R, State> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[motion, resultant, nodal, gap, compliance, stiffness, d_nodal, active, iterations, residual] = record;
+  io("motion", motion);
+  io("resultant", resultant);
+  io("nodal", nodal);
+  io("gap", gap);
+  io("compliance", compliance);
+  io("stiffness", stiffness);
+  io("d_nodal", d_nodal);
+  io("active", active);
+  io("iterations", iterations);
+  io("residual", residual);
+}
 }  // namespace mill::contact

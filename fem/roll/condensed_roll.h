@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/model/mesh_file.h"
 #include "core/process/progress.h"
 #include "fem/body/elastic_body.h"
@@ -16,6 +17,18 @@ struct PatchGrid {
   bool whole = false;    ///< both sides of mid-length
 };
 
+template <class Io, class R, if_record<R, PatchGrid> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[n_x, n_z, x, z, area, degree, whole] = record;
+  io("n_x", n_x);
+  io("n_z", n_z);
+  io("x", x);
+  io("z", z);
+  io("area", area);
+  io("degree", degree);
+  io("whole", whole);
+}
+
 /// Flexibility of an eighth of a roll for one symmetry case of loads and displacements about the planes y = 0 and
 /// z = 0, even about x = 0.  Forces and displacements of the patch are positive towards the axis.
 struct CaseFlexibility {
@@ -28,6 +41,17 @@ struct CaseFlexibility {
   Eigen::VectorXd seat_axis;  ///< (n_a) m/N, of the axis under it
   Eigen::MatrixXd field;      ///< (3N, n) m/N, whole displacement field; empty unless asked for
 };
+
+template <class Io, class R, if_record<R, CaseFlexibility> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[patch, traction, axis, seat_patch, seat_axis, field] = record;
+  io("patch", patch);
+  io("traction", traction);
+  io("axis", axis);
+  io("seat_patch", seat_patch);
+  io("seat_axis", seat_axis);
+  io("field", field);
+}
 
 /// A roll reduced to its contact line: flexibilities of an eighth of it for the parities about y = 0 and z = 0,
 /// from which every load on the two generators and on the necks is put together.  theory.md (2.4)
@@ -50,6 +74,24 @@ struct CondensedRoll {
     return symmetric_odd.patch.size() > 0 && antisymmetric_odd.patch.size() > 0;
   }
 };
+
+template <class Io, class R, if_record<R, CondensedRoll> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[geometry, grid, axis_z, symmetric, antisymmetric, symmetric_odd, antisymmetric_odd, seat_lever,
+         n_unknowns, field_mesh, factor_bytes, factor_flops] = record;
+  io("geometry", geometry);
+  io("grid", grid);
+  io("axis_z", axis_z);
+  io("symmetric", symmetric);
+  io("antisymmetric", antisymmetric);
+  io("symmetric_odd", symmetric_odd);
+  io("antisymmetric_odd", antisymmetric_odd);
+  io("seat_lever", seat_lever);
+  io("n_unknowns", n_unknowns);
+  io("field_mesh", field_mesh);
+  io("factor_bytes", factor_bytes);
+  io("factor_flops", factor_flops);
+}
 
 struct CondenseOptions {
   bool slab          = false;  ///< plane strain: both faces held in z, symmetric only

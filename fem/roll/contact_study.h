@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/base/errors.h"
 #include "core/process/progress.h"
 #include "core/records/records.h"
@@ -42,6 +43,26 @@ struct ContactPair {
   std::function<const ContactPair &()> completed;
 };
 
+// What is read off a pair, without what solves it.
+template <class Io, class R, if_record<R, ContactPair> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[name, reference, grid, problem, axis, axis_support, path, mean, drop, transfer, radii_sum, multiplicity,
+         axial_mirror, tilt, load_offset, solved, completed] = record;
+  io("name", name);
+  io("reference", reference);
+  io("grid", grid);
+  io("axis", axis);
+  io("axis_support", axis_support);
+  io("path", path);
+  io("mean", mean);
+  io("drop", drop);
+  io("radii_sum", radii_sum);
+  io("multiplicity", multiplicity);
+  io("axial_mirror", axial_mirror);
+  io("tilt", tilt);
+  io("load_offset", load_offset);
+}
+
 /// The pair with its `problem`.
 const ContactPair &complete(const ContactPair &pair);
 
@@ -82,6 +103,18 @@ struct ContactPoint {
   double moment = 0;  ///< N m, of the contact force about mid-length
   Eigen::MatrixXd compliance;  ///< (k, k) d(approach, tilt)/d(force, moment), total: m/N, 1/N, 1/(N m)
 };
+
+template <class Io, class R, if_record<R, ContactPoint> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[state, load, approach, tangent, tilt, moment, compliance] = record;
+  io("state", state);
+  io("load", load);
+  io("approach", approach);
+  io("tangent", tangent);
+  io("tilt", tilt);
+  io("moment", moment);
+  io("compliance", compliance);
+}
 /// A load that starts from nothing is solved once, where the pair remembers its loads.
 ContactPoint solve_load(const ContactPair &pair, double load, const std::vector<char> &start = {});
 
@@ -102,6 +135,13 @@ private:
   mutable std::mutex access;
   Known at;
 };
+
+template <class Io, class R, if_record<R, SolvedLoads::Known> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[points, numbers] = record;
+  io("points", points);
+  io("numbers", numbers);
+}
 
 /// The number of this name, made once where the pair remembers.
 Eigen::MatrixXd remembered(const ContactPair &pair, const std::string &name,

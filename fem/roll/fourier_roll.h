@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/model/mesh_file.h"
 #include "core/process/progress.h"
 #include "fem/body/section_body.h"
@@ -21,6 +22,18 @@ struct HarmonicResponse {
   Eigen::MatrixXd point_point;    ///< (p, p) m/N, of the points themselves
 };
 
+template <class Io, class R, if_record<R, HarmonicResponse> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[surface, axis, seat_surface, seat_axis, point_surface, point_axis, point_point] = record;
+  io("surface", surface);
+  io("axis", axis);
+  io("seat_surface", seat_surface);
+  io("seat_axis", seat_axis);
+  io("point_surface", point_surface);
+  io("point_axis", point_axis);
+  io("point_point", point_point);
+}
+
 /// A roll of revolution condensed to its contact line by a Fourier series around it.  theory.md 11
 /// Order 1 contains the rigid motions: they are pinned on the axis, and the loads on a roll must balance.
 struct FourierRoll {
@@ -39,6 +52,21 @@ struct FourierRoll {
     return !odd.surface.empty();
   }
 };
+
+template <class Io, class R, if_record<R, FourierRoll> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[geometry, material, edge, order, even, odd, half_width, seat_lever, points, n_unknowns] = record;
+  io("geometry", geometry);
+  io("material", material);
+  io("edge", edge);
+  io("order", order);
+  io("even", even);
+  io("odd", odd);
+  io("half_width", half_width);
+  io("seat_lever", seat_lever);
+  io("points", points);
+  io("n_unknowns", n_unknowns);
+}
 
 struct FourierOptions {
   int all_orders    = 16;   ///< harmonics up to this one are computed each

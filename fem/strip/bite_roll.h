@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/model/material.h"
 #include "core/model/mesh_file.h"
 #include "reduce/bite/bite.h"
@@ -28,6 +29,15 @@ struct BiteRollResult {
   double error_estimate = 0;  ///< -, arc_difference() of two meshes; 0 without a second one
   int n_unknowns        = 0;  ///< per symmetry case
 };
+
+template <class Io, class R, if_record<R, BiteRollResult> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[flexibility, shear_influence, error_estimate, n_unknowns] = record;
+  io("flexibility", flexibility);
+  io("shear_influence", shear_influence);
+  io("error_estimate", error_estimate);
+  io("n_unknowns", n_unknowns);
+}
 
 /// How far the surface of a work roll deflects in the bite, from its whole section in plane strain.  theory.md 20
 /// Quarter of the section, once for each of the four parities; both directions of the load follow from them.

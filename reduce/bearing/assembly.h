@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/base/errors.h"
 #include "core/model/roller_bearing.h"
 #include "reduce/bearing/ring_flexibility.h"
@@ -59,6 +60,31 @@ struct AssemblyState {
   int iterations  = 0;
   double residual = 0;  ///< -, largest of the equilibrium, relative to the load
 };
+
+template <class Io, class R, if_record<R, AssemblyState> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[motion, load, tangent, roller_load, roller_moment, roller_approach, roller_tangent, slice_load,
+         inner_load, rib_force, row_radial, row_axial, row_share, loaded_rollers, azimuth, ring_motion, iterations,
+         residual] = record;
+  io("motion", motion);
+  io("load", load);
+  io("tangent", tangent);
+  io("roller_load", roller_load);
+  io("roller_moment", roller_moment);
+  io("roller_approach", roller_approach);
+  io("roller_tangent", roller_tangent);
+  io("slice_load", slice_load);
+  io("inner_load", inner_load);
+  io("rib_force", rib_force);
+  io("row_radial", row_radial);
+  io("row_axial", row_axial);
+  io("row_share", row_share);
+  io("loaded_rollers", loaded_rollers);
+  io("azimuth", azimuth);
+  io("ring_motion", ring_motion);
+  io("iterations", iterations);
+  io("residual", residual);
+}
 
 /// Radial stiffness along the radial load, N/m: loads of the other load-driven components kept, motions of the
 /// motion-driven ones kept.  Without a radial load along x.

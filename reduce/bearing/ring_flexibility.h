@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include <Eigen/Core>
 #include <vector>
 
@@ -25,6 +26,18 @@ struct RingFlexibility {
   Eigen::MatrixXd chock_cosine;  ///< (n rows modes)^2 m/N
   Eigen::MatrixXd chock_sine;    ///< ((n-1) rows modes)^2 m/N
 };
+
+template <class Io, class R, if_record<R, RingFlexibility> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[rows, modes, inner, outer, chock_harmonics, chock_cosine, chock_sine] = record;
+  io("rows", rows);
+  io("modes", modes);
+  io("inner", inner);
+  io("outer", outer);
+  io("chock_harmonics", chock_harmonics);
+  io("chock_cosine", chock_cosine);
+  io("chock_sine", chock_sine);
+}
 
 /// (rows Z modes)^2 m/N between all rollers, index (row * Z + roller) * modes + a, inner and outer together.
 /// @param azimuth  (Z) rad, of the rollers of every row, from the chock's support

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/base/warning.h"
 #include "core/model/material.h"
 #include "core/model/strip.h"
@@ -81,6 +82,44 @@ struct BiteState {
   std::vector<std::string> remarks;  ///< what happens in the bite, within the range of the model
 };
 
+template <class Io, class R, if_record<R, BiteState> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[model, force, torque, friction, film_thickness, flattened_radius, arc_length, exit_position, bite_angle,
+         neutral_position, neutral_thickness, sticking_length, entry_speed, exit_speed, forward_slip,
+         peak_pressure, entry_flow_stress, exit_flow_stress, largest_shear, iterations, force_by, torque_by,
+         force_by_exit_following, position, thickness, pressure, shear, slip, notes, remarks] = record;
+  io("model", model);
+  io("force", force);
+  io("torque", torque);
+  io("friction", friction);
+  io("film_thickness", film_thickness);
+  io("flattened_radius", flattened_radius);
+  io("arc_length", arc_length);
+  io("exit_position", exit_position);
+  io("bite_angle", bite_angle);
+  io("neutral_position", neutral_position);
+  io("neutral_thickness", neutral_thickness);
+  io("sticking_length", sticking_length);
+  io("entry_speed", entry_speed);
+  io("exit_speed", exit_speed);
+  io("forward_slip", forward_slip);
+  io("peak_pressure", peak_pressure);
+  io("entry_flow_stress", entry_flow_stress);
+  io("exit_flow_stress", exit_flow_stress);
+  io("largest_shear", largest_shear);
+  io("iterations", iterations);
+  io("force_by", force_by);
+  io("torque_by", torque_by);
+  io("force_by_exit_following", force_by_exit_following);
+  io("position", position);
+  io("thickness", thickness);
+  io("pressure", pressure);
+  io("shear", shear);
+  io("slip", slip);
+  io("notes", notes);
+  io("remarks", remarks);
+}
+
 /// Four stiffnesses that all go by the name K4, N/m over the strip width.  theory.md 8.5
 struct BiteStiffness {
   double plastic_slope           = 0;          ///< -dF/dh_exit at fixed entry thickness and fixed arc, (8.10)
@@ -97,4 +136,12 @@ struct ArcFlexibility {
       influence;       ///< (n, n) m/Pa, displacement at i by unit pressure at j; relative to the axis of the roll
   std::string method;  ///< "half plane", "finite elements of the roll's section, 21000 unknowns"
 };
+
+template <class Io, class R, if_record<R, ArcFlexibility> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[position, influence, method] = record;
+  io("position", position);
+  io("influence", influence);
+  io("method", method);
+}
 }  // namespace mill::bite

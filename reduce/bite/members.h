@@ -13,12 +13,4 @@ template <class Io> void each_member(Io &&io, const RollBite &record)
   io("roll_speed", roll_speed);
   io("gap_rate", gap_rate);
 }
-
-// The method is a sentence about the matrix.
-template <class Io> void each_member(Io &&io, const ArcFlexibility &record)
-{
-  const auto &[position, influence, method] = record;
-  io("position", position);
-  io("influence", influence);
-}
 }  // namespace mill::bite

@@ -5,7 +5,6 @@
 #include "core/records/record_text.h"
 #include "fem/bearing/chock_flexibility.h"
 #include "fem/bearing/roller_slices.h"
-#include "fem/cache/roll_cache.h"
 #include "meshes/bearing/bearing_rings.h"
 #include "meshes/bearing/chock.h"
 #include "meshes/bearing/roller.h"
@@ -46,8 +45,8 @@ fem::CondensedRoller condensed_roller(RunContext &run, const RollerBearing &b, c
     meshes::remove_meshes(meshes);
     return roller;
   };
-  return kept_part<fem::CondensedRoller>(run, name, file_name(run, "roller", key), key, fem::load_roller, make,
-                                         fem::save_roller, "bearing." + b.name + ".roller_law = \"iso\"");
+  return kept_part<fem::CondensedRoller>(run, name, file_name(run, "roller", key), key, make,
+                                         "bearing." + b.name + ".roller_law = \"iso\"");
 }
 
 // Everything the rings' flexibility is made from: their sections and what holds them.
@@ -82,7 +81,7 @@ fem::RingResult condensed_rings(RunContext &run, const RollerBearing &b, const b
     return result;
   };
   return kept_part<fem::RingResult>(run, "rings and chock of bearing " + b.name, file_name(run, "rings", key), key,
-                                    fem::load_rings, make, fem::save_rings, rigid_rings(b));
+                                    make, rigid_rings(b));
 }
 
 // What surrounds the cup in another way: the orders in which it shows, on the coarser meshes.
@@ -104,8 +103,7 @@ fem::RingResult condensed_surroundings(RunContext &run, const bearing::ChockSupp
     return result;
   };
   return kept_part<fem::RingResult>(run, support.name + ", bearing " + support.bearing.name,
-                                    file_name(run, "rings", key), key, fem::load_rings, make, fem::save_rings,
-                                    rigid_rings(support.bearing));
+                                    file_name(run, "rings", key), key, make, rigid_rings(support.bearing));
 }
 
 // The part of the rings that the law of one roller includes; the remainder belongs to the rings.

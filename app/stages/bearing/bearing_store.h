@@ -1,6 +1,6 @@
 #pragma once
 #include "app/stages/bearing/bearing_study.h"
-#include <optional>
+#include "core/base/each_member.h"
 #include <string>
 #include <vector>
 
@@ -13,12 +13,24 @@ struct SolvedBearing {
   std::vector<bearing::AssemblyState> companions, supports, arrangements;
 };
 
+template <class Io, class R, if_record<R, SolvedBearing> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[curve, standard_curve, rigid_curve, at, standard, rigid, palmgren, slice_deviation, companions, supports,
+         arrangements] = record;
+  io("curve", curve);
+  io("standard_curve", standard_curve);
+  io("rigid_curve", rigid_curve);
+  io("at", at);
+  io("standard", standard);
+  io("rigid", rigid);
+  io("palmgren", palmgren);
+  io("slice_deviation", slice_deviation);
+  io("companions", companions);
+  io("supports", supports);
+  io("arrangements", arrangements);
+}
+
 /// Everything that they depend on, as text; its hash is the key of the cache.
 /// @param largest_load  N, on one roller, that its mesh is made for
 std::string bearing_inputs_text(const BearingQuestion &question, double largest_load);
-
-/// @throws InputError  cannot be written
-void save_bearing(const std::string &path, const std::string &key, const SolvedBearing &solved);
-/// What was kept, or nothing; `note` says why an entry cannot be used.
-std::optional<SolvedBearing> load_bearing(const std::string &path, const std::string &key, std::string *note);
 }  // namespace mill

@@ -298,13 +298,11 @@ SolvedBearing solved_or_kept(RunContext &run, BearingStudy &s)
   const std::string inputs = bearing_inputs_text(q, s.parts.roller ? s.parts.roller->setup.largest_load : 0);
   const std::string key    = hash_of(inputs);
   s.readings               = std::make_shared<BearingReadings>(run, inputs);
-  const auto save          = [&](const std::string &file, const std::string &key, const SolvedBearing &solved) {
-    if (!s.curve.failure)  // which the next run has to say again
-      save_bearing(file, key, solved);
-  };
+  // The next run has to say again that a curve ended.
+  const auto whole = [&](const SolvedBearing &) { return !s.curve.failure; };
   return kept_part<SolvedBearing>(
-      run, "bearing " + q.bearing.name, run.cache + "/bearing-" + key + ".bin", key, load_bearing,
-      [&] { return solve_all(run, s); }, save, "bearing." + q.bearing.name + ".roller_law = \"iso\"");
+      run, "bearing " + q.bearing.name, run.cache + "/bearing-" + key + ".bin", key,
+      [&] { return solve_all(run, s); }, "bearing." + q.bearing.name + ".roller_law = \"iso\"", whole);
 }
 }  // namespace
 

@@ -1,10 +1,8 @@
 #include "app/stages/bite/bite_roll_stage.h"
 #include "app/run/kept_part.h"
 #include "core/base/files.h"
-#include "core/records/cache_entry.h"
 #include "core/records/record_text.h"
 #include "fem/body/elastic_body.h"
-#include "fem/cache/archive.h"
 #include "meshes/common/mesher.h"
 #include "meshes/roll/bite_roll.h"
 #include <algorithm>
@@ -19,36 +17,7 @@ MeshFile meshed(const RunContext &run, const meshes::BiteRollSize &size, const s
 }
 
 // Raised by hand when the section or its mesh changes what it computes.
-constexpr const char *section_version = "bite section 1", *section_kind = "millstand bite section 1";
-
-template <class Archive> void section_members(Archive &a, fem::BiteRollResult &r)
-{
-  a.array(r.flexibility.position);
-  a.array(r.flexibility.influence);
-  a.text(r.flexibility.method);
-  a.number(r.error_estimate);
-  a.count(r.n_unknowns);
-}
-
-void save_section(const std::string &path, const std::string &key, const fem::BiteRollResult &result)
-{
-  fem::Writer writer;
-  section_members(writer, const_cast<fem::BiteRollResult &>(result));  // only read
-  write_cache_entry(path, section_kind, key, writer.bytes);
-}
-
-std::optional<fem::BiteRollResult> load_section(const std::string &path, const std::string &key, std::string *note)
-{
-  const auto bytes = read_cache_entry(path, section_kind, key, note);
-  if (!bytes)
-    return std::nullopt;
-  fem::BiteRollResult result;
-  fem::Reader reader{*bytes};
-  section_members(reader, result);
-  if (reader.good && reader.at == bytes->size())
-    return result;
-  return std::nullopt;
-}
+constexpr const char *section_version = "bite section 1";
 
 // The section by its size; Hertz' contact with the back-up roll is opposite.
 meshes::BiteRollSize section_size(const BiteQuestion &q)
@@ -105,7 +74,7 @@ fem::BiteRollResult roll_flexibility(RunContext &run, const BiteQuestion &q)
     return result;
   };
   return kept_part<fem::BiteRollResult>(run, "bite, section of the roll, " + q.pass,
-                                        run.cache + "/section-" + key + ".bin", key, load_section, make,
-                                        save_section, "bite.method = \"slab\"");
+                                        run.cache + "/section-" + key + ".bin", key, make,
+                                        "bite.method = \"slab\"");
 }
 }  // namespace mill

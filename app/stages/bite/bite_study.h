@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run/run_context.h"
+#include "core/base/each_member.h"
 #include "core/model/bite_setup.h"
 #include "fem/strip/rigid_plastic/strip_flow.h"
 #include "reduce/bite/bite.h"
@@ -49,6 +50,24 @@ struct FlowAnswer {
   Eigen::VectorXd outlet_height;          ///< (n) m, from the middle plane
   Eigen::VectorXd outlet_stress;          ///< (n) Pa, along the strip far behind the bite
 };
+
+template <class Io, class R, if_record<R, FlowAnswer> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[fine, coarse_force, coarse_slope, coarse_torque, coarse_slip, elastic, smallest_thickness, elastic_entry,
+         elastic_exit, elastic_power, outlet_height, outlet_stress] = record;
+  io("fine", fine);
+  io("coarse_force", coarse_force);
+  io("coarse_slope", coarse_slope);
+  io("coarse_torque", coarse_torque);
+  io("coarse_slip", coarse_slip);
+  io("elastic", elastic);
+  io("smallest_thickness", smallest_thickness);
+  io("elastic_entry", elastic_entry);
+  io("elastic_exit", elastic_exit);
+  io("elastic_power", elastic_power);
+  io("outlet_height", outlet_height);
+  io("outlet_stress", outlet_stress);
+}
 
 /// One pass by every model that applies.
 struct BiteStudy {

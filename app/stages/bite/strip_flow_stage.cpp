@@ -1,23 +1,19 @@
 #include "app/stages/bite/strip_flow_stage.h"
-#include "app/run/error_warnings.h"
-#include "app/stages/bite/strip_flow_store.h"
+#include "app/run/kept_part.h"
 #include "core/base/errors.h"
 #include "core/process/parallel.h"
-#include "core/records/cache_entry.h"
 #include "core/records/record_text.h"
 #include "fem/body/elastic_body.h"
 #include "fem/strip/elastic_plastic/strip_elastic.h"
 #include "meshes/strip/strip_flow.h"
 #include "reduce/bite/members.h"
 #include <algorithm>
-#include <cstdio>
 #include <fmt/format.h>
 
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
 constexpr const char *flow_version = "strip flow 7";
-constexpr const char *flow_kind = "millstand bite 2", *point_kind = "millstand bite point 1";
 
 // Unknowns times factorisations of both meshes of a pass: twice what the usual mesh takes, some 8 and 14 s on one
 // core.  A finer mesh may take more.
@@ -31,23 +27,6 @@ double allowed_work(const BiteSetup &setup)
 std::string key_of(const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
   return hash_of(flow_inputs(q, flexibility));
-}
-
-// What an earlier run kept under the key, unless the run is a fresh one.
-std::optional<std::string> kept(const RunContext &run, const std::string &file, const char *kind,
-                                const std::string &key)
-{
-  std::string note;
-  auto text = run.fresh ? std::nullopt : read_cache_entry(file, kind, key, &note);
-  if (!note.empty())
-    run.progress.note(note);
-  return text;
-}
-
-std::optional<FlowAnswer> kept_flow(const RunContext &run, const std::string &file, const std::string &key)
-{
-  const auto text = kept(run, file, flow_kind, key);
-  return text ? restored_flow(*text) : std::nullopt;
 }
 
 std::string timer_name(const FlowQuestion &q)
@@ -165,7 +144,7 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
   StageTimer timer(run, "bite, finite elements, " + q.pass);
   const std::string key  = key_of(q, flexibility);
   const std::string file = run.cache + "/bite-" + key + ".bin";
-  if (auto answer = kept_flow(run, file, key)) {
+  if (auto answer = taken_from_cache<FlowAnswer>(run, file, key)) {
     timer.cached = true;
     run.progress.note("finite-element bite taken from " + file);
     return std::move(*answer);
@@ -179,11 +158,7 @@ FlowAnswer solve_flow(RunContext &run, const FlowQuestion &q, const bite::ArcFle
                     "{:.6g} kN",
                     q.pass, level.stage, level.n_unknowns, level.cutoff_strain_rate, level.cutoff_slip,
                     level.iterations, level.residual, level.force / 1e3));
-  try {
-    write_cache_entry(file, flow_kind, key, stored_flow(answer));
-  } catch (const InputError &e) {
-    run.warn(not_kept("the finite-element bite", e));
-  }
+  keep_in_cache(run, "the finite-element bite", file, key, answer);
   return answer;
 }
 
@@ -194,30 +169,6 @@ struct PointTask {
   std::optional<FlowPoint> point;
   std::string refused;
 };
-
-// A point on disk: force and slope in hexadecimal.
-std::string point_text(const FlowPoint &point)
-{
-  return fmt::format("{:a} {:a}\n", point.force, point.plastic_slope);
-}
-
-std::optional<FlowPoint> kept_point(const RunContext &run, const std::string &file, const std::string &key)
-{
-  FlowPoint point;
-  const auto text = kept(run, file, point_kind, key);
-  if (!text || std::sscanf(text->c_str(), "%la %la", &point.force, &point.plastic_slope) != 2)
-    return std::nullopt;
-  return point;
-}
-
-void keep_point(RunContext &run, const PointTask &task)
-{
-  try {
-    write_cache_entry(task.file, point_kind, task.key, point_text(*task.point));
-  } catch (const InputError &e) {
-    run.warn(not_kept("a point of the bite's curves", e));
-  }
-}
 
 void solve_point(PointTask &task)
 {
@@ -244,7 +195,7 @@ std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
     const FlowQuestion &q  = questions[i];
     const std::string key  = key_of(q, nullptr);
     const std::string file = run.cache + "/bite-point-" + key + ".bin";
-    points[i]              = kept_point(run, file, key);
+    points[i]              = taken_from_cache<FlowPoint>(run, file, key);
     if (points[i])
       continue;
     tasks.push_back({&q, key, file, std::nullopt, ""});
@@ -253,7 +204,7 @@ std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,
   share_tasks(long(tasks.size()), run.threads, [&](const long i) { solve_point(tasks[std::size_t(i)]); });
   for (std::size_t i = 0; i < tasks.size(); ++i) {
     if (tasks[i].point)
-      keep_point(run, tasks[i]);
+      keep_in_cache(run, "a point of the bite's curves", tasks[i].file, tasks[i].key, *tasks[i].point);
     else
       run.progress.note("bite " + tasks[i].question->pass + ": " + tasks[i].refused);
     points[place[i]] = tasks[i].point;

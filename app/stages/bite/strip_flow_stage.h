@@ -23,6 +23,13 @@ struct FlowPoint {
   double force         = 0;  ///< N
   double plastic_slope = 0;  ///< N/m, arc held
 };
+template <class Io, class R, if_record<R, FlowPoint> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[force, plastic_slope] = record;
+  io("force", force);
+  io("plastic_slope", plastic_slope);
+}
+
 /// Rigid-plastic strips on the one mesh of each question and on a circle, from the cache or solved side by side on
 /// all threads; nothing where no pass needs them.
 std::vector<std::optional<FlowPoint>> solve_flow_points(RunContext &run,

@@ -2,7 +2,6 @@
 #include "app/run/kept_part.h"
 #include "core/base/files.h"
 #include "core/records/record_text.h"
-#include "fem/cache/roll_cache.h"
 #include "fem/members.h"
 #include "meshes/common/mesher.h"
 #include "meshes/members.h"
@@ -54,12 +53,8 @@ std::shared_ptr<const fem::CondensedRoll> condensed(RunContext &run, const std::
                                                      mesh.n_cells, roll.n_unknowns, roll.grid.area.size(), roll.factor_bytes / 1e6));
     return roll;
   };
-  const auto save = [](const std::string &to, const std::string &key, const fem::CondensedRoll &roll) {
-    fem::save_roll(to, key, roll);
-  };
-  return std::make_shared<const fem::CondensedRoll>(
-      kept_part<fem::CondensedRoll>(run, "condensation, " + name + (companion ? ", coarse mesh" : ""), file, key,
-                                    fem::load_roll, make, save, wanted.smaller));
+  return std::make_shared<const fem::CondensedRoll>(kept_part<fem::CondensedRoll>(
+      run, "condensation, " + name + (companion ? ", coarse mesh" : ""), file, key, make, wanted.smaller));
 }
 }  // namespace
 

@@ -1,6 +1,6 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/run/curve_files.h"
-#include "app/run/error_warnings.h"
+#include "app/run/kept_part.h"
 #include "app/stages/contact/contact_details.h"
 #include "app/stages/contact/contact_files.h"
 #include "app/stages/contact/contact_model.h"
@@ -251,10 +251,7 @@ std::string file_of(const RunContext &run, const Study &s)
 // What an earlier run solved of this contact, of every pair of a model.
 std::optional<SolvedStudy> kept_study(RunContext &run, const Study &s)
 {
-  std::string note;
-  auto kept = run.fresh ? std::nullopt : load_study(file_of(run, s), s.key, &note);
-  if (!note.empty())
-    run.progress.note(note);
+  auto kept = taken_from_cache<SolvedStudy>(run, file_of(run, s), s.key);
   if (kept && kept->pairs.size() != all_pairs(ContactModel()).size())
     return std::nullopt;
   return kept;
@@ -271,8 +268,8 @@ ContactModel known_model(const FourHigh &stand, const ContactSettings &settings,
   m.completed      = [whole]() -> const ContactModel      &{ return whole.get(); };
   const auto pairs = all_pairs(m);
   for (std::size_t i = 0; i < pairs.size(); ++i) {
-    *pairs[i]           = std::move(kept.pairs[i]);
-    pairs[i]->solved    = std::make_shared<fem::SolvedLoads>(std::move(kept.known[i]));
+    *pairs[i]           = std::move(kept.pairs[i].pair);
+    pairs[i]->solved    = std::make_shared<fem::SolvedLoads>(std::move(kept.pairs[i].loads));
     pairs[i]->completed = [whole, i]() -> const fem::ContactPair & { return *all_pairs(whole.get())[i]; };
   }
   return m;
@@ -313,16 +310,10 @@ void keep_study(RunContext &run, Study &s)
 {
   if (s.kept)
     return;
-  SolvedStudy all{s.mirrored, s.in_stand, s.coarse, s.in_stand_coarse, s.second, {}, {}, s.fields};
-  for (const fem::ContactPair *pair : all_pairs(*s.model)) {
-    all.known.push_back(pair->solved->known());
-    all.pairs.push_back(without_problem(*pair));
-  }
-  try {
-    save_study(file_of(run, s), s.key, all);
-  } catch (const InputError &e) {
-    run.warn(not_kept("contact " + s.name, e));
-  }
+  SolvedStudy all{s.mirrored, s.in_stand, s.coarse, s.in_stand_coarse, s.second, {}, s.fields};
+  for (const fem::ContactPair *pair : all_pairs(*s.model))
+    all.pairs.push_back({without_problem(*pair), pair->solved->known()});
+  keep_in_cache(run, "contact " + s.name, file_of(run, s), s.key, all);
 }
 
 // The curves of both engines, side by side.

@@ -4,7 +4,6 @@
 #include "core/base/files.h"
 #include "core/model/four_high.h"
 #include "core/records/record_text.h"
-#include "fem/cache/roll_cache.h"
 #include "fem/members.h"
 #include "fem/roll/contact_study.h"
 #include "fem/roll/fourier_contact.h"
@@ -35,11 +34,7 @@ fem::FourierRoll fourier_roll(RunContext &run, const std::string &name, const Ro
     fs::remove(mesh_file);
     return fem::fourier_roll(body, g, m, edge.size() > 0 ? edge : fem::stations_of(body), options, run.progress);
   };
-  const auto save = [](const std::string &to, const std::string &key, const fem::FourierRoll &roll) {
-    fem::save_roll(to, key, roll);
-  };
-  return kept_part<fem::FourierRoll>(run, "Fourier series, " + name, file, key, fem::load_fourier_roll, make, save,
-                                     smaller);
+  return kept_part<fem::FourierRoll>(run, "Fourier series, " + name, file, key, make, smaller);
 }
 
 // The approach as the first engine defines it: from the first touch, and under a force off the middle at the

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/stages/contact/contact_model.h"
+#include "core/base/each_member.h"
 #include "core/records/records.h"
 #include "fem/roll/fourier_roll.h"
 #include <optional>
@@ -12,6 +13,15 @@ struct SecondEngine {
   ContactCurve mirrored, in_stand;         ///< as the curves of the first engine, at the same loads
   BarrelProfile mirrored_at, in_stand_at;  ///< at the first working load
 };
+
+template <class Io, class R, if_record<R, SecondEngine> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[mirrored, in_stand, mirrored_at, in_stand_at] = record;
+  io("mirrored", mirrored);
+  io("in_stand", in_stand);
+  io("mirrored_at", mirrored_at);
+  io("in_stand_at", in_stand_at);
+}
 
 /// Everything that a roll's Fourier series depends on, as text; its hash is the key of the cache.
 /// @param edge  m, of the stations; empty: those of the mesh

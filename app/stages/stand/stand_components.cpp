@@ -4,7 +4,6 @@
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/record_text.h"
-#include "fem/cache/component_cache.h"
 #include "fem/housing/housing_component.h"
 #include "fem/members.h"
 #include "fem/roll/roll_component.h"
@@ -43,8 +42,7 @@ Component cached(RunContext &run, const std::string &name, const std::string &in
     return c;
   };
   return kept_part<Component>(
-      run, "components, " + name, run.cache + "/component-" + key + ".bin", key, fem::load_component, made,
-      fem::save_component,
+      run, "components, " + name, run.cache + "/component-" + key + ".bin", key, made,
       "a smaller dynamics.elements_per_radius or dynamics.frequency_limit, dynamics.model = \"beam\"");
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/each_member.h"
 #include "core/records/strip_lines.h"
 #include "reduce/bite/bite.h"
 #include <Eigen/Core>
@@ -34,6 +35,14 @@ struct StripFlowBalance {
   double power   = 0;  ///< -, (power brought in - power dissipated) / power dissipated
 };
 
+template <class Io, class R, if_record<R, StripFlowBalance> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[flux, force_x, power] = record;
+  io("flux", flux);
+  io("force_x", force_x);
+  io("power", power);
+}
+
 /// State of the strip and its rolls.  Fields are given on a grid of n_columns spines (along, rising with x: outlet
 /// first) by n_rows (through the upper half, mid plane first): the nodes of the biquadratic elements, every second
 /// one a corner.  x runs as in bite::RollBite: towards the entry, x = 0 on the line of centres.  Rows are
@@ -66,6 +75,39 @@ struct StripFlow {
   Eigen::VectorXd flattening;     ///< (contact columns) m, of the roll towards its axis; zero for a circle
   Eigen::VectorXd unknowns;       ///< of the solver, scaled, for a start nearby
 };
+
+// The solution, without how it was come to.
+template <class Io, class R, if_record<R, StripFlow> = 0> void each_member(Io &&io, R &record)
+{
+  auto &[state, history, balance, lines, n_unknowns, seconds, work, entry_position, exit_thickness, exit_tension,
+         second_peak, slip_changes, negative_length, x, y, vx, vy, pressure, strain, rate, sxx, syy, sxy,
+         first_contact, last_contact, nodal_force, roll_surface, flattening, unknowns] = record;
+  io("state", state);
+  io("balance", balance);
+  io("n_unknowns", n_unknowns);
+  io("seconds", seconds);
+  io("entry_position", entry_position);
+  io("exit_thickness", exit_thickness);
+  io("exit_tension", exit_tension);
+  io("second_peak", second_peak);
+  io("slip_changes", slip_changes);
+  io("negative_length", negative_length);
+  io("x", x);
+  io("y", y);
+  io("vx", vx);
+  io("vy", vy);
+  io("pressure", pressure);
+  io("strain", strain);
+  io("rate", rate);
+  io("sxx", sxx);
+  io("syy", syy);
+  io("sxy", sxy);
+  io("first_contact", first_contact);
+  io("last_contact", last_contact);
+  io("nodal_force", nodal_force);
+  io("roll_surface", roll_surface);
+  io("flattening", flattening);
+}
 
 /// Fields on the grid as VTU; upper half. Written aside and renamed.
 void write_strip_flow_vtu(const std::string &path, const StripFlow &flow);

@@ -1,4 +1,5 @@
 #include "app/stages/contact/contact_store.h"
+#include "core/records/cached_record.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -48,8 +49,7 @@ struct KeptContact : testing::Test {
 SolvedStudy study_of_one(const fem::ContactPair &pair)
 {
   SolvedStudy study;
-  study.known.push_back(pair.solved->known());
-  study.pairs.push_back(pair);
+  study.pairs.push_back({pair, pair.solved->known()});
   study.fields = {"one file", std::string("another \0 file", 14)};
   return study;
 }
@@ -59,11 +59,11 @@ TEST_F(KeptContact, ReadingsOfAPairComeBackToTheBit)
 {
   const fem::ContactPair pair = small_pair();
   const auto point            = fem::solve_load(pair, 4000);
-  save_study(file, "key", study_of_one(pair));
-  const auto kept = load_study(file, "key", nullptr);
+  save_record(file, "key", study_of_one(pair));
+  const auto kept = load_record<SolvedStudy>(file, "key");
   ASSERT_TRUE(kept);
   ASSERT_EQ(kept->pairs.size(), 1u);
-  const fem::ContactPair &back = kept->pairs.front();
+  const fem::ContactPair &back = kept->pairs.front().pair;
   EXPECT_EQ(back.problem.C.size(), 0) << "what solves is not kept";
   EXPECT_EQ(back.axis, pair.axis) << "zero throughout, kept as such";
   EXPECT_EQ(back.axis_support, pair.axis_support);
@@ -72,7 +72,7 @@ TEST_F(KeptContact, ReadingsOfAPairComeBackToTheBit)
   EXPECT_TRUE(std::isnan(back.load_offset));
   EXPECT_EQ(kept->fields, study_of_one(pair).fields);
   const auto before = fem::barrel_profile(pair, point),
-             after  = fem::barrel_profile(back, kept->known.front().points.at(4000));
+             after  = fem::barrel_profile(back, kept->pairs.front().loads.points.at(4000));
   EXPECT_EQ(before.line_load, after.line_load);
   EXPECT_EQ(before.tangent, after.tangent);
 }
@@ -81,11 +81,11 @@ TEST_F(KeptContact, OnlyAnUnknownLoadSolvesThePairAgain)
 {
   const fem::ContactPair pair = small_pair();
   const double tangent        = fem::solve_load(pair, 4000).tangent;
-  save_study(file, "key", study_of_one(pair));
-  auto kept             = load_study(file, "key", nullptr);
-  fem::ContactPair back = kept->pairs.front();
+  save_record(file, "key", study_of_one(pair));
+  auto kept             = load_record<SolvedStudy>(file, "key");
+  fem::ContactPair back = kept->pairs.front().pair;
   int asked             = 0;
-  back.solved           = std::make_shared<fem::SolvedLoads>(kept->known.front());
+  back.solved           = std::make_shared<fem::SolvedLoads>(kept->pairs.front().loads);
   back.completed        = [&]() -> const fem::ContactPair        &{
     ++asked;
     return pair;
@@ -96,14 +96,4 @@ TEST_F(KeptContact, OnlyAnUnknownLoadSolvesThePairAgain)
   EXPECT_EQ(asked, 1);
   EXPECT_EQ(fem::solve_load(back, 5000).load, 5000);
   EXPECT_EQ(asked, 1) << "known from then on";
-}
-
-TEST_F(KeptContact, PairsWithoutTheirLoadsAreNotUsed)
-{
-  SolvedStudy study = study_of_one(small_pair());
-  study.pairs.clear();
-  save_study(file, "key", study);
-  std::string note;
-  EXPECT_FALSE(load_study(file, "key", &note));
-  EXPECT_EQ(note, file + " is not used: it is incomplete");
 }

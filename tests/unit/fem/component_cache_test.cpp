@@ -1,5 +1,6 @@
 #include "core/base/files.h"
-#include "fem/cache/component_cache.h"
+#include "core/records/cached_record.h"
+#include "core/records/component.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <random>
@@ -46,8 +47,8 @@ protected:
 TEST_F(ComponentCache, GivesBackEveryBit)
 {
   const Component c = some_component();
-  fem::save_component(folder + "/a", "key", c);
-  const auto back = fem::load_component(folder + "/a", "key");
+  save_record(folder + "/a", "key", c);
+  const auto back = load_record<Component>(folder + "/a", "key");
   ASSERT_TRUE(back);
   EXPECT_EQ(back->name, c.name);
   EXPECT_EQ(back->source, c.source);
@@ -67,16 +68,16 @@ TEST_F(ComponentCache, GivesBackEveryBit)
 
 TEST_F(ComponentCache, RefusesOtherKeysAndAbsentFiles)
 {
-  fem::save_component(folder + "/a", "key", some_component());
+  save_record(folder + "/a", "key", some_component());
   std::string note;
-  EXPECT_FALSE(fem::load_component(folder + "/a", "other", &note));
+  EXPECT_FALSE(load_record<Component>(folder + "/a", "other", &note));
   EXPECT_EQ(note, folder + "/a is not used: it belongs to other inputs");
-  EXPECT_FALSE(fem::load_component(folder + "/b", "key"));
+  EXPECT_FALSE(load_record<Component>(folder + "/b", "key"));
 }
 
 TEST_F(ComponentCache, NoTruncatedOrFlippedFileIsTrusted)
 {
-  fem::save_component(folder + "/a", "key", some_component());
+  save_record(folder + "/a", "key", some_component());
   const std::string whole = read_text(folder + "/a");
   std::mt19937 random(1);
   for (int trial = 0; trial < 300; ++trial) {
@@ -86,6 +87,6 @@ TEST_F(ComponentCache, NoTruncatedOrFlippedFileIsTrusted)
     else
       broken[random() % whole.size()] ^= char(1 << (random() % 8));
     write_atomically(folder + "/b", broken);
-    EXPECT_FALSE(fem::load_component(folder + "/b", "key")) << "trial " << trial;
+    EXPECT_FALSE(load_record<Component>(folder + "/b", "key")) << "trial " << trial;
   }
 }

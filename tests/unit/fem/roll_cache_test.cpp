@@ -1,7 +1,10 @@
 #include "core/base/files.h"
-#include "core/records/cache_entry.h"
-#include "fem/cache/component_cache.h"
-#include "fem/cache/roll_cache.h"
+#include "core/records/cached_record.h"
+#include "core/records/component.h"
+#include "fem/bearing/ring_flexibility.h"
+#include "fem/bearing/roller_contact.h"
+#include "fem/roll/condensed_roll.h"
+#include "fem/roll/fourier_roll.h"
 #include "tests/support/obstacles.h"
 #include <cmath>
 #include <cstring>
@@ -44,8 +47,8 @@ class RollCache : public testing::Test {
 TEST_F(RollCache, GivesBackEveryBit)
 {
   const auto roll = some_roll(0.1);
-  fem::save_roll(folder + "/a", "key", roll);
-  const auto back = fem::load_roll(folder + "/a", "key");
+  save_record(folder + "/a", "key", roll);
+  const auto back = load_record<fem::CondensedRoll>(folder + "/a", "key");
   ASSERT_TRUE(back);
   EXPECT_EQ(back->symmetric.patch, roll.symmetric.patch);
   EXPECT_EQ(back->antisymmetric.patch, roll.antisymmetric.patch);
@@ -57,16 +60,16 @@ TEST_F(RollCache, GivesBackEveryBit)
 
 TEST_F(RollCache, RefusesOtherKeysAndAbsentFiles)
 {
-  fem::save_roll(folder + "/a", "key", some_roll(0.1));
+  save_record(folder + "/a", "key", some_roll(0.1));
   std::string note;
-  EXPECT_FALSE(fem::load_roll(folder + "/a", "other", &note));
+  EXPECT_FALSE(load_record<fem::CondensedRoll>(folder + "/a", "other", &note));
   EXPECT_NE(note.find("other inputs"), std::string::npos);
-  EXPECT_FALSE(fem::load_roll(folder + "/b", "key"));
+  EXPECT_FALSE(load_record<fem::CondensedRoll>(folder + "/b", "key"));
 }
 
 TEST_F(RollCache, NoDamagedFileIsTrusted)
 {
-  fem::save_roll(folder + "/a", "key", some_roll(0.1));
+  save_record(folder + "/a", "key", some_roll(0.1));
   const std::string whole = read_text(folder + "/a");
   std::mt19937 random(1);
   for (int trial = 0; trial < 300; ++trial) {
@@ -76,29 +79,38 @@ TEST_F(RollCache, NoDamagedFileIsTrusted)
     else
       broken[random() % whole.size()] ^= char(1 << (random() % 8));
     write_atomically(folder + "/b", broken);
-    EXPECT_FALSE(fem::load_roll(folder + "/b", "key")) << "trial " << trial;
+    EXPECT_FALSE(load_record<fem::CondensedRoll>(folder + "/b", "key")) << "trial " << trial;
   }
 }
 
-// An entry with a checksum that fits, but counts that are no counts: the first bytes of what is kept of a
-// component are the length of its name.
-TEST_F(RollCache, CountsThatAreNoCountsAreRefused)
+// An entry with a checksum that fits, but sizes that are not: the first bytes of what is kept of a component are
+// the length of its name.
+TEST_F(RollCache, SizesBeyondTheEntryAreRefused)
 {
   Component component;
   component.name = "barrel";
-  fem::save_component(folder + "/a", "key", component);
-  ASSERT_TRUE(fem::load_component(folder + "/a", "key"));
+  save_record(folder + "/a", "key", component);
+  ASSERT_TRUE(load_record<Component>(folder + "/a", "key"));
   const std::string whole = read_text(folder + "/a");
   const std::string kind  = whole.substr(0, whole.find('\n'));
   const auto bytes        = read_cache_entry(folder + "/a", kind, "key");
   ASSERT_TRUE(bytes);
-  for (const double count : {std::nan(""), 1e30, -1e30, -1., 2147483648., 1e9}) {
+  for (const std::uint64_t size :
+       {~std::uint64_t(0), std::uint64_t(1) << 63, std::uint64_t(1e9), std::uint64_t(7)}) {
     std::string forged = *bytes, note;
-    std::memcpy(forged.data(), &count, sizeof count);
+    std::memcpy(forged.data(), &size, sizeof size);
     write_cache_entry(folder + "/b", kind, "key", forged);
-    EXPECT_FALSE(fem::load_component(folder + "/b", "key", &note)) << count;
+    EXPECT_FALSE(load_record<Component>(folder + "/b", "key", &note)) << size;
     EXPECT_NE(note.find("is not used: it is incomplete"), std::string::npos) << note;
   }
+}
+
+TEST_F(RollCache, AnEntryOfAnotherListOfMembersIsNotRead)
+{
+  save_record(folder + "/a", "key", ComponentSurface());
+  std::string note;
+  EXPECT_FALSE(load_record<Component>(folder + "/a", "key", &note));
+  EXPECT_NE(note.find("it is not a millstand record"), std::string::npos) << note;
 }
 
 TEST_F(RollCache, TwoWritersLeaveAWholeFile)
@@ -107,11 +119,11 @@ TEST_F(RollCache, TwoWritersLeaveAWholeFile)
   for (int w = 0; w < 4; ++w)
     writers.emplace_back([w] {
       for (int i = 0; i < 25; ++i)
-        fem::save_roll(folder + "/a", "key", some_roll(w + 1));
+        save_record(folder + "/a", "key", some_roll(w + 1));
     });
   for (auto &writer : writers)
     writer.join();
-  EXPECT_TRUE(fem::load_roll(folder + "/a", "key"));
+  EXPECT_TRUE(load_record<fem::CondensedRoll>(folder + "/a", "key"));
 }
 
 // Every kind of entry goes through core/records/cache_entry.h: what cannot be read is made again, and nothing
@@ -122,11 +134,11 @@ TEST_F(RollCache, NoKindOfEntryStumblesOverAnObstacle)
   for (const std::string &obstacle : obstacles) {
     put_obstacle(path, obstacle);
     std::string roll, fourier, roller, rings, component;
-    EXPECT_FALSE(fem::load_roll(path, "key", &roll)) << obstacle;
-    EXPECT_FALSE(fem::load_fourier_roll(path, "key", &fourier)) << obstacle;
-    EXPECT_FALSE(fem::load_roller(path, "key", &roller)) << obstacle;
-    EXPECT_FALSE(fem::load_rings(path, "key", &rings)) << obstacle;
-    EXPECT_FALSE(fem::load_component(path, "key", &component)) << obstacle;
+    EXPECT_FALSE(load_record<fem::CondensedRoll>(path, "key", &roll)) << obstacle;
+    EXPECT_FALSE(load_record<fem::FourierRoll>(path, "key", &fourier)) << obstacle;
+    EXPECT_FALSE(load_record<fem::CondensedRoller>(path, "key", &roller)) << obstacle;
+    EXPECT_FALSE(load_record<fem::RingResult>(path, "key", &rings)) << obstacle;
+    EXPECT_FALSE(load_record<Component>(path, "key", &component)) << obstacle;
     for (const std::string &note : {roll, fourier, roller, rings, component})
       EXPECT_NE(note.find("is not used"), std::string::npos) << obstacle;
   }
