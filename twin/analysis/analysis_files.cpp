@@ -117,7 +117,7 @@ double amplitude_error(const Analysis &analysis, const Finding &finding)
 
 ordered_json json_of(const Analysis &analysis, const Finding &finding)
 {
-  ordered_json json{{"kind", finding.kind},
+  ordered_json json{{"kind", word_of(finding.kind)},
                     {"channel", finding.channel},
                     {"frequency", number(finding.frequency)},
                     {"interval", {number(finding.low), number(finding.high)}},
@@ -446,8 +446,8 @@ std::string candidates_csv(const Analysis &analysis)
   std::string text = "channel,frequency [Hz],amplitude,unit,over the floor [dB],fate,reason\n";
   for (const CandidateFate &one : analysis.candidates)
     text += text_cell(one.channel) + "," + cell(one.frequency, "{:.9g}") + "," + cell(one.amplitude, "{:.5g}") +
-            "," + text_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + text_cell(one.fate) + "," +
-            text_cell(one.reason) + "\n";
+            "," + text_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + text_cell(word_of(one.fate)) +
+            "," + text_cell(one.reason) + "\n";
   return text;
 }
 

@@ -139,7 +139,7 @@ void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChanne
 Finding finding_of(const Analysis &analysis, const double frequency, const double sd, const double damping,
                    const Eigen::VectorXcd &shape)
 {
-  Finding finding{"mode",
+  Finding finding{FindingKind::mode,
                   loudest(analysis, shape),
                   frequency,
                   frequency - 1.96 * sd,
@@ -219,7 +219,7 @@ void add_of_response_alone(Analysis &analysis, const CaseModel *stand)
         fmt::format("damping {:.2f} % of critical, standard error at least {:.2f} %, about twice that in practice",
                     100 * mode.damping, 100 * mode.law_damping));
     if (edge) {
-      finding.kind  = "edge";
+      finding.kind  = FindingKind::edge;
       finding.owner = "edge of the force band";
       finding.evidence.push_back("the density of the force changes by 10 dB within 5 % there");
     } else {

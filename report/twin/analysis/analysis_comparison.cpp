@@ -158,10 +158,16 @@ std::string band_table(const std::vector<ComparedAnalysis> &all, const std::vect
                             "<th>change, 95 %</th></tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
 }
 
+bool is_line(const json &finding)
+{
+  const auto kind = kind_of(finding);
+  return kind == FindingKind::line || kind == FindingKind::family;
+}
+
 bool is_compared(const json &finding)
 {
-  const std::string kind = finding["kind"];
-  return (kind == "mode" || kind == "line" || kind == "resonance" || kind == "family") &&
+  const auto kind = kind_of(finding);
+  return (kind == FindingKind::mode || kind == FindingKind::resonance || is_line(finding)) &&
          std::isfinite(number_in(finding["frequency"]));
 }
 
@@ -177,8 +183,7 @@ const json *partner_of(const json &finding, const json &others)
   const double f      = number_in(finding["frequency"]);
   const json *nearest = nullptr;
   for (const json &other : others) {
-    const bool line = finding["kind"] == "line" || finding["kind"] == "family";
-    if (!is_compared(other) || line != (other["kind"] == "line" || other["kind"] == "family"))
+    if (!is_compared(other) || is_line(finding) != is_line(other))
       continue;
     const double away = std::abs(number_in(other["frequency"]) - f);
     if (away <= std::max(half_interval(finding) + half_interval(other), 0.02 * f) &&
