@@ -29,7 +29,7 @@ const RunKind &chatter_kind()
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs  = {"run", "chatter"};
+    k.verbs  = {Verb::run, Verb::chatter};
     k.check  = check_conditions;
     k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> { return {{"chatter", 1}}; };
     k.run    = [](RunContext &run, Goal, const std::string &) {

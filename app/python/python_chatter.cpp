@@ -161,7 +161,7 @@ void add_chatter(py::module_ &module, py::class_<HeldCase> &the_case)
       [](const HeldCase &c, const py::object &progress, const py::object &out, const int threads, const bool fresh,
          const py::object &cache) {
         // A run of a stand judges the speed of every pass; kind chatter has a verb for it.
-        const std::string verb = c.read()->kind == "chatter" ? "chatter" : "run";
+        const Verb verb = std::holds_alternative<ChatterCase>(c.read()->spec) ? Verb::chatter : Verb::run;
         return HeldChatter{run_case(c, verb, {progress, out, py::none(), cache, threads, fresh})};
       },
       py::arg("progress") = py::none(), py::kw_only(), py::arg("out") = py::none(), py::arg("threads") = 0,

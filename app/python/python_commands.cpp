@@ -46,7 +46,7 @@ void require_known_words(const CommandLine &command)
   require("method", command.study.method, word_list<StudyMethod>());
   require("engine", command.study.engine, word_list<StudyEngine>());
   require("model", command.sweep.model, word_list<ModelKind>());
-  if (command.verb == "sweep" && command.sweep.vary.empty())
+  if (command.verb == Verb::sweep && command.sweep.vary.empty())
     throw InputError(
         "sweep needs a key with its values, for example {\"backup_roll.crown\": [\"0 um\", \"50 um\"]}");
 }
@@ -105,10 +105,11 @@ void take_options(CommandLine &command, const py::dict &options)
   }
 }
 
-int carry_out_verb(const std::string &verb, const py::object &the_case, const py::dict &options,
+int carry_out_verb(const std::string &word, const py::object &the_case, const py::dict &options,
                    const py::object &progress)
 {
   CommandLine command;
+  const Verb verb = choice_named<Verb>(word).value();
   if (!the_case.is_none())
     command = the_case.cast<const HeldCase &>().command(verb);
   command.verb  = verb;
@@ -117,11 +118,11 @@ int carry_out_verb(const std::string &verb, const py::object &the_case, const py
   require_known_words(command);
   return long_call<int>(progress, [command](const Progress &shown) {
     const console::HeardProgress heard(shown.step);
-    if (command.verb == "sweep")
+    if (command.verb == Verb::sweep)
       return sweep_command(command);
-    if (command.verb == "study")
+    if (command.verb == Verb::study)
       return study_command(command);
-    if (command.verb == "analyse")
+    if (command.verb == Verb::analyse)
       return analyse_command(command);
     return calibrate_command(command);
   });

@@ -64,7 +64,7 @@ web::PageReply Studio::run(const std::string &body)
   const bool exported = format && *format != ExportFormat::statespace;
   if (what != "run" && !exported)
     throw InputError("\"what\" is run, fmu, modelica, matlab or cancel");
-  if (jobs_.state().status == "running")
+  if (jobs_.state().status == JobStatus::running)
     return {409, text_of({{"error", jobs_.state().id + " is running; wait for its end, or cancel it"}})};
   std::error_code error;
   fs::create_directories(folder_, error);

@@ -56,7 +56,7 @@ CheckedCase checked_case(const CommandLine &command)
   require_linked(the_case, command);
   check_file_names(the_case);
   check_fits(the_case);
-  if (command.verb != "check")  // before records are read, which would be read twice
+  if (command.verb != Verb::check)  // before records are read, which would be read twice
     use_fast_blas(command.arguments);
   checked.review = reviewed(the_case, command.force);
   return checked;
