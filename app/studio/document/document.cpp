@@ -29,11 +29,11 @@ std::optional<std::string> text_on_disk(const std::string &path)
 }
 
 // All that a change does; the journal is made of its lines.
-// A line of the journal.
-enum class Edit { set, undo, redo, text, saved, pin, unpin, run };
-constexpr auto words_of(Edit)
+// What a line of the journal does.
+enum class LineOf { set, undo, redo, text, saved, pin, unpin, run };
+constexpr auto words_of(LineOf)
 {
-  return choice_words<Edit>("set", "undo", "redo", "text", "saved", "pin", "unpin", "run");
+  return choice_words<LineOf>("set", "undo", "redo", "text", "saved", "pin", "unpin", "run");
 }
 
 struct History {
@@ -84,22 +84,22 @@ struct History {
   void take(const json &line)
   {
     const auto word = [&](const char *name) { return line.at(name).get<std::string>(); };
-    const auto op   = choice_named<Edit>(word("op"));
+    const auto op   = choice_named<LineOf>(word("op"));
     if (!op)
       return;
     switch (*op) {
-    case Edit::set:
+    case LineOf::set:
       return set(line.at("edits"));
-    case Edit::undo:
+    case LineOf::undo:
       return step(before, after);
-    case Edit::redo:
+    case LineOf::redo:
       return step(after, before);
-    case Edit::text:
+    case LineOf::text:
       return to(word("text"));
-    case Edit::saved:
+    case LineOf::saved:
       on_disk = text;
       return;
-    case Edit::pin: {
+    case LineOf::pin: {
       const std::string pinned = line.contains("text") ? word("text") : text;
       if (Pin *known = pin_named(word("name")))
         known->text = pinned;
@@ -107,11 +107,11 @@ struct History {
         pins.push_back({word("name"), pinned});
       return;
     }
-    case Edit::unpin:
+    case LineOf::unpin:
       pins.erase(std::remove_if(pins.begin(), pins.end(), [&](const Pin &p) { return p.name == word("name"); }),
                  pins.end());
       return;
-    case Edit::run:
+    case LineOf::run:
       runs.push_back({word("id"), word("text")});
     }
   }
@@ -133,7 +133,7 @@ struct Document::State {
   // An edit, which alone can be refused, is tried first, so that the journal holds only what can be replayed.
   void change(const json &line)
   {
-    if (line.at("op") == word_of(Edit::set)) {
+    if (line.at("op") == word_of(LineOf::set)) {
       History trial;
       trial.text = history.text;
       trial.done = history.done;
@@ -150,11 +150,11 @@ struct Document::State {
   {
     std::vector<std::string> lines{first_line().dump()};
     for (const Pin &pin : history.pins)
-      lines.push_back(json{{"op", word_of(Edit::pin)}, {"name", pin.name}, {"text", pin.text}}.dump());
+      lines.push_back(json{{"op", word_of(LineOf::pin)}, {"name", pin.name}, {"text", pin.text}}.dump());
     for (const StoredRun &run : history.runs)
-      lines.push_back(json{{"op", word_of(Edit::run)}, {"id", run.id}, {"text", run.text}}.dump());
+      lines.push_back(json{{"op", word_of(LineOf::run)}, {"id", run.id}, {"text", run.text}}.dump());
     if (history.text != history.on_disk)
-      lines.push_back(json{{"op", word_of(Edit::text)}, {"text", history.text}}.dump());
+      lines.push_back(json{{"op", word_of(LineOf::text)}, {"text", history.text}}.dump());
     journal->replace(lines);
   }
 
@@ -231,7 +231,7 @@ void Document::set(const std::vector<Edit> &edits)
 {
   if (edits.empty())
     return;
-  json line{{"op", word_of(Edit::set)}, {"edits", json::array()}};
+  json line{{"op", word_of(LineOf::set)}, {"edits", json::array()}};
   for (const Edit &edit : edits)
     line["edits"].push_back({{"id", edit.id}, {"key", edit.key}, {"toml", edit.toml}});
   const std::lock_guard lock(state_->access);
@@ -241,20 +241,20 @@ void Document::set(const std::vector<Edit> &edits)
 void Document::undo()
 {
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", word_of(Edit::undo)}});
+  state_->change({{"op", word_of(LineOf::undo)}});
 }
 
 void Document::redo()
 {
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", word_of(Edit::redo)}});
+  state_->change({{"op", word_of(LineOf::redo)}});
 }
 
 void Document::replace(const std::string &text)
 {
   read_case_text("the text", text);
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", word_of(Edit::text)}, {"text", text}});
+  state_->change({{"op", word_of(LineOf::text)}, {"text", text}});
 }
 
 void Document::save()
@@ -266,7 +266,7 @@ void Document::save()
     throw InputError(s.path + " was changed outside of the studio since it was read; save it under another name "
                               "there, or take it back, and save again");
   write_atomically(s.path, s.history.text);
-  s.change({{"op", word_of(Edit::saved)}});
+  s.change({{"op", word_of(LineOf::saved)}});
 }
 
 void Document::pin(const std::string &name)
@@ -276,13 +276,13 @@ void Document::pin(const std::string &name)
   const std::lock_guard lock(state_->access);
   if (state_->history.pins.size() >= most_pins && !state_->history.pin_named(name))
     throw InputError(fmt::format("{} states are pinned already; take one away first", most_pins));
-  state_->change({{"op", word_of(Edit::pin)}, {"name", name}});
+  state_->change({{"op", word_of(LineOf::pin)}, {"name", name}});
 }
 
 void Document::unpin(const std::string &name)
 {
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", word_of(Edit::unpin)}, {"name", name}});
+  state_->change({{"op", word_of(LineOf::unpin)}, {"name", name}});
 }
 
 void Document::back_to(const std::string &name)
@@ -291,12 +291,12 @@ void Document::back_to(const std::string &name)
   const Pin *pin = state_->history.pin_named(name);
   if (!pin)
     throw InputError("no state is pinned under this name");
-  state_->change({{"op", word_of(Edit::text)}, {"text", std::string(pin->text)}});
+  state_->change({{"op", word_of(LineOf::text)}, {"text", std::string(pin->text)}});
 }
 
 void Document::add_run(const StoredRun &run)
 {
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", word_of(Edit::run)}, {"id", run.id}, {"text", run.text}});
+  state_->change({{"op", word_of(LineOf::run)}, {"id", run.id}, {"text", run.text}});
 }
 }  // namespace mill::studio
