@@ -113,7 +113,8 @@ void stiffness(Page &page, const Run &run)
 void bite_section(Page &page, const Run &run)
 {
   const auto passes = bite_passes(run);
-  if (passes.empty() || run.manifest.kind == "chatter")  // there the bite is a part of the section on chatter
+  if (passes.empty() ||
+      run.manifest.kind == KindOfCase::chatter)  // there the bite is a part of the section on chatter
     return;
   page.section("bite", "Roll bite");
   one_pass(page, run, passes.front());

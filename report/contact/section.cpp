@@ -208,9 +208,9 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
 void contact_section(Page &page, const Run &run)
 {
   const auto contacts = items_of(run, curve::contact);
-  if (contacts.empty() &&
-      (run.manifest.kind == "lumped" || run.manifest.kind == "bearing" || run.manifest.kind == "bite" ||
-       run.manifest.kind == "chatter" || run.manifest.kind == "cluster"))
+  if (contacts.empty() && (run.manifest.kind == KindOfCase::lumped || run.manifest.kind == KindOfCase::bearing ||
+                           run.manifest.kind == KindOfCase::bite || run.manifest.kind == KindOfCase::chatter ||
+                           run.manifest.kind == KindOfCase::cluster))
     return;
   page.section("contact", "Roll contact");
   if (contacts.empty())

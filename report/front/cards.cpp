@@ -287,17 +287,17 @@ std::string cards(const Run &run)
 {
   if (holds_marks(run))
     return marks_cards(run);
-  if (run.manifest.kind == "cluster")
+  if (run.manifest.kind == KindOfCase::cluster)
     return cluster_cards(run);
-  if (run.manifest.kind == "stack")
+  if (run.manifest.kind == KindOfCase::stack)
     return stack_cards(run);
   if (has_chain(run))
     return chain_cards(run);
-  if (run.manifest.kind == "bearing")
+  if (run.manifest.kind == KindOfCase::bearing)
     return bearing_cards(run);
-  if (run.manifest.kind == "chatter")
+  if (run.manifest.kind == KindOfCase::chatter)
     return speed_cards(run);
-  if (run.manifest.kind == "bite")
+  if (run.manifest.kind == KindOfCase::bite)
     return bite_cards(run);
   return contact_cards(run);
 }

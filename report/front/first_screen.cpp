@@ -39,13 +39,14 @@ std::string sentence(const Run &run)
 {
   if (holds_marks(run))
     return marks_sentence(read_marks(run.directory));
-  if (run.manifest.kind == "stack" && has_value(run.find("stack.crown")) && has_value(run.find("stack.edge_drop")))
+  if (run.manifest.kind == KindOfCase::stack && has_value(run.find("stack.crown")) &&
+      has_value(run.find("stack.edge_drop")))
     return "The strip has a crown of " + shown(*run.find("stack.crown")) + " and an edge drop of " +
            shown(*run.find("stack.edge_drop"));
-  if (run.manifest.kind == "bearing" && has_value(run.find("Kzc.tangent")))
+  if (run.manifest.kind == KindOfCase::bearing && has_value(run.find("Kzc.tangent")))
     return "The bearing is a spring of " + escaped(shown(*run.find("Kzc.tangent"))) +
            (run.find("Kzc.tangent")->at.empty() ? "" : " at " + escaped(run.find("Kzc.tangent")->at));
-  if (const Result *k4 = run.find("K4.combined"); run.manifest.kind == "bite" && has_value(k4))
+  if (const Result *k4 = run.find("K4.combined"); run.manifest.kind == KindOfCase::bite && has_value(k4))
     return "The bite is a spring of " + escaped(shown(*k4)) + (k4->at.empty() ? "" : " at " + escaped(k4->at));
   for (const char *contact : pair_contacts)
     if (const Result *k = run.find(result_name({family::contact, contact, "tangent"})); has_value(k))
@@ -182,10 +183,11 @@ std::string estimates(const Run &run)
 
 std::string screen_head(const Run &run)
 {
-  const Manifest &m = run.manifest;
+  const Manifest &m      = run.manifest;
+  const std::string kind = m.kind ? word_of(*m.kind) : "";
   std::string facts;
   for (const auto &[name, value] : {std::pair<const char *, const std::string &>("case", run.case_name),
-                                    {"kind", m.kind},
+                                    {"kind", kind},
                                     {"run", m.run_id},
                                     {"date", m.date}})
     if (!value.empty())

@@ -52,6 +52,6 @@ std::string title_of_pass(const Run &run, const std::string &name)
 {
   if (name.find_first_not_of("0123456789") != std::string::npos)
     return name;
-  return (run.manifest.kind == "chatter" ? "condition " : "pass ") + name;
+  return (run.manifest.kind == KindOfCase::chatter ? "condition " : "pass ") + name;
 }
 }  // namespace mill::report

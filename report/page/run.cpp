@@ -168,7 +168,7 @@ Manifest manifest_of(const Json &json)
   m.program           = text_at(json, "program");
   m.version           = text_at(json, "version");
   m.case_path         = text_at(json, "case_path");
-  m.kind              = text_at(json, "kind");
+  m.kind              = choice_named<KindOfCase>(text_at(json, "kind"));
   m.title             = text_at(json, "title");
   m.run_id            = text_at(json, "run_id");
   m.date              = text_at(json, "date");

@@ -1,9 +1,11 @@
 #pragma once
 #include "core/base/parameter.h"
 #include "core/base/warning.h"
+#include "core/model/kind_of_case.h"
 #include "core/records/csv.h"
 #include "core/records/speed_verdict.h"
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -57,7 +59,8 @@ struct BearingInfo {
 
 /// run.json: who, when, with what.
 struct Manifest {
-  std::string program, version, case_path, kind, title, run_id, date, hostname, blas;
+  std::string program, version, case_path, title, run_id, date, hostname, blas;
+  std::optional<KindOfCase> kind;  ///< nothing: a kind that this version does not know
   int threads        = 0;
   double peak_memory = 0;  ///< byte; 0: not stored
   std::vector<std::pair<std::string, std::string>> versions;

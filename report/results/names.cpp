@@ -325,19 +325,19 @@ const Result *chain_value(const Run &run, const std::string &name)
 
 std::vector<Group> short_groups(const Run &run)
 {
-  if (run.manifest.kind == "bearing")
+  if (run.manifest.kind == KindOfCase::bearing)
     return bearing_groups(run);
-  if (run.manifest.kind == "bite")
+  if (run.manifest.kind == KindOfCase::bite)
     return bite_groups(run);
-  if (run.manifest.kind == "chatter")
+  if (run.manifest.kind == KindOfCase::chatter)
     return chatter_groups(run);
-  if (run.manifest.kind == "cluster")
+  if (run.manifest.kind == KindOfCase::cluster)
     return cluster_groups(run);
-  if (run.manifest.kind == "stack")
+  if (run.manifest.kind == KindOfCase::stack)
     return stack_groups(run);
   Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}}, named{"", {}},
       chain{"", {}}, fit{"Fit to measured values", {}};
-  if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
+  if (run.manifest.kind == KindOfCase::two_cylinders || !chain_value(run, "K1"))
     for (const Result &result : run.results)
       if (is_of(result.name, family::contact))
         contact.results.push_back(&result);

@@ -222,7 +222,7 @@ std::string full_table(const Run &run)
     return "<tr" + data_of(result) + ">" + row_head(result) + common_cells(result, result.source) + "<td>" +
            all_checks(result) + lists.link(result.inputs) + "</td></tr>\n";
   };
-  if (run.manifest.kind == "bearing" || run.manifest.kind == "bite")
+  if (run.manifest.kind == KindOfCase::bearing || run.manifest.kind == KindOfCase::bite)
     for (const Group &group : short_groups(run)) {
       table += group_head(group);
       for (const Result *result : group.results)
@@ -230,7 +230,8 @@ std::string full_table(const Run &run)
     }
   else
     for (const Result &result : run.results)
-      if (run.manifest.kind == "chatter" ? !is_slope_by_one_input(result.name) : !is_of_one_model(result.name))
+      if (run.manifest.kind == KindOfCase::chatter ? !is_slope_by_one_input(result.name)
+                                                   : !is_of_one_model(result.name))
         table += row(result);
   return table + "</tbody></table>\n" + lists.html();
 }
