@@ -3,6 +3,7 @@
 #include "app/python/python_parts.h"
 #include "app/python/python_values.h"
 #include "app/stages/stability/gap_mode.h"
+#include "core/base/si_unit.h"
 #include "core/records/result_names.h"
 #include "dynamics/chatter/growth_map.h"
 #include <cmath>
@@ -102,7 +103,8 @@ dynamics::GrowthMap growth_map(const HeldChatter &chatter, const std::string &x,
     if (ends.size() != 2)
       throw InputError("the range of an axis is a pair, its lower and its upper end");
     const auto end = [&](const py::handle value) {
-      return unit == "1" ? value.cast<double>() : quantity(value, word.c_str(), ("1 " + unit).c_str());
+      return is_in(unit, SiUnit::one) ? value.cast<double>()
+                                      : quantity(value, word.c_str(), ("1 " + unit).c_str());
     };
     return bite::MapAxis{quantity_of_axis, Eigen::VectorXd::LinSpaced(n, end(ends[0]), end(ends[1]))};
   };

@@ -7,6 +7,7 @@
 #include "app/study/study_statistics.h"
 #include "core/base/files.h"
 #include "core/base/short_number.h"
+#include "core/base/si_unit.h"
 #include "core/base/units.h"
 #include "core/base/visible_text.h"
 #include "core/records/csv.h"
@@ -25,7 +26,7 @@ constexpr double most_failed = 0.05;
 
 std::string column_head(const std::string &name, const std::string &unit)
 {
-  const std::string text = unit.empty() || unit == "1" ? name : name + " [" + unit + "]";
+  const std::string text = name + after_name(unit);
   return text.find_first_of(",\";") == std::string::npos ? text : quoted_cell(text);
 }
 

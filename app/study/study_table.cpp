@@ -1,6 +1,7 @@
 #include "app/study/study_table.h"
 #include "app/process/version.h"
 #include "app/study/json_number.h"
+#include "core/base/si_unit.h"
 #include "core/base/units.h"
 #include "core/records/csv.h"
 #include "report/results/names.h"
@@ -11,7 +12,7 @@ namespace {
 // A name with its unit as the head of a column.
 std::string head(const std::string &name, const std::string &unit)
 {
-  const std::string text = unit.empty() || unit == "1" ? name : name + " [" + unit + "]";
+  const std::string text = name + after_name(unit);
   return text.find_first_of(",\";") == std::string::npos ? text : quoted_cell(text);
 }
 

@@ -1,4 +1,5 @@
 #include "app/trace/trace_text.h"
+#include "core/base/si_unit.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ std::string value_text(const Parameter &p)
 {
   if (!std::isfinite(p.value))
     return "no value";
-  return fmt::format("{:.5g} {}", p.value, p.unit == "1" ? "" : p.unit);
+  return fmt::format("{:.5g} {}", p.value, is_in(p.unit, SiUnit::one) ? "" : p.unit);
 }
 
 constexpr double smallest = 0.005;  // percent per percent, of what is shown with two digits

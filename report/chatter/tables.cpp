@@ -1,3 +1,4 @@
+#include "core/base/si_unit.h"
 #include "report/chatter/figures.h"
 #include "report/page/cells.h"
 #include "report/plot/number.h"
@@ -76,8 +77,7 @@ std::string chatter_published_table(const std::vector<ChatterCondition> &conditi
       const auto other = [&](const double value) {
         return cell(significant(value, 4) + deviation_note(entry.here, value));
       };
-      const bool bare = entry.unit.empty() || entry.unit == "-" || entry.unit == "1";
-      body += named_row(c.name, in_plain_words(entry.quantity + (bare ? "" : " [" + unit_sign(entry.unit) + "]")) +
+      body += named_row(c.name, in_plain_words(entry.quantity + after_name(unit_sign(entry.unit))) +
                                     cell("<b>" + significant(entry.here, 5) + "</b>") + other(entry.published) +
                                     other(entry.measured) + "<td>" + escaped(entry.note) + "</td>");
     }

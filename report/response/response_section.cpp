@@ -31,12 +31,13 @@ std::string driven_title(const Run &run)
 
 struct Channel {
   const char *column, *title, *quantity, *unit;
+  bool of_roll;  // an acceleration, on the scale of both rolls
 };
 const Channel channels[] = {
-    {"force", "Rolling force", "force", "kN"},
-    {"load_cell", "Load cell", "force", "kN"},
-    {"upper_work_roll", "Upper work roll", "acceleration", "g"},
-    {"lower_work_roll", "Lower work roll", "acceleration", "g"},
+    {"force", "Rolling force", "force", "kN", false},
+    {"load_cell", "Load cell", "force", "kN", false},
+    {"upper_work_roll", "Upper work roll", "acceleration", "g", true},
+    {"lower_work_roll", "Lower work roll", "acceleration", "g", true},
 };
 
 // Both rolls on one scale: the difference between them is what one looks for.
@@ -59,7 +60,7 @@ std::string history(const Table &table, const Channel &channel, const std::strin
   plot.height = 190;
   plot.x      = {"time", "s"};
   plot.y      = {channel.quantity, channel.unit};
-  if (channel.unit == std::string("g") && limit > 0) {
+  if (channel.of_roll && limit > 0) {
     plot.y.low  = -limit;
     plot.y.high = limit;
   }
@@ -75,7 +76,7 @@ std::string zoomable(const std::string &drawing, const PassInfo &pass, const Tab
   const Eigen::VectorXd value = values_of(table, {channel.column, channel.unit});
   return "<div class=\"history\"><div class=\"static\">" + drawing + "</div>" +
          zoom_chart(pass.slug, std::string(channel.quantity) + " [" + channel.unit + "]",
-                    channel.unit == std::string("g") ? limit : 0, time, {{channel.title, value}}) +
+                    channel.of_roll ? limit : 0, time, {{channel.title, value}}) +
          "</div>\n";
 }
 
@@ -117,7 +118,7 @@ std::string around_the_peak(const Table &table)
   plot.height = 250;
   plot.x      = {"time", "s", Scale::linear, std::max(time[0], time[peak] - 0.025),
                  std::min(time[time.size() - 1], time[peak] + 0.025)};
-  plot.y      = {"acceleration", "g"};
+  plot.y      = {"acceleration", "g", true};
   add_line(plot, table, {"time", "s"}, {"upper_work_roll", "g"}, "upper work roll", Pen::dark);
   add_line(plot, table, {"time", "s"}, {"lower_work_roll", "g"}, "lower work roll", Pen::warm);
   plot.points.push_back({time[peak], upper[peak], g_text(upper[peak]) + " g"});

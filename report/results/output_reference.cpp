@@ -1,4 +1,5 @@
 #include "report/results/output_reference.h"
+#include "core/base/si_unit.h"
 #include "core/records/cluster_names.h"
 #include "core/records/result_names.h"
 #include "core/records/stack_names.h"
@@ -217,7 +218,7 @@ std::string output_reference(const std::vector<Run> &runs)
         continue;
       row.meaning = meaning_of(result.name);
       row.meaning = without_names_of_case(row.meaning, parts_of(result.name), parts_of(row.name));
-      row.unit    = result.unit == "1" ? "-" : result.unit;
+      row.unit    = is_in(result.unit, SiUnit::one) ? "-" : result.unit;
       read_source(result.source, row);
       rows.push_back(row);
     }

@@ -1,3 +1,4 @@
+#include "core/base/si_unit.h"
 #include "twin/analysis/channel_analysis.h"
 #include "twin/analysis/findings.h"
 #include "twin/onset/growth_stretch.h"
@@ -156,7 +157,7 @@ void add_alarms(Analysis &analysis, const Finding &of_mode, const ComplexEnvelop
                 const std::optional<GrowthStretch> &stretch, const AnalysisSettings &settings)
 {
   AlarmSettings rule;
-  if (of_mode.unit == "m/s2")
+  if (is_in(of_mode.unit, SiUnit::acceleration))
     rule.limit = settings.limit;
   int n = 0;
   for (const Alarm &alarm : alarms(envelope, rule)) {

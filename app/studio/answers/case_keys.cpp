@@ -1,4 +1,5 @@
 #include "app/studio/answers/case_keys.h"
+#include "core/base/si_unit.h"
 #include "core/base/units.h"
 #include "core/case/case_template.h"
 #include "core/case/kinds.h"
@@ -56,7 +57,7 @@ std::vector<std::string> units_like(const std::string &form)
 {
   std::vector<std::string> symbols;
   const Unit *known = find_unit(form);
-  if (!known || form == "1")
+  if (!known || is_pure(form))
     return symbols;
   for (const Unit &unit : all_units())
     if (unit.dimension == known->dimension && std::strcmp(unit.quantity, known->quantity) == 0)

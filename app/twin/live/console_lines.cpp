@@ -1,4 +1,5 @@
 #include "app/twin/live/console_lines.h"
+#include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
 #include "dynamics/response/mill_model.h"
 #include <algorithm>
@@ -43,7 +44,7 @@ std::string ConsoleLines::line(const live::LiveBlock &block)
                      (block.driven ? fmt::format("  force {:.1f} kN", force_ / double(n_) / 1e3) : "");
   for (std::size_t p = 0; p < source_.places.size(); ++p) {
     const auto channel       = std::find_if(source_.channels.begin(), source_.channels.end(), [&](const auto &c) {
-      return c.name == source_.places[p] && c.unit == "m/s2";
+      return c.name == source_.places[p] && is_in(c.unit, SiUnit::acceleration);
     });
     const std::string &place = source_.places[p];
     const bool shown =

@@ -5,6 +5,7 @@
 #include "app/twin/live/live_run.h"
 #include "app/twin/live/live_stand.h"
 #include "core/base/errors.h"
+#include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
 #include "core/model/case.h"
 #include "twin/web/server/listen_address.h"
@@ -57,7 +58,7 @@ void LiveRun::show_source(const live::LiveSource &source)
   stand.rate            = source.rate;
   for (live::StandPlace &place : stand.places)
     place.measured = std::any_of(source.channels.begin(), source.channels.end(), [&](const live::LiveChannel &c) {
-      return c.name == place.place && c.unit == "m/s2";
+      return c.name == place.place && is_in(c.unit, SiUnit::acceleration);
     });
   page_->set_stand(live::stand_text(stand));
   publish_parameters();

@@ -1,5 +1,6 @@
 #include "twin/live/source/line_session.h"
 #include "core/base/errors.h"
+#include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
 #include "twin/live/source/row_times.h"
 #include "twin/records/channel_names.h"
@@ -53,7 +54,7 @@ KnownChannels known_channels(const std::vector<NamedUnit> &sent, const SourceRul
     known.factor.push_back(column_unit.known ? column_unit.factor : 1);
   }
   if (std::none_of(known.channels.begin(), known.channels.end(),
-                   [](const LiveChannel &c) { return c.name == "force" || c.unit == "m/s2"; }))
+                   [](const LiveChannel &c) { return c.name == "force" || is_in(c.unit, SiUnit::acceleration); }))
     throw InputError("no channel \"force\", which drives the twin, and no acceleration; name the column of the "
                      "rolling force with --channel NAME=force, or give the unit of an acceleration with --unit "
                      "NAME=g");
