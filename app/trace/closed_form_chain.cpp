@@ -12,6 +12,7 @@
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
+#include "core/records/chain_number.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
 #include "reduce/chain/chain_keys.h"
@@ -167,10 +168,12 @@ bool is_across_given_bearing(const std::string &name, const GivenValues &given)
 // Both bearings of a backup roll are twice the given one.
 void follow_given_bearing(ClosedFormResult &r, const FourHigh &stand)
 {
-  const std::string seat = r.name == "K_Zy" ? "Kzc1" : r.name == "K_Zy_lower" ? "Kzc4" : r.name.substr(0, 4);
+  const std::string seat = r.name == word_of(ChainNumber::K_Zy)         ? "Kzc1"
+                           : r.name == word_of(ChainNumber::K_Zy_lower) ? "Kzc4"
+                                                                        : r.name.substr(0, 4);
   if (seat == r.name || seat.substr(0, 3) != "Kzc" || !is_given(stand.given, seat))
     return;
-  if (r.name.substr(0, 4) == "K_Zy") {
+  if (r.name.substr(0, 4) == word_of(ChainNumber::K_Zy)) {
     const std::string name = r.name;
     r                      = given_result(seat, stand.given.at(seat).parameter);
     r.name                 = name;
@@ -196,7 +199,8 @@ void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_
     r.parameter.inputs = spring_keys(stand, r.name, p);
     r.parameter.value *= factor(factors, prefix + r.name);
     follow_given_bearing(r, stand);
-    const std::string given = r.name == "K_Zy_lower" ? "K_Zy" : r.name;  // one value for both backup rolls
+    const std::string given =
+        r.name == word_of(ChainNumber::K_Zy_lower) ? "K_Zy" : r.name;  // one value for both backup rolls
     if (is_given(stand.given, given)) {
       const std::string name = r.name;
       r                      = given_result(given, stand.given.at(given).parameter);

@@ -1,5 +1,6 @@
 #include "reduce/stand/six_masses.h"
 #include "core/base/errors.h"
+#include "core/records/chain_number.h"
 #include "reduce/stand/stand_assembly.h"
 #include "reduce/stand/stand_modes.h"
 #include <Eigen/Dense>
@@ -98,7 +99,8 @@ StandModel load_path(const StandModel &stand)
   StandModel path             = without(stand, "K4");
   const Eigen::VectorXd upper = path.points[0].row, across = upper - path.points[5].row;
   for (Connection &c : path.connections)
-    if (c.name == "K1" && c.rows.rows() == 1 && (c.rows.row(0).transpose() - across).isZero(1e-12))
+    if (c.name == word_of(ChainNumber::K1) && c.rows.rows() == 1 &&
+        (c.rows.row(0).transpose() - across).isZero(1e-12))
       c.rows.row(0) = upper;
   return path;
 }

@@ -118,7 +118,7 @@ std::string around_the_peak(const Table &table)
   plot.height = 250;
   plot.x      = {"time", "s", Scale::linear, std::max(time[0], time[peak] - 0.025),
                  std::min(time[time.size() - 1], time[peak] + 0.025)};
-  plot.y      = {"acceleration", "g", true};
+  plot.y      = {"acceleration", "g"};
   add_line(plot, table, {"time", "s"}, {"upper_work_roll", "g"}, "upper work roll", Pen::dark);
   add_line(plot, table, {"time", "s"}, {"lower_work_roll", "g"}, "lower work roll", Pen::warm);
   plot.points.push_back({time[peak], upper[peak], g_text(upper[peak]) + " g"});

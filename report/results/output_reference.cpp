@@ -1,5 +1,6 @@
 #include "report/results/output_reference.h"
 #include "core/base/si_unit.h"
+#include "core/records/chain_number.h"
 #include "core/records/cluster_names.h"
 #include "core/records/result_names.h"
 #include "core/records/stack_names.h"
@@ -62,7 +63,8 @@ std::string numbers_replaced(const std::string &part)
 {
   if (is_number(part))
     return "N";
-  if (part == "K3" || part == "K4" || part == "K5" || part.rfind("L10", 0) == 0)
+  if (part == word_of(ChainNumber::K3) || part == word_of(ChainNumber::K4) || part == word_of(ChainNumber::K5) ||
+      part.rfind("L10", 0) == 0)
     return part;
   std::string out;
   for (std::size_t i = 0; i < part.size(); ++i) {

@@ -6,6 +6,7 @@
 #include "core/case/lumped_model_toml.h"
 #include "core/case/provenance.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/chain_number.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
@@ -228,7 +229,8 @@ ModelsRecord comparison(const FourHigh &stand, const reduce::LumpedStand &chain,
   record.kept_modes = kept_modes(stand, reduce::stand_springs(stand, chain, true), components.fine, limit);
   record.breakdown  = reduce::chain_breakdown(stand, chain);
   for (auto &mass : reduce::model_breakdown(stand, models.craig_bampton.model, stand.dynamics.mass_reference))
-    if (!stand.housing.present() || (mass.mass != "M1" && mass.mass != "M6"))  // a housing is one body there
+    if (!stand.housing.present() || (mass.mass != word_of(ChainNumber::M1) &&
+                                     mass.mass != word_of(ChainNumber::M6)))  // a housing is one body there
       record.breakdown.push_back(std::move(mass));
   record.routes = mass_routes(stand, chain, masses);
   return record;
