@@ -1,6 +1,7 @@
 #include "twin/analysis/channel_analysis.h"
 #include "twin/analysis/findings.h"
 #include "twin/analysis/owner.h"
+#include "twin/records/known_channel.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -86,7 +87,7 @@ const CleanChannel *recorded_force(const Analysis &analysis, const CleanRecord &
   for (std::size_t i = 0; i < analysis.channels.size(); ++i) {
     if (!is_force(analysis.channels[i]) || record.channels[i].n_used() == 0)
       continue;
-    if (record.channels[i].name == "force")
+    if (is_driving_force(record.channels[i].name))
       return &record.channels[i];
     if (only)
       return nullptr;

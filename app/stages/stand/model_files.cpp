@@ -1,6 +1,7 @@
 #include "app/stages/stand/model_files.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
+#include "core/model/dynamics_settings.h"
 #include "core/records/detailed_model.h"
 #include "core/records/line_vtu.h"
 #include "core/records/mat_file.h"
@@ -277,7 +278,7 @@ void write_model_matrices(RunContext &run, const DynamicsSettings &dynamics, con
     const auto kept =
         std::upper_bound(s.modes.frequency.begin(), s.modes.frequency.end(), 2 * dynamics.frequency_limit) -
         s.modes.frequency.begin();
-    const bool all          = s.model.name == "six-mass";
+    const bool all          = s.model.name == word_of(StandModelKind::six_mass);
     const Eigen::Index n    = all ? s.modes.frequency.size() : kept;
     const Eigen::MatrixXd C = dynamics::damping_matrix(
         s.model, s.modes.frequency.head(n), s.modes.shape.leftCols(n), dynamics.modal_damping, gap_damper);
@@ -286,7 +287,7 @@ void write_model_matrices(RunContext &run, const DynamicsSettings &dynamics, con
     run.out.write("models/" + name + ".mat",
                   mat_of(s, symmetric_part(s.model.M), symmetric_part(stiffness_of(s.model)), C));
   }
-  if (name != "six-mass")
+  if (name != word_of(StandModelKind::six_mass))
     run.out.write("lumped_model-" + name + ".toml", detailed_model_toml(files, run.the_case, run.out.path()));
 }
 

@@ -13,6 +13,7 @@
 #include "core/model/case.h"
 #include "twin/live/engine/engine_loop.h"
 #include "twin/live/steady_clock.h"
+#include "twin/records/known_channel.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -233,8 +234,11 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
     };
   }
   if (auto chatter = live_chatter(the_case_, model_)) {
-    const auto is_speed = [](const live::LiveChannel &c) { return c.name == "speed" || c.name == "exit_speed"; };
-    const bool used     = std::any_of(source.channels.begin(), source.channels.end(), is_speed);
+    const auto is_speed = [](const live::LiveChannel &c) {
+      const auto known = choice_named<twin::KnownChannel>(c.name);
+      return known == twin::KnownChannel::speed || known == twin::KnownChannel::exit_speed;
+    };
+    const bool used = std::any_of(source.channels.begin(), source.channels.end(), is_speed);
     for (const std::string &note : used ? chatter->notes : std::vector<std::string>{})
       print("note: " + visible(note, true) + "\n");
     setup.chatter = std::move(chatter->setup);

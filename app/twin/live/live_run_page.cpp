@@ -4,6 +4,7 @@
 #include "app/twin/live/live_metrics.h"
 #include "app/twin/live/live_run.h"
 #include "app/twin/live/live_stand.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
@@ -19,6 +20,13 @@
 // What of a live run is shown: page, account, alarms, console.
 namespace mill {
 namespace {
+// Notes of the source and of the recorder that raise an alarm.
+enum class AlarmingNote { recording, loss, gap, overrun, rate, clock };
+constexpr auto words_of(AlarmingNote)
+{
+  return choice_words<AlarmingNote>("recording", "loss", "gap", "overrun", "rate", "clock");
+}
+
 constexpr std::int64_t shown_of_a_kind = 20;  // refusals and the like, on the console
 }  // namespace
 
@@ -194,20 +202,21 @@ void LiveRun::say(const std::string &kind, const std::string &text)
     const std::lock_guard lock(console_);
     times = ++said_[kind];
   }
-  if (kind == "recording" || kind == "loss" || kind == "gap" || kind == "overrun" || kind == "rate" ||
-      kind == "clock") {
+  const auto alarm = choice_named<AlarmingNote>(kind);
+  const bool stops = alarm == AlarmingNote::recording;
+  if (alarm) {
     const std::lock_guard lock(alarm_lock_);
     alarms_.raise(kind, utc_now(),
-                  kind == "recording" ? "recording"
-                  : kind == "gap"     ? "gap"
-                                      : "source",
-                  kind == "recording" ? "alarm" : "warning", shown);
+                  stops                         ? "recording"
+                  : *alarm == AlarmingNote::gap ? "gap"
+                                                : "source",
+                  stops ? "alarm" : "warning", shown);
   }
   if (times == shown_of_a_kind + 1)
     print(fmt::format("{}: further ones are counted and not shown\n", kind));
   if (times > shown_of_a_kind)
     return;
-  if (kind == "recording") {
+  if (stops) {
     const std::lock_guard lock(console_);
     console::say("alarm: " + shown + "\n");
   } else
