@@ -7,6 +7,8 @@
 #include "core/case/estimates.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
+#include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -78,9 +80,9 @@ double move_of(const EstimateRecord &record, const std::string &name, const std:
   if (is_ranked(name) && holds(known, name))
     return largest_move(record, [&](const std::string &result) { return result == name; });
   const std::string stem = name.substr(0, name.find('.')), last = name.substr(name.rfind('.') + 1);
-  if (stem != name && (is_mode(last) || last == "frequency"))
+  if (stem != name && (is_mode(last) || is_word(last, ResultWord::frequency)))
     return largest_mode_move(record);
-  if (stem == "stand")
+  if (stem == family::stand)
     return largest_move(record, [](const std::string &spring) { return spring[0] == 'K'; });
   if (!holds(known, stem))
     return not_given;

@@ -5,6 +5,7 @@
 #include "core/base/visible_text.h"
 #include "core/case/fields.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/results/named_mode.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -78,13 +79,13 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
   std::vector<std::pair<std::string, const Parameter *>> modes;  // key and frequency
   for (const auto &[name, p] : results.values)
     if (const auto parts = parts_of(name);
-        parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency")
+        parts.size() == 3 && parts[0] == family::mode && is_word(parts[2], ResultWord::frequency))
       modes.emplace_back(parts[1], &p);
   const auto rank = [](const auto &mode) {
-    return mode.first == "gap_first_kind"     ? 0
-           : mode.first == "gap_second_kind"  ? 1
-           : mode.first.rfind("gap_", 0) == 0 ? 2
-                                              : 3;
+    return is_word(mode.first, ResultWord::gap_first_kind)    ? 0
+           : is_word(mode.first, ResultWord::gap_second_kind) ? 1
+           : mode.first.rfind("gap_", 0) == 0                 ? 2
+                                                              : 3;
   };
   std::stable_sort(modes.begin(), modes.end(), [&](const auto &a, const auto &b) { return rank(a) < rank(b); });
   for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i) {

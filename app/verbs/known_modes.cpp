@@ -5,6 +5,7 @@
 #include "core/base/errors.h"
 #include "core/model/case.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include <algorithm>
 
 namespace mill {
@@ -17,7 +18,7 @@ bool is_number(const std::string &text)
 // "mode.gap_first_kind.frequency" -> key and words; a mode without a name of its own is none here.
 bool is_named(const std::vector<std::string> &parts)
 {
-  return parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency";
+  return parts.size() == 3 && parts[0] == family::mode && is_word(parts[2], ResultWord::frequency);
 }
 
 // "f3", "cluster.pass 1.f3", "cluster.f3"

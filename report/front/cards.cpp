@@ -3,6 +3,7 @@
 #include "core/base/short_number.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/front/stability.h"
 #include "report/marks/figures.h"
 #include "report/page/curves.h"
@@ -124,7 +125,7 @@ std::string gap_mode_card(const Run &run, const std::string &key)
   if (!has_value(frequency))
     return "";
   const Result *open        = run.find(result_name({family::open, family::mode, key, "frequency"}));
-  const std::string damping = key == "gap_first_kind" ? damping_of(run, *frequency) : "";
+  const std::string damping = is_word(key, ResultWord::gap_first_kind) ? damping_of(run, *frequency) : "";
   const NamedMode named     = named_mode(*frequency);
   std::string below         = named.model;
   if (has_value(open))
@@ -157,7 +158,8 @@ std::string force_card(const Run &run)
   double largest = 0;
   for (const Result &result : run.results) {
     const auto parts = parts_of(result.name);
-    if (parts.size() != 3 || parts[0] != family::bite || parts[2] != "force" || !has_value(&result))
+    if (parts.size() != 3 || parts[0] != family::bite || !is_word(parts[2], ResultWord::force) ||
+        !has_value(&result))
       continue;
     for (const Check &check : result.checks)
       if (const double apart = result.value / check.value - 1;
@@ -276,7 +278,7 @@ std::string marks_cards(const Run &run)
   std::string all = card(run.find(result_name({marks_family, "frequency"})), "frequency of the marks");
   for (const Result &result : run.results)
     if (const auto parts = parts_of(result.name);
-        parts.size() == 3 && parts[0] == marks_family && parts[2] == "per_turn")
+        parts.size() == 3 && parts[0] == marks_family && is_word(parts[2], ResultWord::per_turn))
       all += card(&result, meaning_of(result.name));
   return all;
 }

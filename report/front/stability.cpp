@@ -1,6 +1,7 @@
 // How far the working speeds are from the critical ones.
 #include "report/front/stability.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/page/curves.h"
 #include "report/plot/number.h"
 #include <cmath>
@@ -42,7 +43,8 @@ std::vector<SpeedVerdict> speed_verdicts(const Run &run)
     return all;
   for (const Result &result : run.results)
     if (const auto parts = parts_of(result.name); parts.size() == 3 && parts[0] == family::chatter &&
-                                                  parts[2] == "growth_rate" && std::isfinite(result.value))
+                                                  is_word(parts[2], ResultWord::growth_rate) &&
+                                                  std::isfinite(result.value))
       all.push_back(of_condition(run, parts[1], result));
   worst_first(all);
   return all;

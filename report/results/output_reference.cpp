@@ -2,7 +2,9 @@
 #include "core/base/si_unit.h"
 #include "core/records/chain_number.h"
 #include "core/records/cluster_names.h"
+#include "core/records/contact_name.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "core/records/stack_names.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -16,6 +18,7 @@ struct OutputGroup {
   const char *family;  // first part of the row
   const char *title;
   const char *chapter;  // of docs/theory
+  bool begins = false;  // the first part only begins so
 };
 
 constexpr std::array<OutputGroup, 31> output_groups{{
@@ -24,7 +27,7 @@ constexpr std::array<OutputGroup, 31> output_groups{{
     {"K4", "Roll bite as a spring", "08-roll-bite-slab-theories"},
     {"contact", "Roll contact in detail", "12-contact-of-meshed-bodies"},
     {"Kzc", "A bearing alone", "05-roller-bearings"},
-    {"KzcN", "Bearings of the stand", "05-roller-bearings"},
+    {"KzcN", "Bearings of the stand", "05-roller-bearings", true},
     {"bearing", "Rating and life of bearings, oil films", "05-roller-bearings"},
     {"bite", "Roll bite", "08-roll-bite-slab-theories"},
     {"KN", "Springs of the six-mass chain", "04-springs-and-masses"},
@@ -82,7 +85,7 @@ const OutputGroup *group_of(const std::string &row)
 {
   const std::string family = parts_of(row)[0];
   for (const OutputGroup &group : output_groups)
-    if (family == group.family || (group.family == std::string("KzcN") && family.rfind("KzcN", 0) == 0))
+    if (family == group.family || (group.begins && family.rfind(group.family, 0) == 0))
       return &group;
   return nullptr;
 }
@@ -126,20 +129,26 @@ std::string cell(std::string text)
   return replaced(std::move(text), "|", "\\|");
 }
 
+// cluster.PASS.WORD.ROLL
+bool is_of_roll(const std::string &part)
+{
+  const auto word = choice_named<ResultWord>(part);
+  return word == ResultWord::velocity || word == ResultWord::acceleration || word == ResultWord::least_guide;
+}
+
 // "cluster.PASS.W-I.force", "cluster.PASS.W.x", "cluster.PASS.velocity.W.y",
 // "cluster.fit.VARIANT.contact.W-I.stiffness": rolls and contacts have the names that the case gives them.
 void name_cluster_parts(std::vector<std::string> &parts)
 {
   if (parts[1] == cluster_fit && parts.size() > 4) {
     parts[2] = "VARIANT";
-    parts[4] = parts[3] == "contact" ? "CONTACT" : "ROLL";
+    parts[4] = is_word(parts[3], ResultWord::contact) ? "CONTACT" : "ROLL";
   } else if (parts.size() > 3 && parts[2] == family::mode) {
     parts = {parts[0], parts[1], parts[2], "MODE"};
-  } else if (parts.size() > 3 &&
-             (parts[2] == "velocity" || parts[2] == "acceleration" || parts[2] == "least_guide")) {
+  } else if (parts.size() > 3 && is_of_roll(parts[2])) {
     parts[3] = "ROLL";
   } else if (parts.size() == 4) {
-    parts[2] = parts[3] == "x" || parts[3] == "y" ? "ROLL" : "CONTACT";
+    parts[2] = is_word(parts[3], ResultWord::x) || is_word(parts[3], ResultWord::y) ? "ROLL" : "CONTACT";
   }
 }
 
@@ -148,7 +157,7 @@ std::string without_names_of_case(std::string meaning, const std::vector<std::st
                                   const std::vector<std::string> &to)
 {
   for (std::size_t i = 1; i < std::min(from.size(), to.size()); ++i)
-    if (std::isupper((unsigned char)to[i][0]) && to[i].size() > 1 && to[i] != "N" && from[i] != to[i])
+    if (std::isupper((unsigned char)to[i][0]) && to[i].size() > 1 && from[i] != to[i])
       for (const auto &[before, after] :
            {std::pair{std::string(", "), std::string(", ")}, std::pair{std::string(" "), std::string(" ")}})
         meaning = replaced((before + meaning + after), before + from[i] + after, before + to[i] + after)
@@ -173,11 +182,11 @@ std::string row_of_output(const Run &run, const std::string &result)
     parts[1] = "MODE";
   if (family == family::open && parts.size() > 2 && parts[1] == family::mode)
     parts[2] = "MODE";
-  if (family == "bearing" && parts.size() > 2)
+  if (family == curve::bearing.family && parts.size() > 2)
     parts[1] = "BEARING";
   if (family == family::frf && parts.size() > 3)
     parts[1] = "EXCITED", parts[2] = "PLACE";
-  if (family == family::contact && parts.size() > 2 && (parts[1] == "upper" || parts[1] == "lower"))
+  if (family == family::contact && parts.size() > 2 && is_of_stand(parts[1]))
     parts[1] = "upper/lower";
   if ((family == family::bite || family == family::chatter || family == family::cluster) && parts.size() > 2 &&
       parts[1] != bite_fit)

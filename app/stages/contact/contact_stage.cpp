@@ -11,6 +11,7 @@
 #include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
+#include "core/records/contact_name.h"
 #include "core/records/record_text.h"
 #include "fem/body/on_mesh.h"
 #include <algorithm>
@@ -441,7 +442,7 @@ std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourH
   for (Study &s : studies) {
     StageTimer timer(run, "contact " + s.name + ", results");
     timer.cached         = s.kept;
-    const auto &settings = s.name == "upper" ? stand.upper_contact : stand.lower_contact;
+    const auto &settings = is_contact(s.name, ContactName::upper) ? stand.upper_contact : stand.lower_contact;
     out[s.name]          = report_study(run, stand, s, settings, loads);
     if (s.twin.empty())
       keep_study(run, s);

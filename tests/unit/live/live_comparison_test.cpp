@@ -166,7 +166,7 @@ TEST(LiveComparison, ProposesASofterContact)
   EXPECT_EQ(softer.modes.back().modes.at(5).state, "drifted");
   ASSERT_EQ(softer.proposals.size(), 1u);
   const PageProposal &page = softer.proposals[0];
-  EXPECT_EQ(page.state, ProposalState::open);
+  EXPECT_EQ(page.state, "open");
   for (const ProposedValue &value : page.values) {
     if (value.key == "K3") {
       EXPECT_TRUE(value.identified);
