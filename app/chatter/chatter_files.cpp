@@ -230,23 +230,6 @@ ChatterCondition condition_record(const ChatterStudy &s)
 }
 }  // namespace
 
-const char *word_of(const Verdict verdict)
-{
-  switch (verdict) {
-  case Verdict::crossing:
-    return "crossing";
-  case Verdict::stable:
-    return "stable";
-  case Verdict::unstable:
-    return "unstable";
-  case Verdict::unstable_below:
-    return "unstable below";
-  case Verdict::no_bite:
-    break;
-  }
-  return "no bite";
-}
-
 void write_chatter(RunContext &run, const ChatterStudy &s)
 {
   write_speeds(run, s);

@@ -23,11 +23,17 @@ std::string value_text(const Parameter &p)
 
 constexpr double smallest = 0.005;  // percent per percent, of what is shown with two digits
 
+// A slope in percent of a result per percent of the key, not per unit.
+bool is_relative(const std::string &per)
+{
+  return per == "%";
+}
+
 std::string slope_text(const double slope, const std::string &per)
 {
   if (!std::isfinite(slope))
     return "no answer";
-  if (per == "%")
+  if (is_relative(per))
     return std::abs(slope) < smallest ? "below 0.005" : fmt::format("{:+.2f} % per %", slope);
   const std::string number = std::abs(slope) < 100 ? fmt::format("{:+.2g}", slope) : fmt::format("{:+.0f}", slope);
   return std::abs(slope) < 1e-6 ? "0" : number + " % per " + per;
@@ -36,7 +42,7 @@ std::string slope_text(const double slope, const std::string &per)
 // A kink shows as two slopes; what bends by less than a fifth over the step is one.
 bool has_kink(const TraceLine &line, const std::string &per)
 {
-  const double least = per == "%" ? 0.05 : 1e-6;
+  const double least = is_relative(per) ? 0.05 : 1e-6;
   return std::abs(line.slope_up - line.slope_down) >
          least + 0.2 * std::max(std::abs(line.slope_up), std::abs(line.slope_down));
 }
@@ -57,7 +63,7 @@ std::string elasticity_text(const Trace &trace, const TraceLine &line)
   if (std::isnan(line.slope))
     return "";  // missing_slopes() says why
   if (has_kink(line, trace.per))
-    return trace.per == "%"
+    return is_relative(trace.per)
                ? fmt::format("{:+.2f} up, {:+.2f} down", line.slope_up, line.slope_down)
                : fmt::format("{:+.2g} up, {:+.2g} down per {}", line.slope_up, line.slope_down, trace.per);
   return slope_text(line.slope, trace.per);

@@ -2,6 +2,7 @@
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/stored_run.h"
+#include "core/base/digits.h"
 #include "core/base/errors.h"
 #include "core/model/case.h"
 #include "core/records/result_names.h"
@@ -10,11 +11,6 @@
 
 namespace mill {
 namespace {
-bool is_number(const std::string &text)
-{
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-}
-
 // "mode.gap_first_kind.frequency" -> key and words; a mode without a name of its own is none here.
 bool is_named(const std::vector<std::string> &parts)
 {
@@ -26,7 +22,7 @@ bool is_numbered(const std::vector<std::string> &parts)
 {
   const std::string &last = parts.back();
   const bool stack        = parts[0] == "cluster" && parts.size() <= 3;
-  return (parts.size() == 1 || stack) && last.size() > 1 && last[0] == 'f' && is_number(last.substr(1));
+  return (parts.size() == 1 || stack) && last.size() > 1 && last[0] == 'f' && is_digits(last.substr(1));
 }
 
 // Results that are natural frequencies: those with names, else those of the first pass by their numbers.

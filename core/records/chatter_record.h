@@ -12,7 +12,7 @@
 namespace mill {
 /// Whether vibration of a condition begins to grow, and where.
 struct ChatterCritical {
-  std::string verdict;  ///< crossing | stable | unstable | unstable below | no bite; empty: not stored
+  std::string verdict;                                      ///< word of a StabilityFinding; empty: not stored
   double speed                   = not_given;               ///< m/s, of the crossing
   double frequency               = not_given;               ///< Hz
   double growth_at_working       = not_given;               ///< 1/s, at the working speed

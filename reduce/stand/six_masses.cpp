@@ -1,6 +1,7 @@
 #include "reduce/stand/six_masses.h"
 #include "core/base/errors.h"
 #include "core/records/chain_number.h"
+#include "core/records/stand_place.h"
 #include "reduce/stand/stand_assembly.h"
 #include "reduce/stand/stand_modes.h"
 #include <Eigen/Dense>
@@ -53,7 +54,7 @@ int place_of_unknown(const StandModel &stand, const Eigen::Index i)
   if (place >= 0)
     return place;
   for (const StandPoint &point : stand.points)
-    if (point.name == "housing, chock seat" && point.row[i] != 0)
+    if (const StandPlace at = stand_place(point.name); at.housing && at.seat && point.row[i] != 0)
       return 5;
   return 0;  // the screw; modes of the housing rest in a static shape
 }

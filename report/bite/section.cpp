@@ -1,3 +1,4 @@
+#include "core/records/bite_model.h"
 #include "report/bite/figures.h"
 #include "report/page/sections.h"
 #include "report/plot/number.h"
@@ -8,7 +9,7 @@ namespace mill::report {
 namespace {
 bool has_elements(const BitePass &pass)
 {
-  return !pass.models.empty() && pass.models.front() == "fe";
+  return !pass.models.empty() && pass.models.front() == word_of(BiteModel::fe);
 }
 
 void along_the_arc(Page &page, const Run &run, const BitePass &pass)

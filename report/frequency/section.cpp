@@ -1,4 +1,5 @@
 #include "core/records/result_names.h"
+#include "core/records/stand_place.h"
 #include "report/frequency/figures.h"
 #include "report/page/curves.h"
 #include "report/page/page.h"
@@ -79,7 +80,7 @@ void responses(Page &page, const Run &run)
                       band_sentence(run, model));
   std::vector<std::string> chocks, rolls;
   for (const std::string &place : places)
-    (place.find("chock") == std::string::npos ? rolls : chocks).push_back(place);
+    (stand_place(place).chock ? chocks : rolls).push_back(place);
   const std::string at_chocks = places_drawing(run, model, "Chocks, force in the bite", chocks, false),
                     tapped    = places_drawing(run, model, "Chocks, force at the chock", chocks, true);
   if (!at_chocks.empty())

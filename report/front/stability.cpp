@@ -1,5 +1,6 @@
 // How far the working speeds are from the critical ones.
 #include "report/front/stability.h"
+#include "core/base/digits.h"
 #include "core/records/result_names.h"
 #include "core/records/result_words.h"
 #include "report/page/curves.h"
@@ -52,7 +53,7 @@ std::vector<SpeedVerdict> speed_verdicts(const Run &run)
 
 std::string title_of_pass(const Run &run, const std::string &name)
 {
-  if (name.find_first_not_of("0123456789") != std::string::npos)
+  if (!is_digits(name))
     return name;
   return (run.manifest.kind == KindOfCase::chatter ? "condition " : "pass ") + name;
 }

@@ -1,4 +1,5 @@
 #include "core/records/cluster_names.h"
+#include "core/base/digits.h"
 #include "core/records/result_words.h"
 #include "core/records/schedule_record.h"
 #include "report/results/names.h"
@@ -45,8 +46,7 @@ std::string cluster_meaning(const std::string &name)
       text += (i == 3 ? ", " : ".") + part;
     else if (parts.size() == 3 && is_word(part, ResultWord::force))
       text += ", rolling force";
-    else if (parts.size() == 3 && part.size() > 1 && part[0] == 'f' &&
-             part.find_first_not_of("0123456789", 1) == std::string::npos)
+    else if (parts.size() == 3 && part[0] == 'f' && is_digits(part.substr(1)))
       text += ", natural frequency " + part.substr(1);
     else if (i + 1 == parts.size() && parts.size() == 5)
       text += (is_word(parts[2], ResultWord::roller_load) ? ", roller " : " along ") +

@@ -1,4 +1,5 @@
 #include "report/results/output_reference.h"
+#include "core/base/digits.h"
 #include "core/base/si_unit.h"
 #include "core/records/chain_number.h"
 #include "core/records/cluster_names.h"
@@ -55,16 +56,11 @@ constexpr std::array<OutputGroup, 31> output_groups{{
     {"influence", "Roll stacks: what moves the profile", "51-roll-stacks"},
 }};
 
-bool is_number(const std::string &text)
-{
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
-}
-
 // "f12" -> "fN", "Kzc3_across" -> "KzcN_across", "row2_axial" -> "rowN_axial"; K3, K4 and K5 have rows of their
 // own.
 std::string numbers_replaced(const std::string &part)
 {
-  if (is_number(part))
+  if (is_digits(part))
     return "N";
   if (part == word_of(ChainNumber::K3) || part == word_of(ChainNumber::K4) || part == word_of(ChainNumber::K5) ||
       part.rfind("L10", 0) == 0)
@@ -102,12 +98,12 @@ void read_source(const std::string &source, OutputRow &row)
   for (std::size_t open = source.find('('); open != std::string::npos; open = source.find('(', open + 1)) {
     const std::string inside = source.substr(open + 1, source.find(')', open) - open - 1);
     const auto dot           = inside.find('.');
-    if (dot == std::string::npos || !is_number(inside.substr(0, dot)) || inside.size() > dot + 4)
+    if (dot == std::string::npos || !is_digits(inside.substr(0, dot)) || inside.size() > dot + 4)
       continue;
     std::string after = inside.substr(dot + 1);
     if (!after.empty() && std::islower((unsigned char)after.back()))
       after.pop_back();
-    if (is_number(after))
+    if (is_digits(after))
       row.equation = inside;
   }
   row.method = row.method.substr(0, row.method.find_first_of(",;("));

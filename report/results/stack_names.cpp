@@ -1,4 +1,5 @@
 #include "core/records/stack_names.h"
+#include "core/base/digits.h"
 #include "core/records/result_words.h"
 #include "report/results/names.h"
 #include <map>
@@ -63,7 +64,7 @@ std::string stack_meaning(const std::string &name)
   if (parts.size() < 2)
     return "";
   if (parts[0] == family::stack)
-    return parts[1][0] == 'f' && parts[1].find_first_not_of("0123456789", 1) == std::string::npos
+    return parts[1][0] == 'f' && is_digits(parts[1].substr(1))
                ? "natural frequency " + parts[1].substr(1) + " of the stack"
                : stack_word(name);
   if (parts.size() < 3)
