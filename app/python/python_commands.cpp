@@ -84,6 +84,12 @@ void take_options(CommandLine &command, const py::dict &options)
                                             {"overwrite", &command.force_overwrite},
                                             {"allow_failed", &command.study.allow_failed},
                                             {"align", &command.align}};
+  const std::map<std::string, std::function<void(const py::handle)>> numbers{
+      {"threads", [&](const py::handle value) { command.threads = int(count_of("threads", value)); }},
+      {"samples", [&](const py::handle value) { command.study.samples = count_of("samples", value); }},
+      {"seed",
+       [&](const py::handle value) { command.study.seed = value_of<int>("seed", value, "a whole number"); }},
+      {"jobs", [&](const py::handle value) { command.study.jobs = int(count_of("jobs", value)); }}};
   for (const auto &[key, value] : options) {
     const auto name = key.cast<std::string>();
     if (const auto text = texts.find(name); text != texts.end())
@@ -92,14 +98,8 @@ void take_options(CommandLine &command, const py::dict &options)
       *list->second = value_of<Texts>(name, value, "a list of texts");
     else if (const auto flag = flags.find(name); flag != flags.end())
       *flag->second = value_of<bool>(name, value, "True or False");
-    else if (name == "threads")
-      command.threads = int(count_of(name, value));
-    else if (name == "samples")
-      command.study.samples = count_of(name, value);
-    else if (name == "seed")
-      command.study.seed = value_of<int>(name, value, "a whole number");
-    else if (name == "jobs")
-      command.study.jobs = int(count_of(name, value));
+    else if (const auto number = numbers.find(name); number != numbers.end())
+      number->second(value);
     else
       throw py::key_error("option " + name);
   }

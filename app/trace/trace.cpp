@@ -143,7 +143,7 @@ void keep_reached(Trace &trace, const Case &the_case, std::vector<TraceLine> lin
   for (TraceLine &line : lines) {
     const bool by_elements = holds(line.result.parameter.inputs, key) && !holds(line.result.closed, key);
     // About zero a result may be even in the key, so that it is reached without a slope.
-    const bool even = trace.per != "%" && !trace.per.empty() && holds(line.result.closed, key);
+    const bool even = !is_relative(trace.per) && !trace.per.empty() && holds(line.result.closed, key);
     if (!line.moves && !by_elements && !even)
       continue;
     line.moves = line.moves || even;

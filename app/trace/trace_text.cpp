@@ -23,12 +23,6 @@ std::string value_text(const Parameter &p)
 
 constexpr double smallest = 0.005;  // percent per percent, of what is shown with two digits
 
-// A slope in percent of a result per percent of the key, not per unit.
-bool is_relative(const std::string &per)
-{
-  return per == "%";
-}
-
 std::string slope_text(const double slope, const std::string &per)
 {
   if (!std::isfinite(slope))

@@ -5,6 +5,7 @@
 #include "core/base/digits.h"
 #include "core/base/errors.h"
 #include "core/model/case.h"
+#include "core/records/cluster_names.h"
 #include "core/records/result_names.h"
 #include "core/records/result_words.h"
 #include <algorithm>
@@ -21,7 +22,7 @@ bool is_named(const std::vector<std::string> &parts)
 bool is_numbered(const std::vector<std::string> &parts)
 {
   const std::string &last = parts.back();
-  const bool stack        = parts[0] == "cluster" && parts.size() <= 3;
+  const bool stack        = parts[0] == family::cluster && parts.size() <= 3;
   return (parts.size() == 1 || stack) && last.size() > 1 && last[0] == 'f' && is_digits(last.substr(1));
 }
 

@@ -209,11 +209,17 @@ const char *name_of(const Variability variability)
   return "continuous";
 }
 
+bool is_calculated(const Variable &variable)
+{
+  return variable.causality != Causality::input && variable.causality != Causality::independent &&
+         variable.causality != Causality::parameter;
+}
+
 std::string initial_of(const Variable &variable)
 {
-  if (variable.causality == Causality::input || variable.causality == Causality::independent)
-    return "";
-  return variable.causality == Causality::parameter ? "exact" : "calculated";
+  if (is_calculated(variable))
+    return "calculated";
+  return variable.causality == Causality::parameter ? "exact" : "";
 }
 
 const std::vector<UnitRow> &unit_rows()

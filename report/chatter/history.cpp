@@ -96,11 +96,12 @@ std::string rate(const double growth)
 std::string title_of(const std::string &what, const ChatterCondition &condition)
 {
   const ChatterHistoryInfo *info = info_of(condition, what);
-  const bool working             = what == "at" && info && !std::isfinite(condition.critical.speed);
-  std::string title              = what == "below"   ? "Below the critical speed"
-                                   : what == "above" ? "Above the critical speed"
-                                   : working         ? "At the working speed"
-                                                     : "At the critical speed";
+  const auto place               = choice_named<HistorySpeed>(what);
+  const bool working             = place == HistorySpeed::at && info && !std::isfinite(condition.critical.speed);
+  std::string title              = place == HistorySpeed::below   ? "Below the critical speed"
+                                   : place == HistorySpeed::above ? "Above the critical speed"
+                                   : working                      ? "At the working speed"
+                                                                  : "At the critical speed";
   if (!info)
     return title;
   if (std::isfinite(info->speed))

@@ -3,6 +3,7 @@
 #include "core/base/name_part.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
+#include "core/records/run_status.h"
 #include "report/front/cards.h"
 #include "report/front/chain_table.h"
 #include "report/front/stability.h"
@@ -21,7 +22,7 @@ constexpr std::size_t most_facts = 5;
 
 bool has_failed(const Run &run)
 {
-  return run.status != "ok" && run.status != "warnings";
+  return !choice_named<RunStatus>(run.status);
 }
 
 // A sentence begins with a capital; a key of the case ("output_rate", "strip.width") stays as it is written.
@@ -79,7 +80,7 @@ std::string verdict(const Run &run)
            escaped(run.status) + "\u201d; what is shown below was finished before.</p></div>\n";
   const auto verdicts         = speed_verdicts(run);
   const bool poor             = !verdicts.empty() && verdicts.front().finding == SpeedFinding::unstable;
-  const bool doubt            = run.status == "warnings" || !run.warnings.empty();
+  const bool doubt            = run.status == word_of(RunStatus::warnings) || !run.warnings.empty();
   const std::string finished  = doubt ? "Finished with " + count_of_warnings(run) + "." : "Finished.";
   const std::string stability = stability_sentence(run, verdicts), outcome = sentence(run);
   const std::string words =

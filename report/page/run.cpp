@@ -189,7 +189,7 @@ Manifest manifest_of(const Json &json)
     m.bearings[name] = bearing_of(bearing);
   for (const Json &pass : list_at(json, "passes"))
     m.passes.push_back({text_at(pass, "name"), text_at(pass, "slug"), number_at(pass, "load"),
-                        flag_at(pass, "synthetic"), text_at(pass, "force_meaning")});
+                        flag_at(pass, "synthetic"), choice_named<ForceMeaning>(text_at(pass, "force_meaning"))});
   for (const Json &verdict : list_at(json, "critical_speed"))
     m.speeds.push_back(speed_verdict_of(verdict));
   return m;

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/base/parameter.h"
 #include "core/base/warning.h"
+#include "core/model/dynamics_settings.h"
 #include "core/model/kind_of_case.h"
 #include "core/records/csv.h"
 #include "core/records/speed_verdict.h"
@@ -40,7 +41,7 @@ struct PassInfo {
   std::string slug;  ///< "pass-1", names response/<slug>.csv
   double load;       ///< N, working load; the mean of the record when the case states none; NaN: neither stored
   bool synthetic;    ///< the force record is made, not measured
-  std::string force_meaning;  ///< measured | disturbance | published
+  std::optional<ForceMeaning> force_meaning;  ///< nothing: not stored
 };
 
 struct Timing {

@@ -211,9 +211,10 @@ std::string force_rows(const Run &run)
       continue;
     const double duration = time[time.size() - 1] - time[0];
     rows += "<tr><th scope=\"row\">" + escaped(pass.name) + "</th><td>" +
-            (pass.synthetic ? "synthetic" : "recorded") + "</td><td>" + escaped(pass.force_meaning) +
-            "</td><td class=\"num\">" + fixed(force.mean(), 1) + "</td><td class=\"num\">" +
-            fixed(force.minCoeff(), 2) + " \u2026 " + fixed(force.maxCoeff(), 2) + "</td><td class=\"num\">" +
+            (pass.synthetic ? "synthetic" : "recorded") + "</td><td>" +
+            (pass.force_meaning ? word_of(*pass.force_meaning) : "") + "</td><td class=\"num\">" +
+            fixed(force.mean(), 1) + "</td><td class=\"num\">" + fixed(force.minCoeff(), 2) + " \u2026 " +
+            fixed(force.maxCoeff(), 2) + "</td><td class=\"num\">" +
             fixed(force.maxCoeff() - force.minCoeff(), 3) + "</td><td class=\"num\">" + fixed(duration, 2) +
             "</td><td class=\"num\">" + fixed(1e-3 * double(time.size() - 1) / duration, 1) + "</td></tr>\n";
   }

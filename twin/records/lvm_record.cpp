@@ -1,3 +1,4 @@
+#include "core/base/choice.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/line_source.h"
 #include "twin/records/number_style.h"
@@ -11,6 +12,13 @@
 // Source: National Instruments, Specification for the LabVIEW Measurement File (.lvm), 2009.
 namespace mill::twin {
 namespace {
+// Keys of the head of the file that are read.
+enum class HeadKey { decimal_separator, x_columns, date, time };
+constexpr auto words_of(HeadKey)
+{
+  return choice_words<HeadKey>("Decimal_Separator", "X_Columns", "Date", "Time");
+}
+
 class LvmReader {
 public:
   LvmReader(const std::string &path, const ReadOptions &read_options) : source(path), options(read_options)
@@ -62,13 +70,14 @@ private:
       const auto cells = cells_of(line);
       if (cells.size() < 2)
         continue;
-      if (cells[0] == "Decimal_Separator")
+      const auto key = choice_named<HeadKey>(cells[0]);
+      if (key == HeadKey::decimal_separator)
         style.decimal = cells[1] == "," ? ',' : '.';
-      if (cells[0] == "X_Columns")
+      if (key == HeadKey::x_columns)
         x_columns = cells[1];
-      if (cells[0] == "Date" && start_date.empty())
+      if (key == HeadKey::date && start_date.empty())
         start_date = cells[1];
-      if (cells[0] == "Time" && start_time.empty())
+      if (key == HeadKey::time && start_time.empty())
         start_time = cells[1].substr(0, std::min(cells[1].find_first_of(".,") + 7, cells[1].size()));
     }
   }

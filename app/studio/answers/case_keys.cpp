@@ -3,6 +3,7 @@
 #include "core/base/units.h"
 #include "core/case/case_template.h"
 #include "core/case/kinds.h"
+#include "core/records/result_names.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -90,7 +91,7 @@ bool is_section(const SectionRows &rows, const std::string &name)
 {
   if (rows.repeat == Repeat::once)
     return name == rows.name;
-  return name.compare(0, rows.name.size() + 1, rows.name + ".") == 0 && name.size() > rows.name.size() + 1;
+  return is_of(name, rows.name) && name.size() > rows.name.size() + 1;
 }
 }  // namespace
 

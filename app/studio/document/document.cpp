@@ -133,7 +133,7 @@ struct Document::State {
   // An edit, which alone can be refused, is tried first, so that the journal holds only what can be replayed.
   void change(const json &line)
   {
-    if (line.at("op") == word_of(LineOf::set)) {
+    if (const auto op = line.at("op").get<std::string>(); op == word_of(LineOf::set)) {
       History trial;
       trial.text = history.text;
       trial.done = history.done;

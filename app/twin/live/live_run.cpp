@@ -224,7 +224,7 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.limit    = limit_;
   setup.unknowns = fitted_springs(model_);
   // a record that is played faster than real time waits for every result, so that it gives the same twice
-  setup.wait     = command_.live.speed == "max";
+  setup.wait     = std::isinf(replay_speed(command_.live.speed));
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
   if (model_.detailed) {
     setup.mode_names   = model_.detailed->mode_names;
