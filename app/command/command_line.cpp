@@ -337,8 +337,7 @@ std::string mistyped(const CLI::App &app, const int argc, char **argv)
   }
   for (int i = 2; i < argc; ++i) {
     const std::string name = option_name(argv[i]);
-    if (name.size() > 2 && name.compare(0, 2, "--") == 0 &&
-        std::find(known.begin(), known.end(), name) == known.end())
+    if (name.size() > 2 && is_long(name) && std::find(known.begin(), known.end(), name) == known.end())
       return fmt::format("millstand {} has no option {}{}", first, name, suggestion(name, known));
   }
   return "";

@@ -89,7 +89,7 @@ std::string zsh_script(const std::vector<DescribedVerb> &verbs)
     std::string options;
     for (const DescribedOption &option : verb.options)
       for (const std::string &name : option.names)
-        if (name.compare(0, 2, "--") == 0)
+        if (is_long(name))
           options += described_word(name, option.meaning);
     cases += fmt::format("    {}) options=({}) ;;\n", verb.name, options);
   }

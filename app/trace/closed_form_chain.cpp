@@ -123,10 +123,11 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
 {
   // The six masses are driven here on linear springs whatever dynamics.model and dynamics.contact say, and white
   // force has no samples.
-  const KeyList all_own = response_keys(settings, pass, p);
+  const KeyList all_own   = response_keys(settings, pass, p);
+  const KeyList of_detail = joined(detailed_model_keys(), keys_in("dynamics", "output_rate contact"));
   KeyList keys;
   for (const std::string &key : all_own)
-    if (!holds(detailed_model_keys(), key) && key != "dynamics.output_rate" && key != "dynamics.contact")
+    if (!holds(of_detail, key))
       keys.push_back(key);
   const bool other_model = settings.model != StandModelKind::six_mass;
   const auto add         = [&](const char *name, const double value, const Half half, const bool white) {

@@ -34,9 +34,8 @@ std::string arrangement_sentence(const BearingInfo &info)
 bool has_radial_load(const Run &run, const std::string &bearing)
 {
   const auto names = results_of_bearing(run, bearing);
-  return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string &name) {
-           return run.find(name + ".secant") != nullptr;
-         });
+  return names.empty() || std::any_of(names.begin(), names.end(),
+                                      [&](const std::string &name) { return bool(run.find(name + ".secant")); });
 }
 
 void sketch(Page &page, const Run &run, const std::string &bearing)

@@ -80,8 +80,9 @@ Line line_of(const Table &table, const char *column, const char *unit, const std
 
 const ChatterHistoryInfo *info_of(const ChatterCondition &condition, const std::string &what)
 {
+  const std::string file = "response/chatter-" + condition.slug + "-" + what;
   for (const ChatterHistoryInfo &info : condition.histories)
-    if (info.file == "response/chatter-" + condition.slug + "-" + what)
+    if (info.file == file)
       return &info;
   return nullptr;
 }

@@ -46,7 +46,7 @@ std::string peak_rows(const Run &run, const std::vector<std::string> &places)
 
 std::string band_sentence(const Run &run, const std::string &model)
 {
-  const bool drawn       = stored_curve(run, curve::frf_band, model + "-bite") != nullptr;
+  const bool drawn       = bool(stored_curve(run, curve::frf_band, model + "-bite"));
   const std::string name = drawn
                                ? " Between the pale lines lie 95 of 100 stands drawn at random from the errors of "
                                  "springs, masses and mesh, each taken as 1.96 standard deviations."

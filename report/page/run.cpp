@@ -269,9 +269,8 @@ void leave_out_unknown_curves(Run &run)
       items.push_back(path);
   for (const std::string &path : items)
     if (!run.manifest.bearings.count(curve_name(path)->item) &&
-        std::any_of(items.begin(), items.end(), [&](const std::string &other) {
-          return path.size() > other.size() && path.compare(0, other.size() + 1, other + "-") == 0;
-        })) {
+        std::any_of(items.begin(), items.end(),
+                    [&](const std::string &other) { return path.rfind(other + "-", 0) == 0; })) {
       run.remarks.push_back(path + ".csv is not a curve that this program knows and is not shown.");
       run.tables.erase(path);
     }

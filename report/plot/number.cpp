@@ -146,7 +146,7 @@ std::string unit_sign(const std::string &unit)
     return "";
   std::string text;
   for (std::size_t i = 0; i < unit.size(); ++i)
-    if (unit.compare(i, 4, "sqrt") == 0) {
+    if (unit.substr(i, 4) == "sqrt") {
       text += "\u221a";
       i += 3;
     } else if (unit[i] == '(' || unit[i] == ')')

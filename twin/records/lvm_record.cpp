@@ -1,4 +1,5 @@
 #include "core/base/choice.h"
+#include "core/base/text.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/line_source.h"
 #include "twin/records/number_style.h"
@@ -84,7 +85,7 @@ private:
 
   void take(const std::string_view line)
   {
-    if (line.find_first_not_of(" \t") == std::string_view::npos)
+    if (is_blank(line))
       return;
     const auto cells = cells_of(line);
     if (is_end_of_head(line)) {

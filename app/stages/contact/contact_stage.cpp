@@ -214,10 +214,11 @@ void add_section(RunContext &run, Study &s, const FourHigh &stand, const double 
   const double misfit =
       std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
   const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
-                       const double other, const double closed, const std::string &reference) {
+                       const double other, const double closed, const std::string &reference,
+                       const double least_error) {
     Parameter p      = blank(unit, F, reference);
     p.value          = value;
-    p.error_estimate = std::max(mesh_pair_error(value, second), what == "approach" ? 0. : misfit);
+    p.error_estimate = std::max(mesh_pair_error(value, second), least_error);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({coarse_mesh, second, ""});
     add_check(p, fourier_solver, other);
@@ -228,11 +229,11 @@ void add_section(RunContext &run, Study &s, const FourHigh &stand, const double 
   };
   const BarrelProfile other = s.second ? s.second->mirrored_at : BarrelProfile();
   add("half_width", "m", fine.half_width[mid], coarse.half_width[mid2], at_middle(other.half_width),
-      hertz.half_width, "at mid-length");
+      hertz.half_width, "at mid-length", misfit);
   add("peak_pressure", "Pa", fine.peak_pressure[mid], coarse.peak_pressure[mid2], at_middle(other.peak_pressure),
-      hertz.peak_pressure, "at mid-length");
+      hertz.peak_pressure, "at mid-length", misfit);
   add("approach", "m", point.approach, point2.approach,
-      s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference);
+      s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference, 0);
   if (s.second) {
     add_line_load_spread(run, s.name, held, s.second->in_stand_at);
     write_curve(run, curve::contact_barrel_second, s.name, barrel_table(s.second->in_stand_at));

@@ -261,8 +261,8 @@ void Document::save()
 {
   const std::lock_guard lock(state_->access);
   State &s           = *state_;
-  const auto on_disk = text_on_disk(s.path);
-  if (on_disk.value_or("") != s.history.on_disk && on_disk.value_or("") != s.history.text)
+  const auto on_disk = text_on_disk(s.path).value_or("");
+  if (on_disk != s.history.on_disk && on_disk != s.history.text)
     throw InputError(s.path + " was changed outside of the studio since it was read; save it under another name "
                               "there, or take it back, and save again");
   write_atomically(s.path, s.history.text);

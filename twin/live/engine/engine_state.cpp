@@ -229,7 +229,7 @@ std::string Engine::resume(const nlohmann::json &state)
     const StoredObject head(state, "it");
     if (head.count("format", 0, 1 << 20) != state_format)
       return "the stored state is of another version of this program; the twin starts without it";
-    if (head.text("case_hash") != model_.hash)
+    if (const std::string hash = head.text("case_hash"); hash != model_.hash)
       return "the stored state belongs to another case, or to other values of this one; the twin starts without "
              "it";
     // a state without the name is of a program that knew six masses alone

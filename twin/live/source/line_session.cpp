@@ -1,6 +1,7 @@
 #include "twin/live/source/line_session.h"
 #include "core/base/errors.h"
 #include "core/base/si_unit.h"
+#include "core/base/text.h"
 #include "core/base/visible_text.h"
 #include "twin/live/source/row_times.h"
 #include "twin/records/channel_names.h"
@@ -87,7 +88,7 @@ LineSession::Answer LineSession::refuse(std::string reason, const std::int64_t f
 LineSession::Answer LineSession::take(const std::string_view line)
 {
   ++lines_;
-  if (line.find_first_not_of(" \t") == std::string_view::npos)
+  if (is_blank(line))
     return {};
   LineContent content;
   std::string problem;
