@@ -16,6 +16,13 @@ constexpr auto words_of(StudyAction)
   return choice_words<StudyAction>("new", "run", "work", "status", "merge", "report");
 }
 
+/// What `millstand stack` does.
+enum class StackAction { optimise };
+constexpr auto words_of(StackAction)
+{
+  return choice_words<StackAction>("optimise");
+}
+
 /// What starts the workers of a study.
 enum class StudyEngine { here, parallel, slurm };
 constexpr auto words_of(StudyEngine)

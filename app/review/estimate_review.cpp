@@ -13,6 +13,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace mill {
@@ -28,7 +29,8 @@ bool is_mode(const std::string &name)
 // their name.
 bool is_ranked(const std::string &name)
 {
-  return name.find('.') == std::string::npos || name == "stand.modulus.kiss" || name == "stand.modulus.tangent";
+  static const std::set<std::string> of_stand{"stand.modulus.kiss", "stand.modulus.tangent"};
+  return name.find('.') == std::string::npos || of_stand.count(name);
 }
 
 template <class Which> double largest_move(const EstimateRecord &record, const Which &is_meant)

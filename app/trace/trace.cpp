@@ -55,11 +55,16 @@ struct Sides {
       middle;  // where giving the value of the key is another case than leaving it out
 };
 
+bool is_version(const Row &row)
+{
+  return row.key == "schema";
+}
+
 bool is_size(const Row &row)
 {
   return row.kind == Kind::quantity || row.kind == Kind::number || row.kind == Kind::pair ||
          row.kind == Kind::six ||
-         (row.kind == Kind::count && row.key != "schema" && row.key.find("seed") == std::string::npos);
+         (row.kind == Kind::count && !is_version(row) && row.key.find("seed") == std::string::npos);
 }
 
 Sides evaluate_sides(const TraceKey &key, const Evaluation &evaluation, std::string &why)
@@ -203,7 +208,7 @@ std::string without_elasticity(const TraceKey &key)
   case Kind::flag:
     return "a word has no size; every other one is tried";
   default:
-    return key.row.key == "schema" ? "a version has no size" : "a number that only names a record has no size";
+    return is_version(key.row) ? "a version has no size" : "a number that only names a record has no size";
   }
 }
 

@@ -1,4 +1,5 @@
 #include "app/verbs/stack_command.h"
+#include "app/command/option_words.h"
 #include "app/process/console.h"
 #include "app/stack/stack_bearings.h"
 #include "app/stack/stack_bite.h"
@@ -92,7 +93,7 @@ std::string text_of(const StackOptimum &optimum)
 int stack_command(const CommandLine &command, const Case &the_case)
 {
   const StackOptions &options = command.stack;
-  if (options.action != "optimise")
+  if (!choice_named<StackAction>(options.action))
     throw InputError("millstand stack knows one action, optimise, not \"" + options.action + "\"");
   const auto *spec = std::get_if<StackCase>(&the_case.spec);
   if (!spec)

@@ -11,6 +11,7 @@ StandPlace stand_place(const std::string &name)
   place.roll     = says("roll");
   place.chock    = says("chock");
   place.seat     = says("seat");
+  place.end      = says(" end");
   place.frame    = says("frame");
   place.housing  = says("housing");
   place.cylinder = says("cylinder");

@@ -6,7 +6,7 @@ namespace mill {
 struct StandPlace {
   bool lower = false;  ///< of the lower half; a housing, a screw and a cylinder are of the upper one
   bool work = false, backup = false;  ///< of such a roll
-  bool roll = false, chock = false, seat = false, frame = false, housing = false, cylinder = false;
+  bool roll = false, chock = false, seat = false, end = false, frame = false, housing = false, cylinder = false;
 };
 StandPlace stand_place(const std::string &name);
 }  // namespace mill

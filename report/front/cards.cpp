@@ -1,6 +1,7 @@
 // The numbers that a mill is judged by, one card each.
 #include "report/front/cards.h"
 #include "core/base/short_number.h"
+#include "core/base/text.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
 #include "core/records/result_words.h"
@@ -37,12 +38,19 @@ const Result *largest_level(const Run &run, std::string &label)
 
 // Cards --------------------------------------------------------------------------------------------------------
 
+// "pass 1.peak_g.upper_work_roll"
+bool is_acceleration_in_g(const std::string &name)
+{
+  const auto parts = parts_of(name);
+  return parts.size() > 1 && text_ends_with(parts[parts.size() - 2], "_g");
+}
+
 std::string card(const Result *result, const std::string &label, const std::string &below = "",
                  const std::string &state = "")
 {
   if (!has_value(result))
     return "";
-  const bool acceleration = result->name.find("_g.") != std::string::npos;
+  const bool acceleration = is_acceleration_in_g(result->name);
   const Shown shown =
       acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
   const std::string number =

@@ -1,3 +1,4 @@
+#include "core/records/result_words.h"
 #include "report/page/curves.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -79,8 +80,9 @@ std::string chatter_meaning(const std::string &name)
 
 bool is_slope_by_one_input(const std::string &name)
 {
-  return is_of(name, family::chatter) &&
-         (name.find(".friction_slope.") != std::string::npos || name.find(".speed_slope.") != std::string::npos);
+  const auto parts = parts_of(name);
+  const auto third = parts.size() > 3 ? choice_named<ResultWord>(parts[2]) : std::nullopt;
+  return parts[0] == family::chatter && (third == ResultWord::friction_slope || third == ResultWord::speed_slope);
 }
 
 namespace {

@@ -409,7 +409,7 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   json["cleaning"] = ordered_json::array();
   for (const CleaningEvent &event : record.events)
     json["cleaning"].push_back({{"channel", event.channel},
-                                {"fault", event.fault},
+                                {"fault", word_of(event.fault)},
                                 {"from", event.from},
                                 {"to", event.to},
                                 {"count", event.count},

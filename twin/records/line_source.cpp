@@ -94,6 +94,11 @@ bool LineSource::ended_without_newline() const
   return open_end_;
 }
 
+bool LineSource::is_in_utf8() const
+{
+  return encoding_ == "UTF-8";
+}
+
 const std::string &LineSource::encoding() const
 {
   return encoding_;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace mill {
 void ConsoleLines::begin(const live::LiveSource &source)
@@ -47,8 +48,8 @@ std::string ConsoleLines::line(const live::LiveBlock &block)
       return c.name == source_.places[p] && is_in(c.unit, SiUnit::acceleration);
     });
     const std::string &place = source_.places[p];
-    const bool shown =
-        channel != source_.channels.end() || place == "upper_work_roll" || place == "lower_work_roll";
+    static const std::set<std::string> always{"upper_work_roll", "lower_work_roll"};
+    const bool shown = channel != source_.channels.end() || always.count(place);
     if (!shown)
       continue;
     const double g = dynamics::standard_gravity;
