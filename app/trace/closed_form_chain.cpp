@@ -9,6 +9,7 @@
 #include "app/trace/closed_form_response.h"
 #include "app/trace/closed_form_stand.h"
 #include "core/base/require.h"
+#include "core/base/text.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
@@ -163,7 +164,7 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
 // A bearing that is given is known along its load only.
 bool is_across_given_bearing(const std::string &name, const GivenValues &given)
 {
-  return name.size() > 4 && name.substr(4) == "_across" && is_given(given, name.substr(0, 4));
+  return text_ends_with(name, "_across") && is_given(given, name.substr(0, 4));
 }
 
 // Both bearings of a backup roll are twice the given one.
@@ -172,7 +173,7 @@ void follow_given_bearing(ClosedFormResult &r, const FourHigh &stand)
   const std::string seat = r.name == word_of(ChainNumber::K_Zy)         ? "Kzc1"
                            : r.name == word_of(ChainNumber::K_Zy_lower) ? "Kzc4"
                                                                         : r.name.substr(0, 4);
-  if (seat == r.name || seat.substr(0, 3) != "Kzc" || !is_given(stand.given, seat))
+  if (seat == r.name || !is_bearing(seat) || !is_given(stand.given, seat))
     return;
   if (r.name.substr(0, 4) == word_of(ChainNumber::K_Zy)) {
     const std::string name = r.name;

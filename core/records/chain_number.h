@@ -32,6 +32,13 @@ constexpr auto words_of(ChainNumber)
                                    "K_Zy", "K_Zy_lower", "K_ZW", "Kzc1", "Kzc2", "Kzc3", "Kzc4");
 }
 
+/// One bearing of a roll.
+inline bool is_bearing(const std::string_view name)
+{
+  const auto number = choice_named<ChainNumber>(name);
+  return number && *number >= ChainNumber::Kzc1;
+}
+
 /// A spring that is the contact of a backup roll with a work roll.
 inline bool is_roll_contact(const std::string_view name)
 {

@@ -19,7 +19,7 @@ constexpr std::array<Pen, 5> pens_of_barrels{Pen::dark, Pen::warm, Pen::dashed, 
 // Approach of a closed form in µm from its load and secant.
 Line closed_approach(const ContactCurves &contact, const ClosedForm &form)
 {
-  const bool per_length        = contact.load != "kN";
+  const bool per_length        = contact.per_length;
   const Eigen::VectorXd load   = values_of(*contact.closed, {"load", per_length ? "N/m" : "N"});
   const Eigen::VectorXd secant = values_of(*contact.closed, {form.column, per_length ? "N/m\u00b2" : "N/m"});
   if (load.size() == 0 || secant.size() != load.size())
