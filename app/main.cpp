@@ -20,7 +20,7 @@ __attribute__((section(".preinit_array"), used)) void (*const before_all)(int, c
 // after all of its input was understood; live, which writes while it reads, says it itself.
 void say_what_stays(const std::optional<CommandLine> &command)
 {
-  if (!command || !command->force_overwrite || command->verb == "live")
+  if (!command || !command->force_overwrite || command->verb == Verb::live)
     return;
   std::error_code ignored;
   if (command->output.empty())

@@ -55,23 +55,23 @@ int write_analysis_comparison(const CommandLine &command)
 
 int subject_command(const CommandLine &command)
 {
-  if (command.verb == "analyse")
+  if (command.verb == Verb::analyse)
     return analyse_command(command);
-  if (command.verb == "calibrate")
+  if (command.verb == Verb::calibrate)
     return calibrate_command(command);
-  if (command.verb == "advise")
+  if (command.verb == Verb::advise)
     return advise_command(command, checked_case(command).the_case);
-  if (command.verb == "report")
+  if (command.verb == Verb::report)
     return command.names.empty() ? write_page(command.target) : write_analysis_comparison(command);
-  if (command.verb == "export")
+  if (command.verb == Verb::export_model)
     return export_command(command, checked_case(command).the_case);
-  if (command.verb == "study")
+  if (command.verb == Verb::study)
     return study_command(command);
-  if (command.verb == "sweep")
+  if (command.verb == Verb::sweep)
     return sweep_command(command);
-  if (command.verb == "studio")
+  if (command.verb == Verb::studio)
     return studio_command(command);
-  if (command.verb == "live")
+  if (command.verb == Verb::live)
     return live_command(command, read_case(command.target, command.sets));
   CommandLine without_record = command;  // which is too long to be looked at before
   without_record.force.clear();

@@ -138,7 +138,7 @@ Table history_table(const ChatterStudy &s, const dynamics::ChatterHistory &h, co
 void write_histories(RunContext &run, const ChatterStudy &s)
 {
   for (const ChatterRecord &record : s.records)
-    run.out.write_table("response/" + base_of(s) + "-" + record.name,
+    run.out.write_table("response/" + base_of(s) + "-" + word_of(record.place),
                         history_table(s, record.history, 0, 0, 0, 0));
   if (s.run) {
     const RollingCondition &c = s.question.condition;
@@ -214,7 +214,7 @@ ChatterCondition condition_record(const ChatterStudy &s)
   record.critical  = critical_of(s);
   for (const ChatterRecord &history : s.records)
     record.histories.push_back(
-        {"response/" + base_of(s) + "-" + history.name, history.speed, history.growth, history.in_time});
+        {"response/" + base_of(s) + "-" + word_of(history.place), history.speed, history.growth, history.in_time});
   if (s.run)
     record.limit_cycle = limit_cycle_of(s);
   if (s.mode)
@@ -229,23 +229,6 @@ ChatterCondition condition_record(const ChatterStudy &s)
   return record;
 }
 }  // namespace
-
-const char *word_of(const Verdict verdict)
-{
-  switch (verdict) {
-  case Verdict::crossing:
-    return "crossing";
-  case Verdict::stable:
-    return "stable";
-  case Verdict::unstable:
-    return "unstable";
-  case Verdict::unstable_below:
-    return "unstable below";
-  case Verdict::no_bite:
-    break;
-  }
-  return "no bite";
-}
 
 void write_chatter(RunContext &run, const ChatterStudy &s)
 {

@@ -4,7 +4,4 @@
 namespace mill {
 /// curves/chatter-*.csv and .json, response/chatter-*.csv of one condition.
 void write_chatter(RunContext &run, const ChatterStudy &study);
-
-/// "crossing", "stable", ...: the verdict as the files say it.
-const char *word_of(dynamics::Verdict verdict);
 }  // namespace mill

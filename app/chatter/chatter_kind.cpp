@@ -4,6 +4,8 @@
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/model/case.h"
+#include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -18,7 +20,8 @@ std::optional<KeyList> inputs_of(const ChatterCase &spec, const Results &, const
       return joined(chatter_bite_keys(spec, i), speed);
     const KeyList searched =
         joined(chatter_bite_keys(spec, i), chatter_stand_keys(spec), keys_in("analysis", "speeds"));
-    if (name == "chatter." + condition + ".critical_speed" || name == "chatter." + condition + ".frequency")
+    if (name == result_name({family::chatter, condition, word_of(ResultWord::critical_speed)}) ||
+        name == result_name({family::chatter, condition, word_of(ResultWord::frequency)}))
       return searched;
   }
   return {};
@@ -29,7 +32,7 @@ const RunKind &chatter_kind()
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs  = {"run", "chatter"};
+    k.verbs  = {Verb::run, Verb::chatter};
     k.check  = check_conditions;
     k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> { return {{"chatter", 1}}; };
     k.run    = [](RunContext &run, Goal, const std::string &) {

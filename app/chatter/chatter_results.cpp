@@ -119,9 +119,8 @@ void add_bite(RunContext &run, const ChatterStudy &s)
 }
 
 void add_searches(RunContext &run, const ChatterStudy &s, const std::string &group,
-                  const std::vector<OtherSearch> &searches)
+                  const std::vector<OtherSearch> &searches, const bool schemes)
 {
-  const bool schemes = group == "scheme";
   for (const OtherSearch &other : searches) {
     if (other.found.verdict != Verdict::crossing)
       continue;  // its verdict stands in the file of the condition
@@ -189,8 +188,8 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   critical("critical_speed", "m/s", s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
   std::vector<Check> frequency;
   if (!std::isnan(s.found.frequency)) {
-    const auto peak =
-        std::find_if(s.records.begin(), s.records.end(), [](const auto &r) { return r.name == "at"; });
+    const auto peak = std::find_if(s.records.begin(), s.records.end(),
+                                   [](const auto &r) { return r.place == HistorySpeed::at; });
     if (peak != s.records.end() && peak->history.gap.size() > 0)
       try {
         add_check(
@@ -225,10 +224,10 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     cycle("limit_cycle_amplitude", "m", s.cycle.amplitude);
     cycle("limit_cycle_frequency", "Hz", s.cycle.frequency);
   }
-  add_searches(run, s, "scheme", s.schemes);
-  add_searches(run, s, "variant", s.variants);
+  add_searches(run, s, "scheme", s.schemes, true);
+  add_searches(run, s, "variant", s.variants, false);
   if (s.structures.size() > 1)
-    add_searches(run, s, "structure", s.structures);
+    add_searches(run, s, "structure", s.structures, false);
 }
 
 // What moves friction, critical speed and growth; NaN ones are left out.

@@ -125,14 +125,16 @@ void follow_roots(ChatterStudy &s)
 void simulate_linear(ChatterStudy &s)
 {
   const ChatterQuestion &q = s.question;
-  std::vector<std::pair<std::string, double>> speeds;
+  std::vector<std::pair<HistorySpeed, double>> speeds;
   if (s.found.verdict == Verdict::crossing)
-    speeds = {{"below", 0.98 * s.found.speed}, {"at", s.found.speed}, {"above", 1.02 * s.found.speed}};
+    speeds = {{HistorySpeed::below, 0.98 * s.found.speed},
+              {HistorySpeed::at, s.found.speed},
+              {HistorySpeed::above, 1.02 * s.found.speed}};
   else if (s.working)
-    speeds = {{"at", q.condition.speed}};
-  for (const auto &[name, speed] : speeds) {
+    speeds = {{HistorySpeed::at, q.condition.speed}};
+  for (const auto &[place, speed] : speeds) {
     ChatterRecord record;
-    record.name  = name;
+    record.place = place;
     record.speed = speed;
     try {
       const auto point = dynamics::working_point(q.bite, speed, q.scheme);

@@ -48,7 +48,7 @@ struct OtherSearch {
 
 /// A history and the speed it belongs to.
 struct ChatterRecord {
-  std::string name;            ///< "below", "at", "above": names the file
+  HistorySpeed place;          ///< names the file
   double speed   = 0;          ///< m/s
   double growth  = 0;          ///< 1/s, of the eigenvalue
   double in_time = not_given;  ///< 1/s, of the record

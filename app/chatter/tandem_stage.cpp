@@ -2,6 +2,7 @@
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_stage.h"
 #include "app/run/curve_files.h"
+#include "core/base/si_unit.h"
 #include "core/records/chatter_record.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
@@ -51,7 +52,7 @@ void add_results(RunContext &run, const dynamics::TandemStudy &study, const dyna
     p.value  = value;
     p.unit   = unit;
     p.method = method;
-    p.at     = at_last_stand(unit == std::string("m/s") ? value : study.full.speed);
+    p.at     = at_last_stand(is_in(unit, SiUnit::speed) ? value : study.full.speed);
     p.inputs = inputs;
     p.checks = std::move(checks);
     run.results.add(std::string("chatter.tandem.") + name, p);

@@ -108,15 +108,15 @@ bool StripRolls::is_upper(const cluster::Stack &stack, const std::size_t roll) c
 KeyList keys_of_bite(const Case &the_case, const std::size_t p)
 {
   KeyList keys           = cluster_keys(the_case, p, false);
-  const std::string pass = fmt::format("pass.{}.", p);
   const auto begins_with = [](const std::string &key, const std::string &start) {
     return key.rfind(start, 0) == 0;
   };
+  const KeyList read = joined(keys_in("response", "loss_factor support_loss_factor"),
+                              keys_in(fmt::format("pass.{}", p), "speed entry_thickness exit_thickness entry_pull "
+                                                                 "exit_pull entry_tension exit_tension"));
   for (const auto &[key, place] : the_case.places)
     if (begins_with(key, "strip.") || begins_with(key, "stand.") || begins_with(key, "analysis.") ||
-        key == "response.loss_factor" || key == "response.support_loss_factor" || key == pass + "speed" ||
-        key == pass + "entry_thickness" || key == pass + "exit_thickness" || key == pass + "entry_pull" ||
-        key == pass + "exit_pull" || key == pass + "entry_tension" || key == pass + "exit_tension")
+        holds(read, key))
       keys.push_back(key);
   std::sort(keys.begin(), keys.end());
   keys.erase(std::unique(keys.begin(), keys.end()), keys.end());

@@ -4,24 +4,6 @@
 #include <fmt/format.h>
 
 namespace mill {
-const char *unit_of_cluster_key(const std::string &key)
-{
-  const std::string last = key.substr(key.rfind('.') + 1);
-  if (last == "stiffness" || last == "guard" || last == "strip_stiffness")
-    return "N/m";
-  if (last == "load" || last == "preload")
-    return "N";
-  if (last == "direction" || last == "half_angle")
-    return "rad";
-  if (last == "mass")
-    return "kg";
-  if (last == "density")
-    return "kg/m3";
-  if (last == "youngs_modulus")
-    return "Pa";
-  return last == "barrel_diameter" || last == "barrel_length" || last == "length" ? "m" : "1";
-}
-
 ClusterFitRecord fit_record(const ClusterStand &, const ClusterVariant &variant, const cluster::StackFit &fit)
 {
   ClusterFitRecord r;

@@ -23,7 +23,7 @@ const RunKind &cluster_kind()
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs  = {"run", "stiffness", "modes", "chatter", "simulate"};
+    k.verbs  = {Verb::run, Verb::stiffness, Verb::modes, Verb::chatter, Verb::simulate};
     k.check  = check_cluster;
     k.review = [](const Case &the_case, const std::string &) {
       CaseReview review;

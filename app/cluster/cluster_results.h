@@ -30,9 +30,6 @@ Eigen::VectorXd cluster_dynamic_load(const cluster::Stack &stack, double rolling
 void add_vibration(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
                    ClusterPassRecord &record);
 
-/// SI unit of a number of the stack that a fit can vary, "contact.W-R.stiffness".
-const char *unit_of_cluster_key(const std::string &key);
-
 ClusterFitRecord fit_record(const ClusterStand &stand, const ClusterVariant &variant,
                             const cluster::StackFit &fit);
 void add_fit_results(RunContext &run, const cluster::StackFit &fit, const KeyList &keys);

@@ -31,15 +31,16 @@ KeyList bite_keys_of_pass(const Case &the_case, const std::size_t p, const std::
   };
   KeyList keys;
   const std::string pass = fmt::format("pass.{}.", p);
-  const auto vibrates    = [&](const std::string &key) {  // the stack answers to it, the bite does not
+  KeyList others         = keys_in("steel", "youngs_modulus poisson_ratio");
+  if (!the_case.places.count("strip.initial_thickness"))
+    others.push_back("pass.0.entry_thickness");
+  const auto vibrates = [&](const std::string &key) {  // the stack answers to it, the bite does not
     return begins_with(key, pass + "dynamic_") || key == pass + "loss_factor" || key == pass + "horizontal_force";
   };
   for (const auto &[key, place] : the_case.places)
     if (!vibrates(key) &&
         (begins_with(key, "strip.") || begins_with(key, "bite.") || begins_with(key, "stack.flattening") ||
-         begins_with(key, pass) || begins_with(key, fmt::format("roll.{}.", roll)) ||
-         key == "steel.youngs_modulus" || key == "steel.poisson_ratio" ||
-         (key == "pass.0.entry_thickness" && !the_case.places.count("strip.initial_thickness"))))
+         begins_with(key, pass) || begins_with(key, fmt::format("roll.{}.", roll)) || holds(others, key)))
       keys.push_back(key);
   return keys;
 }

@@ -189,7 +189,7 @@ KeyList cluster_keys(const Case &the_case, const std::size_t p, const bool drive
   const bool given       = the_case.places.count(pass + "load") > 0;
   // The spring of the strip between two rolls is that of the bite where it is not given.
   const bool of_bite = std::get<ClusterCase>(the_case.spec).stand->stack.strip.find('-') != std::string::npos &&
-                       the_case.places.count("stack.strip_stiffness") == 0;
+                       !the_case.places.count("stack.strip_stiffness");
   const auto ends = [](const std::string &key, const std::string &end) {
     return key.size() >= end.size() && key.compare(key.size() - end.size(), end.size(), end) == 0;
   };

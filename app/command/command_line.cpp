@@ -273,7 +273,7 @@ void add_study(CLI::App &app, CommandLine &c)
   StudyOptions &o = c.study;
   study->add_option("ACTION", o.action, "new, run, work, status, merge or report")
       ->required()
-      ->check(CLI::IsMember({"new", "run", "work", "status", "merge", "report"}));
+      ->check(CLI::IsMember(word_list<StudyAction>()));
   study->add_option("CASE", c.target, "new: case file; otherwise the folder of the study")->required();
   add_repeatable(study, "--vary", c.sweep.vary,
                  "new: key and its distribution, 'KEY~normal(5, 0.2) MN/mm', uniform, truncated, triangular, "
@@ -337,8 +337,7 @@ std::string mistyped(const CLI::App &app, const int argc, char **argv)
   }
   for (int i = 2; i < argc; ++i) {
     const std::string name = option_name(argv[i]);
-    if (name.size() > 2 && name.compare(0, 2, "--") == 0 &&
-        std::find(known.begin(), known.end(), name) == known.end())
+    if (name.size() > 2 && is_long(name) && std::find(known.begin(), known.end(), name) == known.end())
       return fmt::format("millstand {} has no option {}{}", first, name, suggestion(name, known));
   }
   return "";
@@ -371,20 +370,20 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
 
-  const std::pair<const char *, const char *> chain[] = {
-      {"run", "the whole chain and the report"},
-      {"stiffness", "K3, K4, K5, Kzc with their curves"},
-      {"masses", "equivalent masses with their shapes"},
-      {"modes", "natural frequencies, shapes, energy shares"},
-      {"chatter", "critical speed, sensitivities, stability map"},
-      {"simulate", "drive the lumped model with the recorded force"}};
+  const std::pair<Verb, const char *> chain[] = {
+      {Verb::run, "the whole chain and the report"},
+      {Verb::stiffness, "K3, K4, K5, Kzc with their curves"},
+      {Verb::masses, "equivalent masses with their shapes"},
+      {Verb::modes, "natural frequencies, shapes, energy shares"},
+      {Verb::chatter, "critical speed, sensitivities, stability map"},
+      {Verb::simulate, "drive the lumped model with the recorded force"}};
   for (const auto &[verb, what] : chain) {
-    auto *command = app.add_subcommand(verb, what);
+    auto *command = app.add_subcommand(word_of(verb), what);
     command->add_option("CASE", c.target, "case file")->required();
     add_common(command, c);
     add_kind(command, c);
     add_held_case(command, c);
-    if (std::string(verb) == "simulate")
+    if (verb == Verb::simulate)
       add_simulate(command, c);
   }
 
@@ -483,8 +482,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
     console::say(err.str());
     return {};
   }
-  c.verb = app.get_subcommands().front()->get_name();
-  if (c.verb == "completion" || c.verb == "help") {
+  c.verb = *choice_named<Verb>(app.get_subcommands().front()->get_name());
+  if (c.verb == Verb::completion || c.verb == Verb::help) {
     c.summary = app.get_description();
     c.verbs   = described_verbs(app);
   }

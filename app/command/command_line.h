@@ -7,6 +7,7 @@
 #include "app/command/studio_options.h"
 #include "app/command/study_options.h"
 #include "app/command/sweep_options.h"
+#include "app/command/verb.h"
 #include <optional>
 #include <string>
 #include <vector>
@@ -14,8 +15,8 @@
 namespace mill {
 /// What the user asked for.
 struct CommandLine {
-  char **arguments = nullptr;      ///< of main(), to start the program again
-  std::string verb;                ///< "run", "check", ...
+  char **arguments = nullptr;  ///< of main(), to start the program again
+  Verb verb        = Verb::run;
   std::string target;              ///< case file, kind (new) or folder (report)
   std::string output;              ///< -o; empty: default
   std::string force;               ///< simulate --force

@@ -7,7 +7,11 @@
 
 namespace mill {
 namespace {
-const std::vector<std::string> shells{"bash", "fish", "zsh"};
+enum class Shell { bash, fish, zsh };
+constexpr auto words_of(Shell)
+{
+  return choice_words<Shell>("bash", "fish", "zsh");
+}
 
 std::string listed_words(const std::vector<std::string> &words)
 {
@@ -37,7 +41,7 @@ std::string quoted(const std::string &text)
 // The first word after some verbs, where it is one of a list.
 std::vector<std::pair<std::string, std::vector<std::string>>> listed_first_words()
 {
-  return {{"new", case_kinds()}, {"completion", shells}, {"export", word_list<ExportFormat>()}};
+  return {{"new", case_kinds()}, {"completion", word_list<Shell>()}, {"export", word_list<ExportFormat>()}};
 }
 
 std::string bash_script(const std::vector<DescribedVerb> &verbs)
@@ -85,7 +89,7 @@ std::string zsh_script(const std::vector<DescribedVerb> &verbs)
     std::string options;
     for (const DescribedOption &option : verb.options)
       for (const std::string &name : option.names)
-        if (name.compare(0, 2, "--") == 0)
+        if (is_long(name))
           options += described_word(name, option.meaning);
     cases += fmt::format("    {}) options=({}) ;;\n", verb.name, options);
   }
@@ -141,13 +145,12 @@ std::string completion_script(const std::string &shell, const std::vector<Descri
 {
   const std::string what =
       "# Completion of millstand: source it, or write it where the shell looks for completions.\n";
-  if (shell == "bash")
-    return what + bash_script(verbs);
-  if (shell == "zsh")
-    return "#compdef millstand\n" + what + zsh_script(verbs);
-  if (shell == "fish")
-    return what + fish_script(verbs);
-  throw InputError(
-      fmt::format("no completion is available for the shell '{}'{}", shell, suggestion(shell, shells)));
+  const auto known = choice_named<Shell>(shell);
+  if (!known)
+    throw InputError(fmt::format("no completion is available for the shell '{}'{}", shell,
+                                 suggestion(shell, word_list<Shell>())));
+  return *known == Shell::bash   ? what + bash_script(verbs)
+         : *known == Shell::fish ? what + fish_script(verbs)
+                                 : "#compdef millstand\n" + what + zsh_script(verbs);
 }
 }  // namespace mill

@@ -21,12 +21,17 @@ DescribedOption described_option(const CLI::Option &option)
 }
 }  // namespace
 
+bool is_long(const std::string &option)
+{
+  return option.rfind("--", 0) == 0;
+}
+
 std::vector<std::string> DescribedVerb::long_names() const
 {
   std::vector<std::string> list;
   for (const DescribedOption &option : options)
     for (const std::string &word : option.names)
-      if (word.compare(0, 2, "--") == 0)
+      if (is_long(word))
         list.push_back(word);
   return list;
 }

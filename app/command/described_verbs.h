@@ -25,6 +25,9 @@ struct DescribedVerb {
   std::vector<std::string> long_names() const;  ///< "--output", ... as the completions offer them
 };
 
+/// "--pass"; false of "-o".
+bool is_long(const std::string &option);
+
 /// Every verb of the command line in its order.
 std::vector<DescribedVerb> described_verbs(const CLI::App &app);
 

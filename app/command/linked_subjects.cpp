@@ -26,17 +26,17 @@ bool is_folder_of_records(const std::string &directory)
 bool is_streamed(const CommandLine &command)
 {
   std::error_code error;
-  return command.verb == "simulate" &&
+  return command.verb == Verb::simulate &&
          (command.stream || (!command.force.empty() && fs::is_regular_file(command.force, error) &&
                              (long long)(fs::file_size(command.force, error)) > longest_in_memory));
 }
 
 bool is_of_subjects(const CommandLine &command)
 {
-  const auto &verb = command.verb;
-  return verb == "analyse" || verb == "calibrate" || verb == "advise" || verb == "live" || verb == "export" ||
-         verb == "sweep" || verb == "study" || verb == "studio" || is_streamed(command) ||
-         (verb == "report" && is_folder_of_records(command.target));
+  const Verb verb = command.verb;
+  return verb == Verb::analyse || verb == Verb::calibrate || verb == Verb::advise || verb == Verb::live ||
+         verb == Verb::export_model || verb == Verb::sweep || verb == Verb::study || verb == Verb::studio ||
+         is_streamed(command) || (verb == Verb::report && is_folder_of_records(command.target));
 }
 
 int carry_out_subject(const CommandLine &command)
@@ -44,9 +44,9 @@ int carry_out_subject(const CommandLine &command)
   if (linked_subjects.command)
     return linked_subjects.command(command);
   // Of the verb report only the pages of its folders are there.
-  hand_over_to_all(command, command.verb == "report" ? "the page of records"
-                            : is_streamed(command)   ? "millstand simulate --stream"
-                                                     : "millstand " + command.verb);
+  hand_over_to_all(command, command.verb == Verb::report ? "the page of records"
+                            : is_streamed(command)       ? "millstand simulate --stream"
+                                                         : std::string("millstand ") + word_of(command.verb));
 }
 
 void require_linked(const Case &the_case, const CommandLine &command)
@@ -55,7 +55,7 @@ void require_linked(const Case &the_case, const CommandLine &command)
     hand_over_to_all(command, "kind = \"chatter\"");
   if (std::holds_alternative<ClusterCase>(the_case.spec) && !linked_subjects.cluster)
     hand_over_to_all(command, "kind = \"cluster\"");
-  if (command.verb == "chatter" && !linked_subjects.stand_chatter)
+  if (command.verb == Verb::chatter && !linked_subjects.stand_chatter)
     hand_over_to_all(command, "millstand chatter");
 }
 }  // namespace mill

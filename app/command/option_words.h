@@ -9,6 +9,20 @@ constexpr auto words_of(StudyMethod)
   return choice_words<StudyMethod>("grid", "list", "latin-hypercube", "monte-carlo", "sobol", "chaos", "optimise");
 }
 
+/// What `millstand study` does.
+enum class StudyAction { new_study, run, work, status, merge, report };
+constexpr auto words_of(StudyAction)
+{
+  return choice_words<StudyAction>("new", "run", "work", "status", "merge", "report");
+}
+
+/// What `millstand stack` does.
+enum class StackAction { optimise };
+constexpr auto words_of(StackAction)
+{
+  return choice_words<StackAction>("optimise");
+}
+
 /// What starts the workers of a study.
 enum class StudyEngine { here, parallel, slurm };
 constexpr auto words_of(StudyEngine)

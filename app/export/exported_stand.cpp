@@ -4,6 +4,7 @@
 #include "app/stages/stand/mode_results.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
+#include "core/records/chain_number.h"
 #include "dynamics/fmu/model_text.h"
 #include "dynamics/fmu/unit_archive.h"
 #include "dynamics/response/modes.h"
@@ -43,8 +44,8 @@ fmu::ModelData chain_data(const dynamics::MillModel &chain, const DrivenStand &s
   data.gap_damper         = measured || std::isnan(stand.chain.C.value) ? 0 : stand.chain.C.value;
   for (std::size_t i = 0; i < chain.springs.size(); ++i) {
     const dynamics::Spring &spring = chain.springs[i];
-    data.springs.push_back(
-        {spring.name, spring.from, spring.to, spring.stiffness, spring.name == "K4", spring.damper});
+    data.springs.push_back({spring.name, spring.from, spring.to, spring.stiffness,
+                            spring.name == word_of(ChainNumber::K4), spring.damper});
   }
   // The spring that carries the rolling force to the ground, or through the posts of a closed frame (6.8).
   data.load_cell_spring = stand.dynamics.frame == FrameForm::closed ? 0 : int(chain.springs.size()) - 1;

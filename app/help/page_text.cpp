@@ -1,4 +1,5 @@
 #include "app/help/page_text.h"
+#include "core/base/text.h"
 #include <sstream>
 
 namespace mill::help {
@@ -28,7 +29,7 @@ std::string without_marks(const std::string &markdown)
         continue;
       }
     }
-    if (markdown.compare(i, 2, "**") == 0) {
+    if (markdown.substr(i, 2) == "**") {
       ++i;
       continue;
     }
@@ -124,7 +125,7 @@ std::string page_text(const std::string &markdown)
       head = false;
     } else if (line.empty()) {
       end();
-      text += text.empty() || (text.size() > 1 && text.compare(text.size() - 2, 2, "\n\n") == 0) ? "" : "\n";
+      text += text.empty() || text_ends_with(text, "\n\n") ? "" : "\n";
       head = true;
     } else if (begins_with(line, "#")) {
       end();

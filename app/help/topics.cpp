@@ -2,6 +2,7 @@
 #include "app/help/embedded.h"
 #include "app/help/page_text.h"
 #include "core/base/errors.h"
+#include "core/base/text.h"
 #include "core/case/fields.h"
 #include <algorithm>
 #include <cctype>
@@ -92,8 +93,7 @@ bool is_name_of(const std::string &pattern, const std::string &word)
 // The last part of a name, where the word is one: "work_roll.crown" of "crown".
 bool ends_in(const std::string &name, const std::string &word)
 {
-  return name.size() > word.size() + 1 && word.find('.') == std::string::npos &&
-         name.compare(name.size() - word.size() - 1, std::string::npos, "." + word) == 0;
+  return name.size() > word.size() + 1 && word.find('.') == std::string::npos && text_ends_with(name, "." + word);
 }
 
 // Calls visit(section, cells) for the rows of a page of tables.
@@ -102,7 +102,7 @@ template <class Visit> void each_row(const std::string &name, const Visit &visit
   std::istringstream lines(page(name));
   std::string section;
   for (std::string line; std::getline(lines, line);)
-    if (line.compare(0, 1, "#") == 0)
+    if (line.rfind('#', 0) == 0)
       section = without_backticks(line.substr(line.find_first_not_of("# ")));
     else if (const auto cells = cells_of(line); cells.size() > 1)
       visit(section, cells);

@@ -30,7 +30,7 @@ const RunKind &run_kind(const BearingCase &)
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs  = {"run", "stiffness"};
+    k.verbs  = {Verb::run, Verb::stiffness};
     k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
       return {{"roller", 3},
               {"roller", 10},

@@ -31,7 +31,7 @@ const RunKind &run_kind(const BiteCase &)
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs  = {"run", "stiffness"};
+    k.verbs  = {Verb::run, Verb::stiffness};
     k.check  = check_bites;
     k.review = [](const Case &the_case, const std::string &) {
       CaseReview review;

@@ -191,7 +191,7 @@ const RunKind &run_kind(const FourHigh &)
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs  = {"run", "stiffness", "masses", "modes", "chatter", "simulate"};
+    k.verbs  = {Verb::run, Verb::stiffness, Verb::masses, Verb::modes, Verb::chatter, Verb::simulate};
     k.check  = check_bites;
     k.review = review_stand;
     k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {

@@ -39,9 +39,9 @@ std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, c
   return made ? std::optional<KeyList>(of_kind(made->inputs, "lumped")) : std::nullopt;
 }
 
-std::string lumped_refusal(const Case &the_case, const std::string &verb)
+std::string lumped_refusal(const Case &the_case, const Verb verb)
 {
-  if (verb != "chatter")
+  if (verb != Verb::chatter)
     return "";
   return "a lumped model alone cannot chatter: it has no strip (" + the_case.path +
          "); write a case of kind = \"chatter\" whose [stand] has from = \"" +
@@ -53,7 +53,7 @@ const RunKind &run_kind(const Lumped &)
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs   = {"run", "modes", "simulate"};
+    k.verbs   = {Verb::run, Verb::modes, Verb::simulate};
     k.refusal = lumped_refusal;
     k.review  = review_lumped;
     k.stages  = [](const Case &) -> std::vector<std::pair<std::string, double>> { return {{"passes", 1}}; };

@@ -11,7 +11,7 @@ const RunKind &run_kind(const TwoCylinders &)
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs  = {"run", "stiffness"};
+    k.verbs  = {Verb::run, Verb::stiffness};
     k.check  = check_tilt;
     k.stages = [](const Case &the_case) -> std::vector<std::pair<std::string, double>> {
       const auto &pair = std::get<TwoCylinders>(the_case.spec);

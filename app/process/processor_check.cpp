@@ -9,7 +9,7 @@ namespace mill {
 namespace {
 struct Feature {
   const char *name;
-  bool present;
+  int present;
 };
 
 void say(const char *words)
@@ -21,21 +21,17 @@ void say(const char *words)
 void end_on_an_older_processor()
 {
   __builtin_cpu_init();
-  const Feature features[]{{"sse4.2", __builtin_cpu_supports("sse4.2") != 0},
-                           {"popcnt", __builtin_cpu_supports("popcnt") != 0},
-                           {"avx", __builtin_cpu_supports("avx") != 0},
-                           {"avx2", __builtin_cpu_supports("avx2") != 0},
-                           {"fma", __builtin_cpu_supports("fma") != 0},
-                           {"bmi2", __builtin_cpu_supports("bmi2") != 0},
-                           {"avx512f", __builtin_cpu_supports("avx512f") != 0},
-                           {"avx512vl", __builtin_cpu_supports("avx512vl") != 0},
-                           {"avx512dq", __builtin_cpu_supports("avx512dq") != 0},
-                           {"avx512bw", __builtin_cpu_supports("avx512bw") != 0}};
+  const Feature features[]{
+      {"sse4.2", __builtin_cpu_supports("sse4.2")},     {"popcnt", __builtin_cpu_supports("popcnt")},
+      {"avx", __builtin_cpu_supports("avx")},           {"avx2", __builtin_cpu_supports("avx2")},
+      {"fma", __builtin_cpu_supports("fma")},           {"bmi2", __builtin_cpu_supports("bmi2")},
+      {"avx512f", __builtin_cpu_supports("avx512f")},   {"avx512vl", __builtin_cpu_supports("avx512vl")},
+      {"avx512dq", __builtin_cpu_supports("avx512dq")}, {"avx512bw", __builtin_cpu_supports("avx512bw")}};
   const char *between = "error: this program was built for a newer processor; this one lacks ";
   bool missing        = false;
   unsigned bit        = 1;
   for (const Feature &feature : features) {
-    if ((compiled_features & bit) != 0 && !feature.present) {
+    if ((compiled_features & bit) != 0 && feature.present == 0) {
       say(between);
       say(feature.name);
       between = ", ";

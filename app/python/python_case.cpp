@@ -70,14 +70,14 @@ std::shared_ptr<const Case> HeldCase::read() const
   return known;
 }
 
-std::shared_ptr<const CheckedCase> HeldCase::checked(const std::string &verb, const std::string &force) const
+std::shared_ptr<const CheckedCase> HeldCase::checked(const Verb verb, const std::string &force) const
 {
   CommandLine asked = command(verb);
   asked.force       = force;
   return std::make_shared<const CheckedCase>(checked_case(asked));
 }
 
-CommandLine HeldCase::command(const std::string &verb) const
+CommandLine HeldCase::command(const Verb verb) const
 {
   CommandLine command;
   command.verb   = verb;
@@ -139,7 +139,7 @@ py::tuple check(const HeldCase &held)
   std::shared_ptr<const CheckedCase> checked;
   {
     const py::gil_scoped_release others_run;
-    checked = held.checked("check");
+    checked = held.checked(Verb::check);
   }
   return problem_tuple(remarks_of(*checked));
 }

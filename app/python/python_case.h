@@ -1,5 +1,6 @@
 #pragma once
 #include "app/command/command_line.h"
+#include "app/command/verb.h"
 #include "app/python/python_results.h"
 #include "app/run/scratch_folder.h"
 #include "app/verbs/checked_case.h"
@@ -28,9 +29,9 @@ public:
   /// Reads the case where it was not read since the last change.  @throws InputError
   std::shared_ptr<const Case> read() const;
   /// As `millstand check` does, with its records.  @throws InputError
-  std::shared_ptr<const CheckedCase> checked(const std::string &verb, const std::string &force = "") const;
+  std::shared_ptr<const CheckedCase> checked(Verb verb, const std::string &force = "") const;
   /// A command about this case.
-  CommandLine command(const std::string &verb) const;
+  CommandLine command(Verb verb) const;
 
 private:
   std::string file;

@@ -3,6 +3,7 @@
 #include "app/python/python_parts.h"
 #include "app/python/python_values.h"
 #include "app/stages/stability/gap_mode.h"
+#include "core/base/si_unit.h"
 #include "core/records/result_names.h"
 #include "dynamics/chatter/growth_map.h"
 #include <cmath>
@@ -102,7 +103,8 @@ dynamics::GrowthMap growth_map(const HeldChatter &chatter, const std::string &x,
     if (ends.size() != 2)
       throw InputError("the range of an axis is a pair, its lower and its upper end");
     const auto end = [&](const py::handle value) {
-      return unit == "1" ? value.cast<double>() : quantity(value, word.c_str(), ("1 " + unit).c_str());
+      return is_in(unit, SiUnit::one) ? value.cast<double>()
+                                      : quantity(value, word.c_str(), ("1 " + unit).c_str());
     };
     return bite::MapAxis{quantity_of_axis, Eigen::VectorXd::LinSpaced(n, end(ends[0]), end(ends[1]))};
   };
@@ -161,7 +163,7 @@ void add_chatter(py::module_ &module, py::class_<HeldCase> &the_case)
       [](const HeldCase &c, const py::object &progress, const py::object &out, const int threads, const bool fresh,
          const py::object &cache) {
         // A run of a stand judges the speed of every pass; kind chatter has a verb for it.
-        const std::string verb = c.read()->kind == "chatter" ? "chatter" : "run";
+        const Verb verb = std::holds_alternative<ChatterCase>(c.read()->spec) ? Verb::chatter : Verb::run;
         return HeldChatter{run_case(c, verb, {progress, out, py::none(), cache, threads, fresh})};
       },
       py::arg("progress") = py::none(), py::kw_only(), py::arg("out") = py::none(), py::arg("threads") = 0,

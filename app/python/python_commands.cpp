@@ -46,7 +46,7 @@ void require_known_words(const CommandLine &command)
   require("method", command.study.method, word_list<StudyMethod>());
   require("engine", command.study.engine, word_list<StudyEngine>());
   require("model", command.sweep.model, word_list<ModelKind>());
-  if (command.verb == "sweep" && command.sweep.vary.empty())
+  if (command.verb == Verb::sweep && command.sweep.vary.empty())
     throw InputError(
         "sweep needs a key with its values, for example {\"backup_roll.crown\": [\"0 um\", \"50 um\"]}");
 }
@@ -84,6 +84,12 @@ void take_options(CommandLine &command, const py::dict &options)
                                             {"overwrite", &command.force_overwrite},
                                             {"allow_failed", &command.study.allow_failed},
                                             {"align", &command.align}};
+  const std::map<std::string, std::function<void(const py::handle)>> numbers{
+      {"threads", [&](const py::handle value) { command.threads = int(count_of("threads", value)); }},
+      {"samples", [&](const py::handle value) { command.study.samples = count_of("samples", value); }},
+      {"seed",
+       [&](const py::handle value) { command.study.seed = value_of<int>("seed", value, "a whole number"); }},
+      {"jobs", [&](const py::handle value) { command.study.jobs = int(count_of("jobs", value)); }}};
   for (const auto &[key, value] : options) {
     const auto name = key.cast<std::string>();
     if (const auto text = texts.find(name); text != texts.end())
@@ -92,23 +98,18 @@ void take_options(CommandLine &command, const py::dict &options)
       *list->second = value_of<Texts>(name, value, "a list of texts");
     else if (const auto flag = flags.find(name); flag != flags.end())
       *flag->second = value_of<bool>(name, value, "True or False");
-    else if (name == "threads")
-      command.threads = int(count_of(name, value));
-    else if (name == "samples")
-      command.study.samples = count_of(name, value);
-    else if (name == "seed")
-      command.study.seed = value_of<int>(name, value, "a whole number");
-    else if (name == "jobs")
-      command.study.jobs = int(count_of(name, value));
+    else if (const auto number = numbers.find(name); number != numbers.end())
+      number->second(value);
     else
       throw py::key_error("option " + name);
   }
 }
 
-int carry_out_verb(const std::string &verb, const py::object &the_case, const py::dict &options,
+int carry_out_verb(const std::string &word, const py::object &the_case, const py::dict &options,
                    const py::object &progress)
 {
   CommandLine command;
+  const Verb verb = choice_named<Verb>(word).value();
   if (!the_case.is_none())
     command = the_case.cast<const HeldCase &>().command(verb);
   command.verb  = verb;
@@ -117,11 +118,11 @@ int carry_out_verb(const std::string &verb, const py::object &the_case, const py
   require_known_words(command);
   return long_call<int>(progress, [command](const Progress &shown) {
     const console::HeardProgress heard(shown.step);
-    if (command.verb == "sweep")
+    if (command.verb == Verb::sweep)
       return sweep_command(command);
-    if (command.verb == "study")
+    if (command.verb == Verb::study)
       return study_command(command);
-    if (command.verb == "analyse")
+    if (command.verb == Verb::analyse)
       return analyse_command(command);
     return calibrate_command(command);
   });

@@ -4,6 +4,7 @@
 #include "app/python/python_values.h"
 #include "app/run/run_setup.h"
 #include "app/verbs/roll_pair.h"
+#include "core/base/choice.h"
 #include "core/numerics/sparse.h"
 #include <algorithm>
 #include <filesystem>
@@ -32,6 +33,12 @@ int threads_or_all(const int threads)
 }
 
 namespace {
+enum class PairHeld { mirrored, in_stand };
+constexpr auto words_of(PairHeld)
+{
+  return choice_words<PairHeld>("mirrored", "in_stand");
+}
+
 struct HeldState {
   std::shared_ptr<const PairState> state;
   std::string contact;
@@ -73,9 +80,10 @@ HeldState solve(const std::shared_ptr<RollPair> &pair, const std::string &name, 
   question.load       = quantity(force, "force", "976 kN");
   question.crown      = quantity_or(crown, "crown", "150 um", not_given);
   question.work_crown = quantity_or(work_crown, "work_crown", "150 um", not_given);
-  if (held != "mirrored" && held != "in_stand")
+  const auto how      = choice_named<PairHeld>(held);
+  if (!how)
     throw InputError("held = \"" + held + "\" is not known; \"mirrored\" (as K3) or \"in_stand\"");
-  question.in_stand = held == "in_stand";
+  question.in_stand = *how == PairHeld::in_stand;
   const py::gil_scoped_release others_run;
   return {std::make_shared<const PairState>(pair->solve(question)), name};
 }

@@ -50,7 +50,7 @@ HeldRun held_run(const HeldCase &the_case, const CommandLine &command, const Che
                  const FinishedRun &run)
 {
   HeldRun out{the_case};
-  out.verb   = command.verb;
+  out.verb   = word_of(command.verb);
   out.folder = run.folder;
   out.speeds = run.results.speeds;
   out.asked  = run.asked;
@@ -177,7 +177,7 @@ HeldRun run_of_state(const py::tuple &state)
 }
 }  // namespace
 
-HeldRun run_case(const HeldCase &the_case, const std::string &verb, const RunWishes &wishes)
+HeldRun run_case(const HeldCase &the_case, const Verb verb, const RunWishes &wishes)
 {
   CommandLine command = the_case.command(verb);
   if (!wishes.force.is_none())
@@ -253,18 +253,18 @@ py::class_<HeldRun> add_run(py::module_ &module, py::class_<HeldCase> &the_case)
                     " results>";
            })
       .def(py::pickle(&state_of_run, &run_of_state));
-  for (const char *verb : {"run", "stiffness", "masses", "modes", "simulate"}) {
-    const std::string name = verb;
+  for (const Verb verb : {Verb::run, Verb::stiffness, Verb::masses, Verb::modes, Verb::simulate}) {
+    const char *name = word_of(verb);
     the_case.def(
-        verb,
-        [name](const HeldCase &c, const py::object &progress, const py::object &out, const py::object &force,
+        name,
+        [verb](const HeldCase &c, const py::object &progress, const py::object &out, const py::object &force,
                const int threads, const bool fresh, const py::object &cache) {
-          return run_case(c, name, {progress, out, force, cache, threads, fresh});
+          return run_case(c, verb, {progress, out, force, cache, threads, fresh});
         },
         py::arg("progress") = py::none(), py::kw_only(), py::arg("out") = py::none(),
         py::arg("force") = py::none(), py::arg("threads") = 0, py::arg("fresh") = false,
         py::arg("cache") = py::none(),
-        ("millstand " + name + ".  progress(stage, fraction) is called on the way.").c_str());
+        (std::string("millstand ") + name + ".  progress(stage, fraction) is called on the way.").c_str());
   }
   return type;
 }

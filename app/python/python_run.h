@@ -33,7 +33,7 @@ struct RunWishes {
   int threads            = 0;
   bool fresh             = false;
 };
-HeldRun run_case(const HeldCase &the_case, const std::string &verb, const RunWishes &wishes);
+HeldRun run_case(const HeldCase &the_case, Verb verb, const RunWishes &wishes);
 /// @throws KeyError  no result of this name, with the nearest one
 const NamedResult &result_named(const HeldRun &run, const std::string &name);
 

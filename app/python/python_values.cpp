@@ -1,6 +1,7 @@
 #include "app/python/python_values.h"
 #include "app/python/python_results.h"
 #include "core/base/errors.h"
+#include "core/base/si_unit.h"
 #include "core/base/units.h"
 #include <fmt/format.h>
 
@@ -48,7 +49,7 @@ std::string text_of_value(const py::handle value)
     return value.cast<bool>() ? "true" : "false";
   if (py::isinstance<NamedResult>(value)) {
     const Parameter &p = value.cast<const NamedResult &>().parameter;
-    return number_text(p.value) + (p.unit == "1" ? "" : " " + p.unit);
+    return number_text(p.value) + after_number(p.unit);
   }
   if (is_pair(value)) {
     const auto pair = value.cast<py::tuple>();

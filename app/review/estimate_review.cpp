@@ -7,10 +7,13 @@
 #include "core/case/estimates.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
+#include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <set>
 #include <utility>
 
 namespace mill {
@@ -26,7 +29,8 @@ bool is_mode(const std::string &name)
 // their name.
 bool is_ranked(const std::string &name)
 {
-  return name.find('.') == std::string::npos || name == "stand.modulus.kiss" || name == "stand.modulus.tangent";
+  static const std::set<std::string> of_stand{"stand.modulus.kiss", "stand.modulus.tangent"};
+  return name.find('.') == std::string::npos || of_stand.count(name);
 }
 
 template <class Which> double largest_move(const EstimateRecord &record, const Which &is_meant)
@@ -78,9 +82,9 @@ double move_of(const EstimateRecord &record, const std::string &name, const std:
   if (is_ranked(name) && holds(known, name))
     return largest_move(record, [&](const std::string &result) { return result == name; });
   const std::string stem = name.substr(0, name.find('.')), last = name.substr(name.rfind('.') + 1);
-  if (stem != name && (is_mode(last) || last == "frequency"))
+  if (stem != name && (is_mode(last) || is_word(last, ResultWord::frequency)))
     return largest_mode_move(record);
-  if (stem == "stand")
+  if (stem == family::stand)
     return largest_move(record, [](const std::string &spring) { return spring[0] == 'K'; });
   if (!holds(known, stem))
     return not_given;

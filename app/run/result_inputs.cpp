@@ -2,6 +2,7 @@
 #include "app/run/run_kind.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
+#include "core/records/chain_number.h"
 #include <optional>
 
 namespace mill {
@@ -36,7 +37,7 @@ void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::
   // What is given was not solved; half of K_Zy is the bearing of its seat.
   const auto solved = [&](const std::string &name) {
     if (name.rfind("K_Zy", 0) == 0)
-      return !stand.given.count(name == "K_Zy" ? "Kzc1" : "Kzc4");
+      return !stand.given.count(name == word_of(ChainNumber::K_Zy) ? "Kzc1" : "Kzc4");
     return name.rfind("Kzc", 0) != 0 || !stand.given.count(name.substr(0, 4));
   };
   reduce::each_spring(

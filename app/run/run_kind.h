@@ -1,4 +1,5 @@
 #pragma once
+#include "app/command/verb.h"
 #include "app/run/driven_stand.h"
 #include "app/run/run_context.h"
 #include "core/case/provenance.h"
@@ -35,10 +36,10 @@ struct MarkSources;
 }
 
 struct RunKind {
-  std::vector<std::string> verbs;  ///< it serves, of run, stiffness, masses, modes, chatter and simulate
+  std::vector<Verb> verbs;  ///< it serves, of run, stiffness, masses, modes, chatter and simulate
   /// A sentence for a verb that is refused, where "nothing to compute" does not explain enough; or
   /// empty.
-  std::string (*refusal)(const Case &the_case, const std::string &verb) = nullptr;
+  std::string (*refusal)(const Case &the_case, Verb verb) = nullptr;
   /// Checks that the reader cannot make, before anything long is computed.  @throws InputError
   void (*check)(const Case &the_case) = nullptr;
   /// What the case and its records say about each other; without it nothing.  @throws InputError  a record that

@@ -1,9 +1,11 @@
 #include "app/run/run_summary.h"
 #include "core/base/error_list.h"
 #include "core/base/short_number.h"
+#include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
 #include "core/case/fields.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/results/named_mode.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -77,13 +79,13 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
   std::vector<std::pair<std::string, const Parameter *>> modes;  // key and frequency
   for (const auto &[name, p] : results.values)
     if (const auto parts = parts_of(name);
-        parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency")
+        parts.size() == 3 && parts[0] == family::mode && is_word(parts[2], ResultWord::frequency))
       modes.emplace_back(parts[1], &p);
   const auto rank = [](const auto &mode) {
-    return mode.first == "gap_first_kind"     ? 0
-           : mode.first == "gap_second_kind"  ? 1
-           : mode.first.rfind("gap_", 0) == 0 ? 2
-                                              : 3;
+    return is_word(mode.first, ResultWord::gap_first_kind)    ? 0
+           : is_word(mode.first, ResultWord::gap_second_kind) ? 1
+           : mode.first.rfind("gap_", 0) == 0                 ? 2
+                                                              : 3;
   };
   std::stable_sort(modes.begin(), modes.end(), [&](const auto &a, const auto &b) { return rank(a) < rank(b); });
   for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i) {
@@ -123,7 +125,9 @@ std::string engineering(const Parameter &p)
     int digits;
   };
   // Without a stated error four digits: more would look like accuracy.  A number without unit may be a count.
-  const auto digits = [&](const int most) { return std::isnan(p.error_estimate) && p.unit != "1" ? 4 : most; };
+  const auto digits = [&](const int most) {
+    return std::isnan(p.error_estimate) && !is_in(p.unit, SiUnit::one) ? 4 : most;
+  };
   static const Unit units[]{
       {"N/m", "kN/mm", 1e6, 5}, {"N/m2", "N/mm per mm", 1e6, 6}, {"m", "mm", 1e-3, 5}, {"Pa", "MPa", 1e6, 5},
       {"N", "kN", 1e3, 6},
@@ -131,10 +135,9 @@ std::string engineering(const Parameter &p)
   for (const Unit &unit : units)
     if (p.unit == unit.si)
       return number_within(p.value / unit.size, p.error_estimate, digits(unit.digits)) + " " + unit.shown;
-  if (constexpr double hour = 3600; p.unit == "s" && p.value >= hour)
+  if (constexpr double hour = 3600; is_in(p.unit, SiUnit::second) && p.value >= hour)
     return number_within(p.value / hour, p.error_estimate, digits(6)) + " h";
-  const std::string number = number_within(p.value, p.error_estimate, digits(6));
-  return p.unit == "1" ? number : number + " " + p.unit;
+  return number_within(p.value, p.error_estimate, digits(6)) + after_number(p.unit);
 }
 
 std::string run_summary(const Results &results, const std::string &name, const std::string &limits,

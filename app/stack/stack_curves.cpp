@@ -1,5 +1,6 @@
 #include "app/stack/stack_curves.h"
 #include "app/run/curve_files.h"
+#include "app/stack/made_roll.h"
 #include "app/stack/stack_optimise.h"
 #include "core/base/errors.h"
 #include "core/model/stack_statics.h"
@@ -109,7 +110,7 @@ void write_influences(const RunContext &run, const StackInput &input, const Solv
     Eigen::VectorXd bends = Eigen::VectorXd::Zero(n);
     for (std::size_t r = 0; r < stack.rolls.size(); ++r) {
       const StackRoll &roll = stack.rolls[r];
-      if (roll.name != written.name && roll.name != "lower_" + written.name)
+      if (roll.name != written.name && !is_made_of(roll, written))
         continue;
       const double up = roll.axis[1] > 0 ? 1 : -1;
       if (roll.loads.size() == 2)

@@ -46,9 +46,10 @@ const RunKind &run_kind(const StackCase &)
 {
   static const RunKind kind = [] {
     RunKind k;
-    k.verbs   = {"run", "modes", "chatter", "simulate"};
-    k.refusal = [](const Case &the_case, const std::string &verb) {
-      return "millstand " + verb + " computes parts of a four-high stand; for kind = \"stack\" (" + the_case.path +
+    k.verbs   = {Verb::run, Verb::modes, Verb::chatter, Verb::simulate};
+    k.refusal = [](const Case &the_case, const Verb verb) {
+      return std::string("millstand ") + word_of(verb) +
+             " computes parts of a four-high stand; for kind = \"stack\" (" + the_case.path +
              ") use run, modes, simulate or chatter";
     };
     k.stages = [](const Case &) -> std::vector<std::pair<std::string, double>> {

@@ -1,4 +1,5 @@
 #include "app/stack/stack_optimise.h"
+#include "app/stack/made_roll.h"
 #include "core/base/errors.h"
 #include "core/numerics/bounded_least_squares.h"
 #include <algorithm>
@@ -19,11 +20,6 @@ constexpr double settled    = 1e-6;  // of the ranges
 constexpr int most_steps    = 20;
 constexpr int most_halvings = 8;
 
-bool is_made_of(const StackRoll &roll, const StackRollInput &written)
-{
-  return roll.name == "lower_" + written.name;
-}
-
 // The listed roll and the one that is made of it.
 void each_roll(const StackInput &input, Stack &stack, const StackActuator &actuator,
                const std::function<void(StackRoll &, bool made)> &change)
@@ -34,13 +30,9 @@ void each_roll(const StackInput &input, Stack &stack, const StackActuator &actua
       change(roll, is_made_of(roll, written));
 }
 
-double value_of(const std::string &target, const reduce::StripState &strip)
+template <class Shape> double value_of(const StackGoal target, const Shape &shape)
 {
-  return target == "crown" ? strip.crown : target == "edge_drop" ? strip.edge_drop : strip.wedge;
-}
-double value_of(const std::string &target, const reduce::GapShape &shape)
-{
-  return target == "crown" ? shape.crown : target == "edge_drop" ? shape.edge_drop : shape.wedge;
+  return target == StackGoal::crown ? shape.crown : target == StackGoal::edge_drop ? shape.edge_drop : shape.wedge;
 }
 
 // Influences of one actuator on the targets, at a solved state.
@@ -55,7 +47,7 @@ VectorXd influences(const StackInput &input, const SolvedStack &solved, const Ma
       from.present       = value;
       solve_from(moved, input, with_actuator(input, solved.stack, from, value + side * shift_step), make);
       for (Index t = 0; t < sum.size(); ++t)
-        sum[t] += side * value_of(targets[std::size_t(t)].name, moved.state.strip) / (2 * shift_step);
+        sum[t] += side * value_of(targets[std::size_t(t)].goal, moved.state.strip) / (2 * shift_step);
     }
     return sum;
   }
@@ -76,7 +68,7 @@ VectorXd influences(const StackInput &input, const SolvedStack &solved, const Ma
       continue;
     const reduce::GapShape shape = solved.engine->influence_of_loads(r, unit);
     for (Index t = 0; t < sum.size(); ++t)
-      sum[t] += value_of(targets[std::size_t(t)].name, shape);
+      sum[t] += value_of(targets[std::size_t(t)].goal, shape);
   }
   return sum;
 }
@@ -105,18 +97,19 @@ StackActuator stack_actuator(const StackInput &input, const Stack &stack, const 
   const std::string what        = name.substr(dot + 1);
   const auto roll               = std::find_if(stack.rolls.begin(), stack.rolls.end(),
                                                [&](const StackRoll &r) { return r.name == written.name; });
-  if (what == "bending_force") {
+  const auto kind               = choice_named<StackActuatorKind>(what);
+  if (kind == StackActuatorKind::bending) {
     if (roll->loads.size() != 2)
       throw InputError("roll " + written.name + " has no chocks that bend it; give its bearing_span");
     actuator.present = (written.bending_force[0] + written.bending_force[1]) / 2;
-  } else if (what == "shift") {
+  } else if (kind == StackActuatorKind::shift) {
     if (input.settings.bending_at == BendingAt::window && !roll->loads.empty())
       throw InputError("shift of roll " + written.name +
                        ": its bending forces stay in the window and move along the roll; vary roll.shift with "
                        "millstand sweep instead");
     actuator.kind    = StackActuatorKind::shift;
     actuator.present = written.axial_shift;
-  } else if (what.rfind("eccentric", 0) == 0) {
+  } else if (what.rfind(word_of(StackActuatorKind::eccentric), 0) == 0) {
     actuator.kind    = StackActuatorKind::eccentric;
     const int saddle = std::atoi(what.c_str() + 9);
     if (!written.saddles.given || saddle < 1 || saddle > int(written.saddles.positions.size()))
@@ -168,12 +161,12 @@ StackOptimum optimise_stack(const StackInput &input, const Stack &stack, const M
   };
   solve_at(x);
   for (StackTarget &target : targets)
-    target.present = value_of(target.name, solved.state.strip);
+    target.present = value_of(target.goal, solved.state.strip);
   MatrixXd J(m, n);
   for (int step = 0; step < most_steps; ++step) {
     VectorXd missing(m);
     for (Index t = 0; t < m; ++t)
-      missing[t] = targets[std::size_t(t)].wanted - value_of(targets[std::size_t(t)].name, solved.state.strip);
+      missing[t] = targets[std::size_t(t)].wanted - value_of(targets[std::size_t(t)].goal, solved.state.strip);
     for (Index a = 0; a < n; ++a)
       J.col(a) = influences(input, solved, make, actuators[std::size_t(a)], x[a], targets);
     MatrixXd A(m + n, n);
@@ -205,7 +198,7 @@ StackOptimum optimise_stack(const StackInput &input, const Stack &stack, const M
       actuator.bound = "upper";
   }
   for (StackTarget &target : targets)
-    target.reached = value_of(target.name, solved.state.strip);
+    target.reached = value_of(target.goal, solved.state.strip);
   optimum.actuators = std::move(actuators);
   optimum.targets   = std::move(targets);
   return optimum;

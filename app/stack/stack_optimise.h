@@ -1,5 +1,6 @@
 #pragma once
 #include "app/stack/stack_stage.h"
+#include "core/base/choice.h"
 #include <string>
 #include <vector>
 
@@ -8,6 +9,17 @@ namespace mill {
 constexpr double shift_step = 1e-3;  ///< m, of central differences over a shift, which moves the places of contact
 
 enum class StackActuatorKind { bending, shift, eccentric };
+constexpr auto words_of(StackActuatorKind)
+{
+  return choice_words<StackActuatorKind>("bending_force", "shift", "eccentric");  // a saddle follows the last
+}
+
+/// What of the profile is wanted.
+enum class StackGoal { crown, edge_drop, wedge };
+constexpr auto words_of(StackGoal)
+{
+  return choice_words<StackGoal>("crown", "edge_drop", "wedge");
+}
 
 /// What may be changed, of a listed roll and of the one that is made of it.
 struct StackActuator {
@@ -21,9 +33,9 @@ struct StackActuator {
   std::string bound;                ///< "lower" or "upper" where it stands at a bound
 };
 
-/// crown, edge_drop or wedge, m.
+/// m
 struct StackTarget {
-  std::string name;
+  StackGoal goal;
   double wanted = 0, present = 0, reached = 0;
 };
 

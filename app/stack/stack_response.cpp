@@ -7,6 +7,7 @@
 #include "app/stages/stand/mode_results.h"
 #include "core/case/fields.h"
 #include "core/model/case.h"
+#include "core/records/key_list.h"
 #include "dynamics/chatter/stand_structure.h"
 #include <algorithm>
 #include <cmath>
@@ -38,8 +39,7 @@ std::vector<std::string> missing_for_speed(const Case &the_case, const StackInpu
 {
   std::vector<std::string> missing = split(missing_of_bite(input, input.passes[p]), ", ");
   missing.erase(std::remove(missing.begin(), missing.end(), ""), missing.end());
-  if (std::isnan(input.passes[p].speed) &&
-      std::find(missing.begin(), missing.end(), "pass.speed") == missing.end())
+  if (std::isnan(input.passes[p].speed) && !holds(missing, "pass.speed"))
     missing.push_back("pass.speed");
   for (const char *tension : {"entry_tension", "exit_tension"})
     if (!the_case.places.count(fmt::format("pass.{}.{}", p, tension)) &&

@@ -1,3 +1,4 @@
+#include "app/stack/made_roll.h"
 #include "app/stack/stack_optimise.h"
 #include "app/stack/stack_stage.h"
 #include "core/model/stack_supports.h"
@@ -178,7 +179,7 @@ StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved
     double crown = 0, drop = 0, bend_crown = 0, bend_drop = 0;
     for (std::size_t r = 0; r < stack.rolls.size(); ++r) {
       const StackRoll &roll = stack.rolls[r];
-      const bool made       = roll.name == "lower_" + written.name;
+      const bool made       = is_made_of(roll, written);
       if (roll.name != written.name && !made)
         continue;
       const auto parabola = [&](const double z) {  // the diameter is 1 m larger at mid-barrel than at its ends

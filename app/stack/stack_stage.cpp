@@ -6,6 +6,7 @@
 #include "app/stack/stack_curves.h"
 #include "app/stack/stack_motion.h"
 #include "app/stages/bearing/bearing_results.h"
+#include "core/base/si_unit.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
@@ -141,7 +142,7 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
     const StackNumber &number = fine[i];
     // Zero by symmetry is zero but for rounding, which differs between meshes and engines.
     const auto without_rounding = [&](const double value) {
-      return number.unit == "m" && std::abs(value) < 1e-12 ? 0 : value;
+      return is_in(number.unit, SiUnit::metre) && std::abs(value) < 1e-12 ? 0 : value;
     };
     Parameter p;
     p.value  = without_rounding(number.value);

@@ -4,6 +4,7 @@
 #include "app/studio/answers/check_answer.h"
 #include "app/studio/answers/quick_answer.h"
 #include "app/studio/request.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/case/case_edit.h"
 #include "core/case/case_file.h"
@@ -21,6 +22,13 @@ namespace fs = std::filesystem;
 
 namespace mill::studio {
 namespace {
+// What the page asks of the document.
+enum class PageEdit { hello, undo, redo, import, pin, unpin, back };
+constexpr auto words_of(PageEdit)
+{
+  return choice_words<PageEdit>("hello", "undo", "redo", "import", "pin", "unpin", "back");
+}
+
 using nlohmann::ordered_json;
 
 enum Route : std::size_t {
@@ -40,8 +48,10 @@ constexpr std::size_t most_values = 61, most_edits = 2000;
 
 ordered_json job_json(const JobState &job)
 {
-  return {{"id", job.id},           {"status", job.status}, {"stage", job.stage}, {"percent", job.percent},
-          {"seconds", job.seconds}, {"left", job.left},     {"said", job.said},   {"file", job.file}};
+  return {{"id", job.id},           {"status", job.status ? word_of(*job.status) : ""},
+          {"stage", job.stage},     {"percent", job.percent},
+          {"seconds", job.seconds}, {"left", job.left},
+          {"said", job.said},       {"file", job.file}};
 }
 
 std::string path_of_case(const CommandLine &command)
@@ -211,27 +221,36 @@ void Studio::import(const nlohmann::json &request)
 
 web::PageReply Studio::edit(const std::string &body)
 {
-  const auto request   = object_of(body);
-  const std::string op = word(request, "op");
-  if (op == "hello") {
+  const auto request = object_of(body);
+  const auto op      = choice_named<PageEdit>(word(request, "op"));
+  if (op == PageEdit::hello) {
     server_->publish("windows", text_of({{"open", server_->statistics().event_streams}}));
     return document();
   }
   try {
-    if (op == "undo")
-      document_.undo();
-    else if (op == "redo")
-      document_.redo();
-    else if (op == "import")
-      import(request);
-    else if (op == "pin")
-      document_.pin(word(request, "name"));
-    else if (op == "unpin")
-      document_.unpin(word(request, "name"));
-    else if (op == "back")
-      document_.back_to(word(request, "name"));
-    else
+    if (!op)
       throw InputError("an unknown operation");
+    switch (*op) {
+    case PageEdit::hello:
+      break;
+    case PageEdit::undo:
+      document_.undo();
+      break;
+    case PageEdit::redo:
+      document_.redo();
+      break;
+    case PageEdit::import:
+      import(request);
+      break;
+    case PageEdit::pin:
+      document_.pin(word(request, "name"));
+      break;
+    case PageEdit::unpin:
+      document_.unpin(word(request, "name"));
+      break;
+    case PageEdit::back:
+      document_.back_to(word(request, "name"));
+    }
   } catch (const InputError &error) {
     ordered_json problems = ordered_json::array();
     for (const Problem &problem : error.problems)

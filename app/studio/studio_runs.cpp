@@ -1,6 +1,7 @@
 #include "app/command/option_words.h"
 #include "app/studio/request.h"
 #include "app/studio/studio.h"
+#include "core/base/choice.h"
 #include "core/base/files.h"
 #include "report/compare/comparison.h"
 #include <algorithm>
@@ -11,6 +12,13 @@ namespace fs = std::filesystem;
 // Runs of the studio: begun, compared, read.
 namespace mill::studio {
 namespace {
+// What the page asks of the work; else it names the format of an export.
+enum class RunOrder { run, cancel };
+constexpr auto words_of(RunOrder)
+{
+  return choice_words<RunOrder>("run", "cancel");
+}
+
 using nlohmann::ordered_json;
 constexpr std::uintmax_t largest_file = 64 << 20;
 
@@ -56,15 +64,16 @@ web::PageReply Studio::run(const std::string &body)
 {
   const auto request     = object_of(body);
   const std::string what = word(request, "what");
-  if (what == "cancel") {
+  const auto order       = choice_named<RunOrder>(what);
+  if (order == RunOrder::cancel) {
     jobs_.cancel();
     return {202, "{}"};
   }
   const auto format   = choice_named<ExportFormat>(what);
   const bool exported = format && *format != ExportFormat::statespace;
-  if (what != "run" && !exported)
+  if (!order && !exported)
     throw InputError("\"what\" is run, fmu, modelica, matlab or cancel");
-  if (jobs_.state().status == "running")
+  if (jobs_.state().status == JobStatus::running)
     return {409, text_of({{"error", jobs_.state().id + " is running; wait for its end, or cancel it"}})};
   std::error_code error;
   fs::create_directories(folder_, error);

@@ -3,6 +3,7 @@
 #include "app/study/correlation.h"
 #include "app/study/json_number.h"
 #include "app/study/started_program.h"
+#include "app/study/study_task.h"
 #include "core/base/files.h"
 #include <algorithm>
 #include <cmath>
@@ -60,7 +61,8 @@ std::vector<std::vector<double>> draw_rows(const Study &study, const StudyMethod
   const int number = method == StudyMethod::latin_hypercube ? 0
                      : method == StudyMethod::monte_carlo   ? 1
                                                             : 2;  // DrawMethod
-  nlohmann::ordered_json request{{"task", "draw"}, {"method", number}, {"n", n}, {"seed", study.seed}};
+  nlohmann::ordered_json request{
+      {"task", word_of(StudyTask::draw)}, {"method", number}, {"n", n}, {"seed", study.seed}};
   request["correlations"]  = correlations_json(study);
   request["spreads"]       = spreads_json(study);
   const std::size_t n_rows = answer_of(scratch.path(), request)["rows"].get<std::size_t>(), d = study.keys.size();
@@ -79,8 +81,8 @@ std::vector<IndicesOfResult> indices_of(const std::vector<std::vector<double>> &
   write_atomically(scratch.path() + "/rows.bin", bytes_of(rows));
   write_atomically(scratch.path() + "/results.bin", bytes_of(results));
   std::vector<IndicesOfResult> all;
-  for (const nlohmann::ordered_json &s :
-       answer_of(scratch.path(), {{"task", "indices"}, {"keys", rows.front().size()}, {"n", n}})) {
+  for (const nlohmann::ordered_json &s : answer_of(
+           scratch.path(), {{"task", word_of(StudyTask::indices)}, {"keys", rows.front().size()}, {"n", n}})) {
     IndicesOfResult one;
     s["first"].get_to(one.first);
     s["total"].get_to(one.total);
@@ -101,7 +103,7 @@ nlohmann::ordered_json chaos_of(const Study &study, const std::vector<std::vecto
   std::filesystem::create_directories(scratch.path());
   write_atomically(scratch.path() + "/rows.bin", bytes_of(rows));
   write_atomically(scratch.path() + "/results.bin", bytes_of(results));
-  return answer_of(scratch.path(), {{"task", "chaos"},
+  return answer_of(scratch.path(), {{"task", word_of(StudyTask::chaos)},
                                     {"keys", study.keys.size()},
                                     {"spreads", spreads_json(study)},
                                     {"fitted", fitted},

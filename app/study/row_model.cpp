@@ -22,12 +22,21 @@ constexpr std::size_t most_watched    = 12;   // where the command names no resu
 
 const char *const closed_forms_work = "closed forms", *const with_responses_work = "closed forms and responses";
 
+struct Work {
+  Goal goal;
+  Verb verb;  // that does as much, or more
+  std::string word = word_of(verb);
+};
+
 // Work of a run, the least first.
-const std::vector<std::pair<std::string, Goal>> &works()
+const std::vector<Work> &works()
 {
-  static const std::vector<std::pair<std::string, Goal>> all{
-      {"contacts", Goal::contacts}, {"stiffness", Goal::stiffness}, {"masses", Goal::masses},
-      {"modes", Goal::modes},       {"chatter", Goal::chatter},     {"run", Goal::simulate}};
+  static const std::vector<Work> all{{Goal::contacts, Verb::stiffness, "contacts"},
+                                     {Goal::stiffness, Verb::stiffness},
+                                     {Goal::masses, Verb::masses},
+                                     {Goal::modes, Verb::modes},
+                                     {Goal::chatter, Verb::chatter},
+                                     {Goal::simulate, Verb::run}};
   return all;
 }
 
@@ -51,21 +60,21 @@ bool is_of_contacts(const std::string &name)
 }
 
 // May this work give all of these names?
-bool may_give(const Case &the_case, const std::string &work, const std::vector<std::string> &names)
+bool may_give(const Case &the_case, const Work &work, const std::vector<std::string> &names)
 {
-  if (work == "contacts")
+  if (work.goal == Goal::contacts)
     return std::holds_alternative<FourHigh>(the_case.spec) && !names.empty() &&
            std::all_of(names.begin(), names.end(), is_of_contacts);
   const auto &verbs = run_kind(the_case).verbs;
-  if (std::find(verbs.begin(), verbs.end(), work) == verbs.end())
+  if (std::find(verbs.begin(), verbs.end(), work.verb) == verbs.end())
     return false;
   // Chatter of a stand is asked for by its names; without names modes are enough.
   const bool of_chatter = std::any_of(names.begin(), names.end(), [](const std::string &name) {
     return name.rfind("chatter.", 0) == 0 || name.rfind("critical_speed", 0) == 0;
   });
-  if (work == "chatter")
+  if (work.goal == Goal::chatter)
     return of_chatter;
-  return !of_chatter || work == "run";
+  return !of_chatter || work.goal == Goal::simulate;
 }
 
 // What one looks for first in a stand; of other kinds the first results.
@@ -167,8 +176,8 @@ struct RowModel::Implementation {
     run.made    = made;
     run.threads = settings.threads;
     const auto of =
-        std::find_if(works().begin(), works().end(), [&](const auto &one) { return one.first == work; });
-    run_stages(run, of->second);
+        std::find_if(works().begin(), works().end(), [&](const auto &one) { return one.word == work; });
+    run_stages(run, of->goal);
     if (!sample.empty())
       write_sample(run, sample, settings.keep);
     if (settings.cache_limit > 0)
@@ -185,7 +194,7 @@ double cache_limit(const CommandLine &command)
 RowModel::RowModel(RowModelSettings settings) : own(std::make_unique<Implementation>())
 {
   own->settings = std::move(settings);
-  own->work     = own->settings.kind == ModelKind::quick ? closed_forms_work : "run";
+  own->work     = own->settings.kind == ModelKind::quick ? closed_forms_work : word_of(Verb::run);
 }
 
 RowModel::~RowModel() = default;
@@ -198,17 +207,17 @@ NamedResults RowModel::choose(const Case &base, std::vector<std::string> watched
   if (own->settings.kind == ModelKind::quick)
     candidates = {closed_forms_work, with_responses_work};
   else
-    for (const auto &[work, goal] : works())
+    for (const Work &work : works())
       if (may_give(base, work, watched))
-        candidates.push_back(work);
+        candidates.push_back(work.word);
   for (const std::string &name : watched)  // before minutes are spent on a name that does not exist
     if (own->settings.kind == ModelKind::full && report::meaning_of(name).empty())
       refuse_unknown(base, name, {});
   NamedResults results;
   for (const std::string &work : candidates) {
     // Without names the modes of a stand are enough.
-    const bool enough =
-        !watched.empty() || work == "modes" || work == candidates.back() || own->settings.kind == ModelKind::quick;
+    const bool enough = !watched.empty() || work == word_of(Verb::modes) || work == candidates.back() ||
+                        own->settings.kind == ModelKind::quick;
     if (!enough)
       continue;
     own->work = work;

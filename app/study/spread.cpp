@@ -92,6 +92,12 @@ bool has_dimension(const KnownKey &key)
   return key.row.kind == Kind::quantity || key.row.kind == Kind::pair;
 }
 
+// A percentage of the mean; those of a key that is a percentage itself are its own.
+bool is_of_mean(const std::string &unit, const std::string &common)
+{
+  return unit == "%" && common != "%";
+}
+
 // All numbers in one unit; a percentage is of the mean unless the key is a percentage itself.
 std::vector<double> in_one_unit(const std::string &written, const KnownKey &key, const std::string &common,
                                 const std::vector<WrittenNumber> &numbers, const double mean)
@@ -99,7 +105,7 @@ std::vector<double> in_one_unit(const std::string &written, const KnownKey &key,
   std::vector<double> values;
   for (const WrittenNumber &one : numbers) {
     const Unit *from = find_unit(one.unit);
-    if (one.unit == "%" && common != "%") {
+    if (is_of_mean(one.unit, common)) {
       values.push_back(0.01 * one.number * mean);
       continue;
     }
@@ -208,7 +214,7 @@ UncertainKey uncertain_key(const Case &the_case, const std::vector<std::string> 
     refuse_spread(written, fmt::format("{} numbers; it takes {}", numbers.size(), shape.takes));
   std::string common = has_dimension(key) ? key.row.form : "";
   for (const WrittenNumber &one : numbers)
-    if (!one.unit.empty() && (one.unit != "%" || common == "%")) {
+    if (!one.unit.empty() && !is_of_mean(one.unit, common)) {
       common = one.unit;
       break;
     }

@@ -1,4 +1,5 @@
 #include "app/study/study_command.h"
+#include "app/command/option_words.h"
 #include "app/study/study_new.h"
 #include "app/study/study_report.h"
 #include "app/study/study_run.h"
@@ -8,15 +9,20 @@
 namespace mill {
 int study_command(const CommandLine &command)
 {
-  const std::string &action = command.study.action;
-  if (action == "new")
+  switch (choice_named<StudyAction>(command.study.action).value()) {
+  case StudyAction::new_study:
     return study_new(command);
-  if (action == "run")
+  case StudyAction::run:
     return study_run(command);
-  if (action == "work")
+  case StudyAction::work:
     return study_work(command);
-  if (action == "status")
+  case StudyAction::status:
     return study_status(command);
-  return action == "merge" ? study_merge(command) : study_report(command);
+  case StudyAction::merge:
+    return study_merge(command);
+  case StudyAction::report:
+    return study_report(command);
+  }
+  return 2;
 }
 }  // namespace mill

@@ -3,6 +3,7 @@
 #include "app/study/json_number.h"
 #include "app/study/linear_estimate.h"
 #include "app/study/study_optimum.h"
+#include "core/records/search_goal.h"
 #include <algorithm>
 #include <cmath>
 
@@ -81,7 +82,7 @@ nlohmann::ordered_json optimum_json(const Study &study, const StudyRows &rows)
   for (const TriedRow &tried : optimum.tried)
     path.push_back(json_number(tried.value));
   return {{"objective", study.objective},
-          {"searched", study.greatest ? "greatest" : "least"},
+          {"searched", word_of(study.greatest ? SearchGoal::greatest : SearchGoal::least)},
           {"inputs", optimum.best.inputs},
           {"value", json_number(optimum.best.value)},
           {"at_bound", optimum.at_bound},

@@ -6,6 +6,7 @@
 #include "core/base/units.h"
 #include "core/case/case_file.h"
 #include "core/model/case.h"
+#include "core/records/search_goal.h"
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -118,9 +119,9 @@ std::vector<double> numbers_of(const Node &table, const std::string &key)
 UncertainKey key_of(const Node &table)
 {
   UncertainKey uncertain;
-  uncertain.key     = {text_of(table, "name"),       text_of(table, "path"),   text_of(table, "meaning"),
-                       text_of(table, "unit"),       texts_of(table, "words"), {},
-                       table.find("pair") != nullptr};
+  uncertain.key     = {text_of(table, "name"),  text_of(table, "path"),   text_of(table, "meaning"),
+                       text_of(table, "unit"),  texts_of(table, "words"), {},
+                       bool(table.find("pair"))};
   uncertain.written = text_of(table, "written");
   uncertain.key.numbers.assign(uncertain.key.values.size(), not_given);
   uncertain.spread = {kind_named(text_of(table, "spread")), number_of(table, "mean"), number_of(table, "sd"),
@@ -180,7 +181,7 @@ std::string study_toml(const Study &study)
   text += number_line("seconds", study.seconds);
   if (!study.objective.empty())
     text += fmt::format("objective = {}\nsearched = {}\n", quoted(study.objective),
-                        study.greatest ? "\"greatest\"" : "\"least\"");
+                        quoted(word_of(study.greatest ? SearchGoal::greatest : SearchGoal::least)));
   for (const UncertainKey &key : study.keys)
     text += key_toml(key);
   for (const WatchedResult &result : study.watched)
@@ -208,9 +209,8 @@ Study read_study(const std::string &folder)
     throw InputError("the folder " + folder + " holds no study; 'millstand study new CASE .. -o " + folder +
                      "' makes one");
   const Node root = read_case_file(path);
-  if (number_of(root, "schema") != format_version)
-    throw InputError(path + " was written by another version of millstand (format " +
-                     number_text(number_of(root, "schema")) +
+  if (const double format = number_of(root, "schema"); format != format_version)
+    throw InputError(path + " was written by another version of millstand (format " + number_text(format) +
                      "); make the study again with 'millstand study new'");
   Study s;
   s.folder          = folder;
@@ -232,7 +232,7 @@ Study read_study(const std::string &folder)
   s.seconds      = number_of(root, "seconds");
   s.correlations = texts_of(root, "correlations");
   s.objective    = text_of(root, "objective");
-  s.greatest     = text_of(root, "searched") == "greatest";
+  s.greatest     = choice_named<SearchGoal>(text_of(root, "searched")) == SearchGoal::greatest;
   if (const Node::Entry *keys = root.find("key"))
     for (const Node &table : keys->value.items)
       s.keys.push_back(key_of(table));

@@ -5,8 +5,10 @@
 #include "app/study/study_document.h"
 #include "app/study/study_optimum.h"
 #include "app/study/study_statistics.h"
+#include "app/study/study_table.h"
 #include "core/base/files.h"
 #include "core/base/short_number.h"
+#include "core/base/si_unit.h"
 #include "core/base/units.h"
 #include "core/base/visible_text.h"
 #include "core/records/csv.h"
@@ -22,12 +24,6 @@
 namespace mill {
 namespace {
 constexpr double most_failed = 0.05;
-
-std::string column_head(const std::string &name, const std::string &unit)
-{
-  const std::string text = unit.empty() || unit == "1" ? name : name + " [" + unit + "]";
-  return text.find_first_of(",\";") == std::string::npos ? text : quoted_cell(text);
-}
 
 bool has_words(const UncertainKey &key)
 {

@@ -192,7 +192,7 @@ int study_run(const CommandLine &command)
           : written_script(study, engine,
                            engine_script(study, engine, shards, command, program_path("millstand")));
   if (engine == StudyEngine::slurm) {
-    if (run_program("sbatch", {script}, "arrays of a study") != 0)
+    if (const int failed = run_program("sbatch", {script}, "arrays of a study"))
       throw SystemError("sbatch did not accept the array; its message is above, its script " + script);
     if (!command.quiet)
       console::print("watch it with: millstand study status " + study.folder + "\n");

@@ -1,6 +1,7 @@
 #include "app/study/study_table.h"
 #include "app/process/version.h"
 #include "app/study/json_number.h"
+#include "core/base/si_unit.h"
 #include "core/base/units.h"
 #include "core/records/csv.h"
 #include "report/results/names.h"
@@ -8,13 +9,6 @@
 
 namespace mill {
 namespace {
-// A name with its unit as the head of a column.
-std::string head(const std::string &name, const std::string &unit)
-{
-  const std::string text = unit.empty() || unit == "1" ? name : name + " [" + unit + "]";
-  return text.find_first_of(",\";") == std::string::npos ? text : quoted_cell(text);
-}
-
 std::string number_cell(const double value)
 {
   return std::isfinite(value) ? number_text(value) : "";
@@ -22,13 +16,19 @@ std::string number_cell(const double value)
 
 }  // namespace
 
+std::string column_head(const std::string &name, const std::string &unit)
+{
+  const std::string text = name + after_name(unit);
+  return text.find_first_of(",\";") == std::string::npos ? text : quoted_cell(text);
+}
+
 std::string table_csv(const StudyTable &table)
 {
   std::string text = "row";
   for (const VariedKey &key : table.keys)
-    text += "," + head(key.name, key.unit);
+    text += "," + column_head(key.name, key.unit);
   for (const auto &[name, result] : table.watched)
-    text += "," + head(name, result.unit);
+    text += "," + column_head(name, result.unit);
   text += ",failure\n";
   for (std::size_t i = 0; i < table.rows.size(); ++i) {
     const TableRow &row = table.rows[i];

@@ -23,6 +23,9 @@ struct StudyTable {
   double seconds = 0;  ///< s, wall clock of all rows
 };
 
+/// A name with its unit as the head of a column of a CSV file.
+std::string column_head(const std::string &name, const std::string &unit);
+
 /// results.csv: one line for each row; "row", the keys with their units, the watched results with theirs, and the
 /// sentence of a failed row.
 std::string table_csv(const StudyTable &table);

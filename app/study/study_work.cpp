@@ -9,6 +9,7 @@
 #include "app/study/store/row_files.h"
 #include "app/study/study_folder.h"
 #include "app/verbs/checked_case.h"
+#include "core/base/digits.h"
 #include "core/model/case.h"
 #include "core/process/parallel.h"
 #include <algorithm>
@@ -35,9 +36,7 @@ Shard shard_of(const std::string &written)
 {
   Shard shard;
   const auto slash     = written.find('/');
-  const auto is_number = [](const std::string &text) {
-    return !text.empty() && text.size() < 10 && text.find_first_not_of("0123456789") == std::string::npos;
-  };
+  const auto is_number = [](const std::string &text) { return text.size() < 10 && is_digits(text); };
   if (slash == std::string::npos || !is_number(written.substr(0, slash)) || !is_number(written.substr(slash + 1)))
     throw InputError("--shard " + written + " is not of the form I/N, for example 1/4");
   shard.number = std::stol(written.substr(0, slash));

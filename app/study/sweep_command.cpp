@@ -7,6 +7,7 @@
 #include "app/verbs/checked_case.h"
 #include "core/base/files.h"
 #include "core/base/short_number.h"
+#include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
 #include "core/model/case.h"
 #include "core/process/parallel.h"
@@ -123,7 +124,7 @@ std::string table_text(const StudyTable &table)
   for (const VariedKey &key : table.keys)
     text += fmt::format("  {:>{}}", key.name, width_of(key));
   for (const auto &[name, result] : table.watched)
-    text += fmt::format("  {:>14}", name + (result.unit == "1" ? "" : " [" + result.unit + "]"));
+    text += fmt::format("  {:>14}", name + after_name(result.unit));
   text += "\n";
   for (std::size_t i = 0; i < std::min(table.rows.size(), most_shown); ++i) {
     const TableRow &row = table.rows[i];
@@ -132,7 +133,7 @@ std::string table_text(const StudyTable &table)
       text += fmt::format("  {:>{}}", row.values[k], width_of(table.keys[k]));
     for (std::size_t r = 0; r < table.watched.size(); ++r) {
       const auto &[name, result] = table.watched[r];
-      const std::size_t width    = name.size() + (result.unit == "1" ? 0 : result.unit.size() + 3);
+      const std::size_t width    = name.size() + after_name(result.unit).size();
       text += fmt::format("  {:>{}}", std::isfinite(row.results[r]) ? short_number(row.results[r], 5) : "-",
                           std::max<std::size_t>(14, width));
     }

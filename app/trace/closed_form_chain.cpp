@@ -9,9 +9,11 @@
 #include "app/trace/closed_form_response.h"
 #include "app/trace/closed_form_stand.h"
 #include "core/base/require.h"
+#include "core/base/text.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
+#include "core/records/chain_number.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
 #include "reduce/chain/chain_keys.h"
@@ -122,10 +124,11 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
 {
   // The six masses are driven here on linear springs whatever dynamics.model and dynamics.contact say, and white
   // force has no samples.
-  const KeyList all_own = response_keys(settings, pass, p);
+  const KeyList all_own   = response_keys(settings, pass, p);
+  const KeyList of_detail = joined(detailed_model_keys(), keys_in("dynamics", "output_rate contact"));
   KeyList keys;
   for (const std::string &key : all_own)
-    if (!holds(detailed_model_keys(), key) && key != "dynamics.output_rate" && key != "dynamics.contact")
+    if (!holds(of_detail, key))
       keys.push_back(key);
   const bool other_model = settings.model != StandModelKind::six_mass;
   const auto add         = [&](const char *name, const double value, const Half half, const bool white) {
@@ -161,16 +164,18 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
 // A bearing that is given is known along its load only.
 bool is_across_given_bearing(const std::string &name, const GivenValues &given)
 {
-  return name.size() > 4 && name.substr(4) == "_across" && is_given(given, name.substr(0, 4));
+  return text_ends_with(name, "_across") && is_given(given, name.substr(0, 4));
 }
 
 // Both bearings of a backup roll are twice the given one.
 void follow_given_bearing(ClosedFormResult &r, const FourHigh &stand)
 {
-  const std::string seat = r.name == "K_Zy" ? "Kzc1" : r.name == "K_Zy_lower" ? "Kzc4" : r.name.substr(0, 4);
-  if (seat == r.name || seat.substr(0, 3) != "Kzc" || !is_given(stand.given, seat))
+  const std::string seat = r.name == word_of(ChainNumber::K_Zy)         ? "Kzc1"
+                           : r.name == word_of(ChainNumber::K_Zy_lower) ? "Kzc4"
+                                                                        : r.name.substr(0, 4);
+  if (seat == r.name || !is_bearing(seat) || !is_given(stand.given, seat))
     return;
-  if (r.name.substr(0, 4) == "K_Zy") {
+  if (r.name.substr(0, 4) == word_of(ChainNumber::K_Zy)) {
     const std::string name = r.name;
     r                      = given_result(seat, stand.given.at(seat).parameter);
     r.name                 = name;
@@ -196,7 +201,8 @@ void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_
     r.parameter.inputs = spring_keys(stand, r.name, p);
     r.parameter.value *= factor(factors, prefix + r.name);
     follow_given_bearing(r, stand);
-    const std::string given = r.name == "K_Zy_lower" ? "K_Zy" : r.name;  // one value for both backup rolls
+    const std::string given =
+        r.name == word_of(ChainNumber::K_Zy_lower) ? "K_Zy" : r.name;  // one value for both backup rolls
     if (is_given(stand.given, given)) {
       const std::string name = r.name;
       r                      = given_result(given, stand.given.at(given).parameter);

@@ -1,4 +1,5 @@
 #include "app/trace/closed_form_keys.h"
+#include "core/records/chain_number.h"
 
 namespace mill {
 namespace {
@@ -26,27 +27,45 @@ KeyList work_roll_keys(const std::string &chock)
 
 Station station_of(const std::string &name, const MassReference reference)
 {
-  if (name == "K_ZW")
+  const auto number = choice_named<ChainNumber>(name);
+  const Station sum{"sum of reduced masses", "reduce/chain/equivalent_mass", "(4.13)"};
+  if (!number)
+    return sum;
+  switch (*number) {
+  case ChainNumber::K_ZW:
     return {"bending and shear of the backup roll", "reduce/chain/beam_shapes",
             reference == MassReference::mean ? "(4.8b)" : "(4.8a)"};
-  if (name == "K1")
+  case ChainNumber::K1:
     return spring("(4.1a)", "");
-  if (name == "K2")
+  case ChainNumber::K2:
     return spring("(4.1b)", "K_Zy K_ZW");
-  if (name == "K6")
+  case ChainNumber::K6:
     return spring("(4.1c)", "K_Zy_lower K_ZW");
-  if (name == "K7")
+  case ChainNumber::K7:
     return spring("(4.1d)", "");
-  if (name == "M2")
+  case ChainNumber::M2:
     return mass(
         "(4.14)", "K1 K_Zy K_ZW K2",
         joined(roll_keys("backup_roll", "chock_mass_upper"), keys_in("frame", "cylinder_mass balance_mass")));
-  if (name == "M3")
+  case ChainNumber::M3:
     return mass("(4.16)", "K1 K2 K3", work_roll_keys("chock_mass_upper"));
-  if (name == "M4")
+  case ChainNumber::M4:
     return mass("(4.16)", "K7 K6 K5", work_roll_keys("chock_mass_lower"));
-  if (name == "M5")
+  case ChainNumber::M5:
     return mass("(4.15)", "K7 K_Zy_lower K_ZW K6", roll_keys("backup_roll", "chock_mass_lower"));
-  return {"sum of reduced masses", "reduce/chain/equivalent_mass", "(4.13)"};
+  case ChainNumber::M1:
+  case ChainNumber::M6:
+  case ChainNumber::K3:
+  case ChainNumber::K4:
+  case ChainNumber::K5:
+  case ChainNumber::K_Zy:
+  case ChainNumber::K_Zy_lower:
+  case ChainNumber::Kzc1:
+  case ChainNumber::Kzc2:
+  case ChainNumber::Kzc3:
+  case ChainNumber::Kzc4:
+    break;
+  }
+  return sum;
 }
 }  // namespace mill

@@ -2,6 +2,7 @@
 #include "app/stages/contact/body_pair.h"
 #include "app/stages/contact/contact_stage.h"
 #include "core/model/two_cylinders.h"
+#include "core/records/result_names.h"
 #include "fem/contact/hertz.h"
 #include "reduce/chain/housing_frame.h"
 #include "reduce/chain/line_contact.h"
@@ -29,7 +30,7 @@ ClosedFormResult closed_form_contact(const FourHigh &stand, const std::string &n
   const reduce::CylinderPair pair{stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter,
                                   facing_length(stand), stand.steel};
   ClosedFormResult r;
-  r.name             = name == "upper" ? "K3" : "K5";
+  r.name             = spring_of_contact(name);
   r.parameter.value  = reduce::line_contact(pair, load).tangent;
   r.parameter.unit   = "N/m";
   r.parameter.method = "Hertz line contact, infinitely long, reduce/chain/line_contact (3.5b)";

@@ -55,11 +55,16 @@ struct Sides {
       middle;  // where giving the value of the key is another case than leaving it out
 };
 
+bool is_version(const Row &row)
+{
+  return row.key == "schema";
+}
+
 bool is_size(const Row &row)
 {
   return row.kind == Kind::quantity || row.kind == Kind::number || row.kind == Kind::pair ||
          row.kind == Kind::six ||
-         (row.kind == Kind::count && row.key != "schema" && row.key.find("seed") == std::string::npos);
+         (row.kind == Kind::count && !is_version(row) && row.key.find("seed") == std::string::npos);
 }
 
 Sides evaluate_sides(const TraceKey &key, const Evaluation &evaluation, std::string &why)
@@ -143,7 +148,7 @@ void keep_reached(Trace &trace, const Case &the_case, std::vector<TraceLine> lin
   for (TraceLine &line : lines) {
     const bool by_elements = holds(line.result.parameter.inputs, key) && !holds(line.result.closed, key);
     // About zero a result may be even in the key, so that it is reached without a slope.
-    const bool even = trace.per != "%" && !trace.per.empty() && holds(line.result.closed, key);
+    const bool even = !is_relative(trace.per) && !trace.per.empty() && holds(line.result.closed, key);
     if (!line.moves && !by_elements && !even)
       continue;
     line.moves = line.moves || even;
@@ -203,7 +208,7 @@ std::string without_elasticity(const TraceKey &key)
   case Kind::flag:
     return "a word has no size; every other one is tried";
   default:
-    return key.row.key == "schema" ? "a version has no size" : "a number that only names a record has no size";
+    return is_version(key.row) ? "a version has no size" : "a number that only names a record has no size";
   }
 }
 

@@ -26,6 +26,12 @@ struct TraceLine {
   std::vector<std::pair<std::string, double>> words;    ///< percent, with another word instead
 };
 
+/// Percent per percent of the key, not per unit of it.
+constexpr bool is_relative(const std::string_view per)
+{
+  return per == "%";
+}
+
 /// Which results one input reaches.  theory.md 24
 struct Trace {
   TraceKey key;

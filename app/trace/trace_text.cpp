@@ -1,4 +1,5 @@
 #include "app/trace/trace_text.h"
+#include "core/base/si_unit.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -17,7 +18,7 @@ std::string value_text(const Parameter &p)
 {
   if (!std::isfinite(p.value))
     return "no value";
-  return fmt::format("{:.5g} {}", p.value, p.unit == "1" ? "" : p.unit);
+  return fmt::format("{:.5g} {}", p.value, is_in(p.unit, SiUnit::one) ? "" : p.unit);
 }
 
 constexpr double smallest = 0.005;  // percent per percent, of what is shown with two digits
@@ -26,7 +27,7 @@ std::string slope_text(const double slope, const std::string &per)
 {
   if (!std::isfinite(slope))
     return "no answer";
-  if (per == "%")
+  if (is_relative(per))
     return std::abs(slope) < smallest ? "below 0.005" : fmt::format("{:+.2f} % per %", slope);
   const std::string number = std::abs(slope) < 100 ? fmt::format("{:+.2g}", slope) : fmt::format("{:+.0f}", slope);
   return std::abs(slope) < 1e-6 ? "0" : number + " % per " + per;
@@ -35,7 +36,7 @@ std::string slope_text(const double slope, const std::string &per)
 // A kink shows as two slopes; what bends by less than a fifth over the step is one.
 bool has_kink(const TraceLine &line, const std::string &per)
 {
-  const double least = per == "%" ? 0.05 : 1e-6;
+  const double least = is_relative(per) ? 0.05 : 1e-6;
   return std::abs(line.slope_up - line.slope_down) >
          least + 0.2 * std::max(std::abs(line.slope_up), std::abs(line.slope_down));
 }
@@ -56,7 +57,7 @@ std::string elasticity_text(const Trace &trace, const TraceLine &line)
   if (std::isnan(line.slope))
     return "";  // missing_slopes() says why
   if (has_kink(line, trace.per))
-    return trace.per == "%"
+    return is_relative(trace.per)
                ? fmt::format("{:+.2f} up, {:+.2f} down", line.slope_up, line.slope_down)
                : fmt::format("{:+.2g} up, {:+.2g} down per {}", line.slope_up, line.slope_down, trace.per);
   return slope_text(line.slope, trace.per);

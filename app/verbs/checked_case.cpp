@@ -7,6 +7,7 @@
 #include "app/stages/bearing/bearing_model.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/model/kind_of_case.h"
 
 namespace mill {
 namespace {
@@ -26,7 +27,7 @@ void add_pass_of_record(Case &the_case, const std::string &force_file)
 // --as stack: the same case in the place of its file.
 Case case_as(const Case &written, const std::string &kind)
 {
-  if (kind != "stack")
+  if (kind != word_of(KindOfCase::stack))
     throw InputError("--as " + kind + ": a case of kind four-high can be taken as a stack, --as stack");
   return read_case_of(written.path, four_high_as_stack(written));
 }
@@ -56,7 +57,7 @@ CheckedCase checked_case(const CommandLine &command)
   require_linked(the_case, command);
   check_file_names(the_case);
   check_fits(the_case);
-  if (command.verb != "check")  // before records are read, which would be read twice
+  if (command.verb != Verb::check)  // before records are read, which would be read twice
     use_fast_blas(command.arguments);
   checked.review = reviewed(the_case, command.force);
   return checked;

@@ -91,13 +91,13 @@ int run_chain(const CommandLine &command)
   }();
   bar.finish();
   const std::string page = run.folder + "/report.html";
-  if (command.verb == "run" && !command.quiet && !command.verbose) {
+  if (command.verb == Verb::run && !command.quiet && !command.verbose) {
     console::print(run_summary(run.results, the_case.name, run.limits, page));
   } else if (!command.quiet) {
     print_table(run.results);
     if (!run.limits.empty())
       console::print("\n" + run.limits + "\n");
-    if (command.verb == "masses")
+    if (command.verb == Verb::masses)
       console::print("\n" + mass_table(run.results));
     console::print("report: " + page + "\n");
   }
@@ -172,25 +172,25 @@ int carry_out(const CommandLine &command)
   console::progress_line_every(command.progress_step);
   if (!command.memory.empty())
     set_memory_limit(bytes_of_size("--memory", command.memory));
-  if (command.verb == "new")
+  if (command.verb == Verb::new_case)
     return write_template(command);
-  if (command.verb == "check")
+  if (command.verb == Verb::check)
     return check_case(command);
-  if (command.verb == "trace") {
+  if (command.verb == Verb::trace) {
     require_linked(read_case(command.target, command.sets), command);
     const TraceOptions options{command.target, command.key, command.sets, command.output, command.full};
     console::print(trace_text(trace(options), !command.quiet));
     return 0;
   }
-  if (command.verb == "verify") {
+  if (command.verb == Verb::verify) {
     use_fast_blas(command.arguments);
     return verify_command({command.names, command.list, command.quiet, command.markdown, command.threads});
   }
-  if (command.verb == "completion") {
+  if (command.verb == Verb::completion) {
     console::print(completion_script(command.target, command.verbs));
     return 0;
   }
-  if (command.verb == "help") {
+  if (command.verb == Verb::help) {
     std::string topic;
     for (const std::string &word : command.names)
       topic += (topic.empty() ? "" : " ") + word;
@@ -198,17 +198,17 @@ int carry_out(const CommandLine &command)
                                        : help::topic_text(topic, command.verbs));
     return 0;
   }
-  if (command.verb == "schema") {
+  if (command.verb == Verb::schema) {
     console::print(case_schema());
     return 0;
   }
   if (is_of_subjects(command))
     return carry_out_subject(command);
-  if (command.verb == "stack")
+  if (command.verb == Verb::stack)
     return stack_command(command, checked_case(command).the_case);
-  if (command.verb == "marks")
+  if (command.verb == Verb::marks)
     return marks_command(command, checked_case(command).the_case);
-  if (command.verb == "report")
+  if (command.verb == Verb::report)
     return command.names.empty() ? write_report(command.target) : write_comparison(command);
   return run_chain(command);
 }

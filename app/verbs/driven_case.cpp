@@ -13,7 +13,7 @@ void run_in_scratch(const CommandLine &command, const Case &the_case,
                     const std::function<void(RunContext &run)> &work)
 {
   const ScratchFolder scratch("millstand-export");
-  const OutputDir out(scratch.path(), the_case, true, run_id_of(the_case, command.verb, ""));
+  const OutputDir out(scratch.path(), the_case, true, run_id_of(the_case, word_of(command.verb), ""));
   const RunLog log(out, command.log, command.verbose);
   RunContext run{the_case, out, cache_folder(command, scratch.path() + "/cache"), command.fresh};
   open_cache(run, out.staging());

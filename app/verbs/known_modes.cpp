@@ -2,30 +2,28 @@
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/stored_run.h"
+#include "core/base/digits.h"
 #include "core/base/errors.h"
 #include "core/model/case.h"
+#include "core/records/cluster_names.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include <algorithm>
 
 namespace mill {
 namespace {
-bool is_number(const std::string &text)
-{
-  return !text.empty() && text.find_first_not_of("0123456789") == std::string::npos;
-}
-
 // "mode.gap_first_kind.frequency" -> key and words; a mode without a name of its own is none here.
 bool is_named(const std::vector<std::string> &parts)
 {
-  return parts.size() == 3 && parts[0] == family::mode && parts[2] == "frequency";
+  return parts.size() == 3 && parts[0] == family::mode && is_word(parts[2], ResultWord::frequency);
 }
 
 // "f3", "cluster.pass 1.f3", "cluster.f3"
 bool is_numbered(const std::vector<std::string> &parts)
 {
   const std::string &last = parts.back();
-  const bool stack        = parts[0] == "cluster" && parts.size() <= 3;
-  return (parts.size() == 1 || stack) && last.size() > 1 && last[0] == 'f' && is_number(last.substr(1));
+  const bool stack        = parts[0] == family::cluster && parts.size() <= 3;
+  return (parts.size() == 1 || stack) && last.size() > 1 && last[0] == 'f' && is_digits(last.substr(1));
 }
 
 // Results that are natural frequencies: those with names, else those of the first pass by their numbers.

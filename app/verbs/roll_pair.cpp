@@ -3,6 +3,7 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/response/dynamics_stage.h"
 #include "core/model/case.h"
+#include "core/records/contact_name.h"
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -57,7 +58,7 @@ struct RollPair::Implementation {
 
   const ContactSettings &settings() const
   {
-    return name == "lower" ? stand.lower_contact : stand.upper_contact;
+    return is_contact(name, ContactName::lower) ? stand.lower_contact : stand.upper_contact;
   }
 
   // Rolls with these crowns, meshed for the largest load.
@@ -91,7 +92,9 @@ struct RollPair::Implementation {
       // From the gap of the condensed pair, so that an answer does not depend on the questions before it.
       pairs[i]->problem.initial_gap = as_condensed[i].gap;
       pairs[i]->drop                = as_condensed[i].drop;
-      fem::change_profiles(*pairs[i], profile_drop(stand, settings(), name == "lower" ? -1 : 1, pairs[i]->grid.z));
+      fem::change_profiles(
+          *pairs[i],
+          profile_drop(stand, settings(), is_contact(name, ContactName::lower) ? -1 : 1, pairs[i]->grid.z));
     }
   }
 
@@ -105,7 +108,7 @@ RollPair::RollPair(std::shared_ptr<const Case> of, std::string name, const doubl
                    const int threads, const Progress &progress)
     : own(std::make_unique<Implementation>())
 {
-  if (name != "upper" && name != "lower")
+  if (!is_of_stand(name))
     throw InputError("the pairs of rolls of a stand are \"upper\" and \"lower\", not \"" + name + "\"");
   own->stand    = stand_with_rolls(*of);
   own->the_case = std::move(of);

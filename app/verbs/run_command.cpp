@@ -14,27 +14,25 @@
 
 namespace mill {
 namespace {
-Goal goal_of(const std::string &verb)
+Goal goal_of(const Verb verb)
 {
-  if (verb == "stiffness")
-    return Goal::stiffness;
-  if (verb == "masses")
-    return Goal::masses;
-  if (verb == "chatter")
-    return Goal::chatter;
-  return verb == "modes" ? Goal::modes : Goal::simulate;
+  return verb == Verb::stiffness ? Goal::stiffness
+         : verb == Verb::masses  ? Goal::masses
+         : verb == Verb::chatter ? Goal::chatter
+         : verb == Verb::modes   ? Goal::modes
+                                 : Goal::simulate;
 }
 
 // A verb that the kind of the case cannot answer.
-void require_fitting(const std::string &verb, const Case &the_case)
+void require_fitting(const Verb verb, const Case &the_case)
 {
   const RunKind &kind = run_kind(the_case);
   if (std::find(kind.verbs.begin(), kind.verbs.end(), verb) != kind.verbs.end())
     return;
   if (const std::string why = kind.refusal ? kind.refusal(the_case, verb) : ""; !why.empty())
     throw InputError(why);
-  throw InputError("millstand " + verb + " has nothing to compute for kind = \"" + the_case.kind + "\" (" +
-                   the_case.path + "); use millstand run");
+  throw InputError(std::string("millstand ") + word_of(verb) + " has nothing to compute for kind = \"" +
+                   the_case.kind + "\" (" + the_case.path + "); use millstand run");
 }
 
 // What is published at the end, whatever the end is.
@@ -79,7 +77,7 @@ void note_beginning(RunContext &run, const CommandLine &command, const CheckedCa
     run.progress.note(
         fmt::format("{} threads in place of {}: more do not fit (ulimit -v) or do not start (ulimit -u)",
                     run.threads, wanted));
-  run.progress.note("millstand " + version() + " " + command.verb + " " + command.target);
+  run.progress.note("millstand " + version() + " " + word_of(command.verb) + " " + command.target);
   run.progress.note("BLAS " + blas_in_use());
   if (is_reference_blas(blas_in_use()))
     run.warn({WarningId::reference_blas, "",
@@ -102,7 +100,7 @@ FinishedRun carry_out_run(const CommandLine &command, const CheckedCase &checked
   const Case &the_case = checked.the_case;
   require_fitting(command.verb, the_case);
   const OutputDir out(folder_of_run(command, the_case), the_case, command.force_overwrite,
-                      run_id_of(the_case, command.verb, command.force));
+                      run_id_of(the_case, word_of(command.verb), command.force));
   const RunLog log(out, command.log, command.verbose);
   RunContext run{the_case, out, cache_folder(command, out.path() + "/cache"), command.fresh};
   open_cache(run, out.staging());

@@ -1,4 +1,5 @@
 #include "app/verbs/stack_command.h"
+#include "app/command/option_words.h"
 #include "app/process/console.h"
 #include "app/stack/stack_bearings.h"
 #include "app/stack/stack_bite.h"
@@ -41,9 +42,10 @@ std::vector<StackTarget> targets_of(const StackOptions &options)
   std::vector<StackTarget> targets;
   for (const std::string &text : options.targets) {
     const auto [name, value] = named(text, "--target");
-    if (name != "crown" && name != "edge_drop" && name != "wedge")
+    const auto goal          = choice_named<StackGoal>(name);
+    if (!goal)
       throw InputError("--target " + name + " is unknown; crown, edge_drop and wedge are targets");
-    targets.push_back({name, quantity_of(value, "um", "--target " + name)});
+    targets.push_back({*goal, quantity_of(value, "um", "--target " + name)});
   }
   return targets;
 }
@@ -71,9 +73,9 @@ std::string text_of(const StackOptimum &optimum)
 {
   std::string text = fmt::format("{:<24} {:>14} {:>14} {:>14}\n", "strip", "now", "wanted", "reached");
   for (const StackTarget &t : optimum.targets)
-    text += fmt::format("{:<24} {:>11.5g} um {:>11.5g} um {:>11.5g} um\n", t.name, 1e6 * t.present, 1e6 * t.wanted,
-                        1e6 * t.reached);
-  const std::string first = optimum.targets.front().name;
+    text += fmt::format("{:<24} {:>11.5g} um {:>11.5g} um {:>11.5g} um\n", word_of(t.goal), 1e6 * t.present,
+                        1e6 * t.wanted, 1e6 * t.reached);
+  const std::string first = word_of(optimum.targets.front().goal);
   text += fmt::format("\n{:<24} {:>14} {:>14} {:>8}   what is left of its range would change the {} by\n",
                       "actuator", "now", "optimum", "bound", first);
   for (const StackActuator &a : optimum.actuators) {
@@ -91,7 +93,7 @@ std::string text_of(const StackOptimum &optimum)
 int stack_command(const CommandLine &command, const Case &the_case)
 {
   const StackOptions &options = command.stack;
-  if (options.action != "optimise")
+  if (!choice_named<StackAction>(options.action))
     throw InputError("millstand stack knows one action, optimise, not \"" + options.action + "\"");
   const auto *spec = std::get_if<StackCase>(&the_case.spec);
   if (!spec)

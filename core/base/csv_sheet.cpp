@@ -1,4 +1,5 @@
 #include "core/base/csv_sheet.h"
+#include "core/base/text.h"
 #include "core/base/valid_text.h"
 #include <algorithm>
 #include <cmath>
@@ -57,8 +58,8 @@ Sheet sheet_of(const std::string &file, std::string text, const std::string &exa
   std::string encoding;
   sheet.text            = std::make_unique<const std::string>(valid_file_text(std::move(text), encoding));
   std::string_view rest = *sheet.text;
-  if (rest.substr(0, 3) == "\xEF\xBB\xBF") {
-    rest.remove_prefix(3);
+  if (rest.rfind(utf8_mark, 0) == 0) {
+    rest.remove_prefix(utf8_mark.size());
     sheet.notes.push_back("a byte-order mark at the beginning of the file was ignored");
   }
   if (encoding != "UTF-8")

@@ -1,5 +1,6 @@
 #include "core/base/error_list.h"
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/base/visible_text.h"
 #include "core/laws/refuse_input.h"
 #include <algorithm>
@@ -128,7 +129,7 @@ std::string excerpts(std::vector<Place> places, Sources &sources)
       shown.push_back({0, "    ", place.file, ""});
       continue;
     }
-    const bool is_case = place.file.size() > 5 && place.file.substr(place.file.size() - 5) == ".toml";
+    const bool is_case = place.file.size() > 5 && text_ends_with(place.file, ".toml");
     shown.push_back({place.line, fmt::format("{:>4}", place.line), shortened(lines[std::size_t(place.line - 1)]),
                      is_case ? section_above(lines, place.line) : ""});
     widest = std::max(widest, n_characters(shown.back().line));

@@ -1,10 +1,13 @@
 #include "core/base/units.h"
 #include "core/base/short_number.h"
+#include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <stdexcept>
 #include <system_error>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -38,14 +41,13 @@ constexpr Dimension power{2, 1, -3};
 // "J/(kg K)" "J/kg K".
 std::string normalised(const std::string_view spelling)
 {
+  static constexpr std::pair<std::string_view, char> signs[] = {{"\u00b5", 'u'}, {"\u03bc", 'u'}, {"\u00b7", ' '}};
   std::string text;
   for (std::size_t i = 0; i < spelling.size(); ++i) {
-    const std::string_view two = spelling.substr(i, 2);
-    if (two == "\u00b5" || two == "\u03bc") {
-      text += 'u';
-      ++i;
-    } else if (two == "\u00b7") {
-      text += ' ';
+    const auto sign = std::find_if(std::begin(signs), std::end(signs),
+                                   [&](const auto &one) { return spelling.substr(i, 2) == one.first; });
+    if (sign != std::end(signs)) {
+      text += sign->second;
       ++i;
     } else if (spelling[i] == '.' || spelling[i] == '*' || spelling[i] == '\t') {
       text += ' ';

@@ -51,6 +51,7 @@ const std::vector<RollerBearing> &all_bearings(const Case &the_case)
 
 const std::vector<const CaseKind *> &all_kinds()
 {
+  static_assert(std::variant_size_v<CaseSpec> == words_of(KindOfCase()).size(), "each kind has its word");
   static const auto kinds = kinds_in(static_cast<const CaseSpec *>(nullptr));
   return kinds;
 }

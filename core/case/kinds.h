@@ -4,6 +4,7 @@
 #include "core/model/bite_case.h"
 #include "core/model/case.h"
 #include "core/model/four_high.h"
+#include "core/model/kind_of_case.h"
 #include "core/model/lumped.h"
 #include "core/model/pass.h"
 #include "core/model/stack_case.h"

@@ -208,8 +208,9 @@ std::string blas_in_use()
 
 bool is_reference_blas(const std::string &path)
 {
-  return path.find("openblas") == std::string::npos && path.find("mkl") == std::string::npos &&
-         path.find("blis") == std::string::npos && path.find("atlas") == std::string::npos;
+  constexpr const char *fast[] = {"openblas", "mkl", "blis", "atlas"};
+  return std::none_of(std::begin(fast), std::end(fast),
+                      [&](const char *name) { return path.find(name) != std::string::npos; });
 }
 
 const char *fast_blas_kernels()

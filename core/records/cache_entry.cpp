@@ -103,9 +103,9 @@ std::optional<std::string> read_cache_entry(const std::string &path, const std::
   if (!reason.empty() || text.empty())
     return refused(reason);
   const std::size_t key_at = kind.size() + 1, sum_at = key_at + key.size() + 1;
-  if (text.compare(0, key_at, kind + "\n") != 0)
+  if (text.substr(0, key_at) != kind + "\n")
     return refused("it is not a " + kind);
-  if (text.compare(key_at, key.size() + 1, key + "\n") != 0)
+  if (text.substr(std::min(key_at, text.size()), key.size() + 1) != key + "\n")
     return refused("it belongs to other inputs");
   const std::size_t sum_end = text.find('\n', sum_at);
   if (sum_end == std::string::npos)

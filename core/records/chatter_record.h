@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/base/each_member.h"
 #include "core/model/material.h"
 #include <array>
@@ -10,9 +11,16 @@
 // curves/chatter-tandem.json a ChatterTandem.  dynamics/ and app/ fill the records, report/ draws them.  A number
 // that is not known is NaN, a text or list empty.
 namespace mill {
+/// Speeds of the histories of a condition: 2 % below the critical one, at it, 2 % above.
+enum class HistorySpeed { below, at, above };
+constexpr auto words_of(HistorySpeed)
+{
+  return choice_words<HistorySpeed>("below", "at", "above");
+}
+
 /// Whether vibration of a condition begins to grow, and where.
 struct ChatterCritical {
-  std::string verdict;  ///< crossing | stable | unstable | unstable below | no bite; empty: not stored
+  std::string verdict;                                      ///< word of a StabilityFinding; empty: not stored
   double speed                   = not_given;               ///< m/s, of the crossing
   double frequency               = not_given;               ///< Hz
   double growth_at_working       = not_given;               ///< 1/s, at the working speed

@@ -10,6 +10,8 @@ constexpr const char *cluster = "cluster";
 /// Second part of the names of what a fit of the stack finds.
 constexpr const char *cluster_fit  = "fit";
 constexpr const char *cluster_file = "curves/cluster.json";
+/// SI unit of a number that a fit of the stack finds, by its key "contact.W-I.stiffness".
+const char *unit_of_cluster_key(const std::string &key);
 
 namespace curve {
 /// Of a pass: velocity amplitude of every roll and direction.

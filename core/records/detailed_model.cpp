@@ -1,4 +1,5 @@
 #include "core/records/detailed_model.h"
+#include "core/base/choice.h"
 #include "core/base/csv_sheet.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
@@ -52,6 +53,13 @@ void name_unknown(StandModel &s, const std::string &part, StandUnknown unknown)
   s.unknowns.push_back(std::move(unknown));
 }
 
+// What a row of names.csv names.
+enum class NamedRow { unknown, reading };
+constexpr auto words_of(NamedRow)
+{
+  return choice_words<NamedRow>("unknown", "reading");
+}
+
 void read_names(const std::string &path, const Eigen::MatrixXd &readings, StandModel &s)
 {
   csv::Sheet sheet = csv::sheet_of(path, read_text(path), "of,number,name,coordinate,position [m],direction,unit");
@@ -60,8 +68,9 @@ void read_names(const std::string &path, const Eigen::MatrixXd &readings, StandM
              position = column("position", "m"), unit = column("unit", "");
   std::size_t n = 0;
   for (std::size_t r = 0; r < sheet.n_rows(); ++r) {
-    const std::string kind = text_of(sheet.cell(r, owner));
-    if (kind == "unknown") {
+    const std::string word = text_of(sheet.cell(r, owner));
+    const auto kind        = choice_named<NamedRow>(word);
+    if (kind == NamedRow::unknown) {
       const csv::Cell &cell = sheet.cell(r, position);
       name_unknown(s, text_of(sheet.cell(r, name)),
                    {text_of(sheet.cell(r, coordinate)),
@@ -69,9 +78,9 @@ void read_names(const std::string &path, const Eigen::MatrixXd &readings, StandM
                     text_of(sheet.cell(r, unit))});
       continue;
     }
-    if (kind != "reading")
+    if (!kind)
       throw InputError(sheet.place(sheet.cell(r, owner)),
-                       "\"" + kind + "\" is neither \"unknown\" nor \"reading\"");
+                       "\"" + word + "\" is neither \"unknown\" nor \"reading\"");
     if (Eigen::Index(n) >= readings.rows())
       throw InputError(sheet.place(sheet.cell(r, owner)),
                        fmt::format("names reading {} of {}", n + 1, readings.rows()));

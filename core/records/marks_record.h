@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/base/each_member.h"
 #include "core/model/material.h"
 #include <Eigen/Core>
@@ -11,6 +12,13 @@
 namespace mill {
 /// First part of the names of its results: "marks.work_roll.per_turn".
 constexpr const char *marks_family = "marks";
+
+/// How a number of marks on a turn lies to the whole ones.
+enum class Wholeness { whole, between, unclear };
+constexpr auto words_of(Wholeness)
+{
+  return choice_words<Wholeness>("whole", "between", "not distinguishable");
+}
 
 /// What was measured, and how.
 struct MarksQuestion {
@@ -30,7 +38,7 @@ struct RollMarks {
   double whole    = not_given;  ///< -, nearest whole number, at least one
   double off      = not_given;  ///< -, per_turn over it, less one
   double chance   = not_given;  ///< -, that any spacing is whole within the accuracy, (40.3)
-  std::string verdict;          ///< whole | between | not distinguishable
+  std::string verdict;          ///< word of a Wholeness
 };
 
 /// Something that happens at equal angles of a roll, against the marks.
@@ -41,7 +49,7 @@ struct EventMarks {
   double whole     = not_given;  ///< -, nearest whole number, at least one
   double off       = not_given;  ///< -
   double chance    = not_given;  ///< -
-  std::string verdict;           ///< whole | between | not distinguishable
+  std::string verdict;           ///< word of a Wholeness
 };
 
 /// A natural mode against the marks.

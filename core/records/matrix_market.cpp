@@ -1,4 +1,5 @@
 #include "core/records/matrix_market.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include <algorithm>
@@ -67,20 +68,38 @@ private:
   int line             = 0;
 };
 
+// Words of the first line.
+enum class Layout { coordinate, array };
+constexpr auto words_of(Layout)
+{
+  return choice_words<Layout>("coordinate", "array");
+}
+enum class Numbers { real, integer };
+constexpr auto words_of(Numbers)
+{
+  return choice_words<Numbers>("real", "integer");
+}
+enum class Symmetry { general, symmetric };
+constexpr auto words_of(Symmetry)
+{
+  return choice_words<Symmetry>("general", "symmetric");
+}
+
 struct Form {
   bool coordinate = true, symmetric = false;
 };
 
 Form form_of(const std::vector<std::string> &words, const Lines &lines)
 {
-  const auto word_is = [&](const std::size_t i, const char *a, const char *b) {
-    return i < words.size() && (words[i] == a || words[i] == b);
-  };
-  if (words.size() != 5 || words[0] != "%%MatrixMarket" || words[1] != "matrix" ||
-      !word_is(2, "coordinate", "array") || !word_is(3, "real", "integer") || !word_is(4, "general", "symmetric"))
+  static const std::vector<std::string> begin{"%%MatrixMarket", "matrix"};
+  const bool begins   = words.size() == 5 && std::equal(begin.begin(), begin.end(), words.begin());
+  const auto layout   = begins ? choice_named<Layout>(words[2]) : std::nullopt;
+  const auto numbers  = begins ? choice_named<Numbers>(words[3]) : std::nullopt;
+  const auto symmetry = begins ? choice_named<Symmetry>(words[4]) : std::nullopt;
+  if (!layout || !numbers || !symmetry)
     lines.refuse("the first line must be \"%%MatrixMarket matrix coordinate real general\" (or array, integer, "
                  "symmetric)");
-  return {words[2] == "coordinate", words[4] == "symmetric"};
+  return {*layout == Layout::coordinate, *symmetry == Symmetry::symmetric};
 }
 
 void read_entries(Lines &lines, const Form form, const long entries, Eigen::MatrixXd &m)

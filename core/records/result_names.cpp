@@ -1,4 +1,6 @@
 #include "core/records/result_names.h"
+#include "core/records/chain_number.h"
+#include "core/records/contact_name.h"
 #include <algorithm>
 #include <limits>
 #include <stdexcept>
@@ -32,9 +34,10 @@ std::vector<std::string> parts_of(const std::string &name)
 
 std::string spring_of_contact(const std::string &contact)
 {
-  if (contact == "upper")
-    return "K3";
-  return contact == "lower" ? "K5" : result_name({family::contact, contact});
+  const auto name = choice_named<ContactName>(contact);
+  return name == ContactName::upper   ? word_of(ChainNumber::K3)
+         : name == ContactName::lower ? word_of(ChainNumber::K5)
+                                      : result_name({family::contact, contact});
 }
 
 const char *name_of(const CheckId id)

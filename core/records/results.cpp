@@ -1,4 +1,5 @@
 #include "core/records/results.h"
+#include "core/base/units.h"
 #include "core/records/json_archive.h"
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -37,9 +38,7 @@ ordered_json json_of(const EstimateRecord &record)
                     {"value", e.value},
                     {"low", e.low},
                     {"high", e.high},
-                    {"unit", e.unit == "kN/mm" ? "N/m"
-                             : e.unit == "mm"  ? "m"
-                                               : e.unit},
+                    {"unit", si_unit(unit(e.unit)).symbol},
                     {"rule", e.rule}};
   json["moves"] = ordered_json::object();
   for (const auto &[name, move] : record.moves)

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/records/stability_finding.h"
 #include "dynamics/chatter/chatter.h"
 #include "reduce/bite/linear/linear_coefficients.h"
 #include <Eigen/Core>
@@ -47,13 +48,7 @@ struct Crossing {
   std::complex<double> root;     ///< 1/s
 };
 
-enum class Verdict {
-  crossing,        ///< stable below the critical speed, unstable above it
-  stable,          ///< nothing grows at any speed of the range that has a bite
-  unstable,        ///< something grows at every such speed
-  unstable_below,  ///< unstable at the low end, stable above, without a crossing upward: no critical speed
-  no_bite          ///< no steady bite in the range
-};
+using Verdict = StabilityFinding;
 
 /// Answer of a search.
 struct CriticalSpeed {

@@ -1,4 +1,5 @@
 #include "dynamics/cluster/modes.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/base/name_part.h"
 #include "core/numerics/eigen_instances.h"
@@ -10,6 +11,12 @@
 
 namespace mill::cluster {
 namespace {
+enum class Axis { x, y };
+constexpr auto words_of(Axis)
+{
+  return choice_words<Axis>("x", "y");
+}
+
 const char *const direction_names[] = {"x", "y", "turn"};
 
 Motion full_state(const Stack &stack, const Motion &u)
@@ -137,10 +144,11 @@ Eigen::VectorXd parsed_shape(const Stack &stack, const std::string &text)
                                      [&](const Roll &r) { return r.name == name_part(roll); });
     if (result == stack.rolls.end())
       throw InputError(fmt::format("no roll has the name '{}'", roll));
-    if (direction != "x" && direction != "y")
+    const auto axis = choice_named<Axis>(direction);
+    if (!axis)
       throw InputError(
           fmt::format("'{}' is not a direction; give x or y, for example \"{} y 0.8\"", direction, roll));
-    shape[stack.per_roll() * (result - stack.rolls.begin()) + (direction == "y")] = weight;
+    shape[stack.per_roll() * (result - stack.rolls.begin()) + (*axis == Axis::y)] = weight;
   }
   if (shape.isZero())
     throw InputError("names no motion; for example \"W y, I y 0.8\"");

@@ -1,4 +1,5 @@
 #include "dynamics/exchange/modelica.h"
+#include "core/records/chain_number.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -273,9 +274,9 @@ std::string components(const ExchangedStand &stand)
   for (const Spring &spring : stand.springs)
     text += fmt::format("    {}Components.SpringDamper spring_{}(c={}, d=relaxation * {}{}, s_rel0=0);\n", library,
                         spring.name, spring.name, spring.name,
-                        spring.name == "K4" ? " + C_gap"
-                        : spring.damper > 0 ? " + " + number(spring.damper)
-                                            : "");
+                        spring.name == word_of(ChainNumber::K4) ? " + C_gap"
+                        : spring.damper > 0                     ? " + " + number(spring.damper)
+                                                                : "");
   text += "    " + library + "Sources.Force2 bite \"pushes the work rolls apart\";\n  equation\n";
   for (const Spring &spring : stand.springs)
     text +=

@@ -1,6 +1,7 @@
 #include "dynamics/fmu/description.h"
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <set>
 
 namespace mill::fmu {
@@ -62,6 +63,15 @@ std::string bite_number_text(const Variable &v)
   return "displacement of both work rolls away from the strip at the start, all else at rest";
 }
 
+std::string steady_number_text(const Variable &v)
+{
+  static const std::map<std::string, const char *> texts{
+      {"F_steady", "rolling force of the working point"},
+      {"mu_steady", "friction coefficient of the working point"}};
+  const auto text = texts.find(v.name);
+  return text == texts.end() ? "radius of the flattened rolls, which the vibration does not change" : text->second;
+}
+
 std::string bite_reading_text(const Variable &v)
 {
   switch (BiteReadingKind(v.index)) {
@@ -103,9 +113,7 @@ std::string text_of(const ExportedModel &model, const Variable &v)
   case Role::bite_reading:
     return bite_reading_text(v);
   case Role::steady_number:
-    return v.name == "F_steady"    ? "rolling force of the working point"
-           : v.name == "mu_steady" ? "friction coefficient of the working point"
-                                   : "radius of the flattened rolls, which the vibration does not change";
+    return steady_number_text(v);
   case Role::mean_force:
     return std::string("mean rolling force: displacements count from the state of rest under it") +
            (model.data.kind == StandKind::curves
@@ -209,11 +217,17 @@ const char *name_of(const Variability variability)
   return "continuous";
 }
 
+bool is_calculated(const Variable &variable)
+{
+  return variable.causality != Causality::input && variable.causality != Causality::independent &&
+         variable.causality != Causality::parameter;
+}
+
 std::string initial_of(const Variable &variable)
 {
-  if (variable.causality == Causality::input || variable.causality == Causality::independent)
-    return "";
-  return variable.causality == Causality::parameter ? "exact" : "calculated";
+  if (is_calculated(variable))
+    return "calculated";
+  return variable.causality == Causality::parameter ? "exact" : "";
 }
 
 const std::vector<UnitRow> &unit_rows()

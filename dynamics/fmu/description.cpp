@@ -4,6 +4,7 @@
 #include "dynamics/fmu/embedded.h"
 #include "dynamics/fmu/model_text.h"
 #include "dynamics/fmu/runtime/log.h"
+#include "dynamics/fmu/source_names.h"
 #include <algorithm>
 #include <fmt/format.h>
 #include <set>
@@ -72,7 +73,7 @@ std::string capabilities(const ExportedModel &model, const bool three)
   a.add("canNotUseMemoryManagementFunctions", "true");
   std::string text = "  " + a.opening("CoSimulation") + "\n    <SourceFiles>\n";
   for (const EmbeddedFile &file : source_files())
-    if (std::string(file.name).find(".cpp") != std::string::npos)
+    if (is_compiled(file.name))
       text += "      " + Attributes().add("name", file.name).element("File") + "\n";
   return text + "    </SourceFiles>\n  </CoSimulation>\n";
 }
@@ -202,7 +203,7 @@ std::string structure(const std::vector<DescribedVariable> &variables, const Dep
       const auto knowns = depends.at_communication(v);
       outputs += row(three ? knowns : depends.inputs_of(knowns), three ? "Output" : "Unknown");
     }
-    if (initial_of(v) == "calculated")
+    if (is_calculated(v))
       unknowns += row(depends.at_start(v), three ? "InitialUnknown" : "Unknown");
   }
   if (three)
@@ -247,7 +248,7 @@ std::string build_description(const ExportedModel &model)
                          .opening("BuildConfiguration") +
                      "\n    " + Attributes().add("language", "C++17").opening("SourceFileSet") + "\n";
   for (const EmbeddedFile &file : source_files())
-    if (std::string(file.name).find(".cpp") != std::string::npos)
+    if (is_compiled(file.name))
       text += "      " + Attributes().add("name", file.name).element("SourceFile") + "\n";
   return text + "    </SourceFileSet>\n  </BuildConfiguration>\n</fmiBuildDescription>\n";
 }

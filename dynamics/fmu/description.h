@@ -25,6 +25,7 @@ std::string version_of(const ExportedModel &model);
 const char *name_of(Causality causality);
 const char *name_of(Variability variability);
 /// "exact", "calculated", or empty for inputs and the time, which have none.
+bool is_calculated(const Variable &variable);  ///< from the others when the unit starts
 std::string initial_of(const Variable &variable);
 
 /// name="value" pairs of one element of XML.

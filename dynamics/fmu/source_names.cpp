@@ -1,4 +1,5 @@
 #include "dynamics/fmu/source_names.h"
+#include "core/base/text.h"
 #include "dynamics/fmu/embedded.h"
 #include <cctype>
 #include <fmt/format.h>
@@ -44,9 +45,13 @@ std::string source_names(const std::string &identifier)
   return text;
 }
 
+bool is_compiled(const std::string &file)
+{
+  return text_ends_with(file, ".cpp");
+}
+
 std::string travelling_source(const std::string &name, const std::string &text)
 {
-  const bool compiled = name.size() > 4 && name.compare(name.size() - 4, 4, ".cpp") == 0;
-  return compiled ? fmt::format("#include \"{}\"\n{}", names_header, text) : text;
+  return is_compiled(name) ? fmt::format("#include \"{}\"\n{}", names_header, text) : text;
 }
 }  // namespace mill::fmu

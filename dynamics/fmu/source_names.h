@@ -10,6 +10,9 @@ constexpr const char *names_header = "function_prefix.h";
 /// FMI3_OVERRIDE_FUNCTION_PREFIX, as the standard names them, leave the plain names for a shared library.
 std::string source_names(const std::string &identifier);
 
+/// Not a header.
+bool is_compiled(const std::string &file);
+
 /// Text of a source as it travels: one that is compiled includes the header first.
 std::string travelling_source(const std::string &name, const std::string &text);
 }  // namespace mill::fmu

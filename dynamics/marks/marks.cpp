@@ -23,18 +23,20 @@ double surface_speed(const MarksQuestion &q)
 }
 
 // How a number of marks or multiples lies to the whole ones.  (40.3)
-struct Wholeness {
+struct ToWhole {
   double whole, off, chance;
   const char *verdict;
 };
 
-Wholeness wholeness(const double number, const double accuracy)
+ToWhole wholeness(const double number, const double accuracy)
 {
-  Wholeness w;
+  ToWhole w;
   w.whole   = std::max(1.0, std::round(number));
   w.off     = number / w.whole - 1;
   w.chance  = std::min(1.0, 2 * accuracy * number);
-  w.verdict = std::abs(w.off) > accuracy ? "between" : w.chance > 0.5 ? "not distinguishable" : "whole";
+  w.verdict = std::abs(w.off) > accuracy ? word_of(Wholeness::between)
+              : w.chance > 0.5           ? word_of(Wholeness::unclear)
+                                         : word_of(Wholeness::whole);
   return w;
 }
 

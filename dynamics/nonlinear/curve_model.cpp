@@ -1,5 +1,6 @@
 #include "dynamics/nonlinear/curve_model.h"
 #include "core/base/require.h"
+#include "core/records/chain_number.h"
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +15,7 @@ std::vector<double> list_of(const Eigen::VectorXd &v)
 double sense_of(const Eigen::VectorXd &row, const std::string &name, const Eigen::VectorXd &pushed_apart)
 {
   const double strain = row.dot(pushed_apart);
-  return (strain < 0) != (name == "K4") ? -1 : 1;
+  return (strain < 0) != (name == word_of(ChainNumber::K4)) ? -1 : 1;
 }
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "dynamics/response/modal_model.h"
 #include "core/base/require.h"
+#include "core/records/stand_place.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,8 @@ Eigen::MatrixXd mass_of_stack(const StandModel &stand, const Eigen::MatrixXd &sh
 {
   Eigen::MatrixXd of_stack = Eigen::MatrixXd::Zero(shape.rows(), shape.cols());
   for (Eigen::Index i = 0; i < shape.rows(); ++i) {
-    const std::string &part = stand.parts[std::size_t(stand.part_of[std::size_t(i)])];
-    if (part != "housing" && (part.rfind("lower", 0) == 0) == lower)
+    const StandPlace part = stand_place(stand.parts[std::size_t(stand.part_of[std::size_t(i)])]);
+    if (!part.housing && part.lower == lower)
       of_stack.row(i) = shape.row(i);
   }
   return of_stack.transpose() * stand.M * of_stack;

@@ -2,7 +2,9 @@
 #include "core/case/provenance.h"
 #include "reduce/chain/frame_closure.h"
 #include "reduce/chain/screwdown.h"
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace mill::reduce {
@@ -11,7 +13,7 @@ Keys backup_roll_keys(const bool solid)
   // A beam ends at its bearings; what sits there bends nothing.
   Keys body;
   for (const std::string &key : roll_body_keys("backup_roll"))
-    if (key != "backup_roll.neck_length" && key != "backup_roll.bearing_mass")
+    if (!holds(keys_in("backup_roll", "neck_length bearing_mass"), key))
       body.push_back(key);
   return joined(body, keys_in("backup_roll", "bending_model"), keys_in("steel", "youngs_modulus poisson_ratio"),
                 keys_in("dynamics", "mass_reference"),
@@ -32,12 +34,21 @@ Keys housing_keys(const MillHousing &housing, const bool mass)
                 mass ? joined(Keys{"housing.density"}, of_rolls(housing.density, "density")) : Keys{});
 }
 
+namespace {
+bool is_of_housing(const std::string &key)
+{
+  constexpr const char *parts[] = {"frame.upper_post_", "frame.upper_beam_", "frame.lower_post_",
+                                   "frame.lower_beam_"};
+  return std::any_of(std::begin(parts), std::end(parts),
+                     [&](const char *part) { return key.rfind(part, 0) == 0; });
+}
+}  // namespace
+
 Keys as_drawn(const Keys &keys, const FourHigh &stand)
 {
   const auto replaced = frame_with_screwdown(stand.frame, stand.screwdown, stand.steel).replaced;
   const auto drawn_as = [&](const std::string &key) -> Keys {
-    if (stand.housing.present() && (key.find("frame.upper_post_") == 0 || key.find("frame.upper_beam_") == 0 ||
-                                    key.find("frame.lower_post_") == 0 || key.find("frame.lower_beam_") == 0))
+    if (stand.housing.present() && is_of_housing(key))
       return housing_keys(stand.housing, key.find("_mass") != std::string::npos);
     // A backup bearing that contains its chock has taken it out of the chain.
     if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||

@@ -1,5 +1,6 @@
 #include "reduce/stand/fe_masses.h"
 #include "core/base/errors.h"
+#include "core/records/stand_place.h"
 #include "reduce/stand/mass_breakdown.h"
 #include "reduce/stand/six_masses.h"
 #include "reduce/stand/stand_modes.h"
@@ -15,7 +16,7 @@ StandShapes stand_shapes(const StandModel &model)
         std::find_if(model.lines.begin(), model.lines.end(), [&](const StandLine &l) { return l.name == name; });
     if (line == model.lines.end())
       throw InputError("stand model \"" + model.name + "\" has no line \"" + name + "\"");
-    const double sign = name.compare(0, 5, "lower") == 0 ? -1 : 1;  // away from the bite is positive
+    const double sign = stand_place(name).lower ? -1 : 1;  // away from the bite is positive
     return RollShape{line->z, sign * (line->rows * y)};
   };
   return {shape("upper work roll"), shape("lower work roll"), shape("upper backup roll"),

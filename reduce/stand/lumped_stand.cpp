@@ -1,6 +1,7 @@
 #include "reduce/stand/lumped_stand.h"
 #include "core/case/provenance.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/chain_number.h"
 #include "core/records/result_names.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/chain_keys.h"
@@ -347,10 +348,11 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
     uncertain.push_back(spring(&ChainNumbers::K_ZW_factor, "K_ZW", result.K_ZW));
   const auto fills = [&](const std::string &name) {  // a given spring that represents parts that are not drawn
     const Frame &f = stand.frame;
-    return name == "K2" ? std::isnan(f.oil_column_stiffness) || std::isnan(f.cylinder_body_stiffness) ||
-                              std::isnan(f.upper_chock_stiffness)
-           : name == "K6" ? std::isnan(f.lower_chock_stiffness)
-                          : true;
+    return name == word_of(ChainNumber::K2)
+               ? std::isnan(f.oil_column_stiffness) || std::isnan(f.cylinder_body_stiffness) ||
+                     std::isnan(f.upper_chock_stiffness)
+           : name == word_of(ChainNumber::K6) ? std::isnan(f.lower_chock_stiffness)
+                                              : true;
   };
   for (const auto &[name, number] : {std::pair("K1", &ChainNumbers::K1), std::pair("K7", &ChainNumbers::K7),
                                      std::pair("K2", &ChainNumbers::K2), std::pair("K6", &ChainNumbers::K6)})

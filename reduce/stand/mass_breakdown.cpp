@@ -185,7 +185,7 @@ std::vector<MassBreakdown> model_breakdown(const FourHigh &stand, const StandMod
   d.edge     = stand.strip.width / 2;
 
   std::vector<PartMass> upper = upper_frame_parts(stand.frame), lower = lower_frame_parts(stand.frame);
-  const bool housing = std::find(model.parts.begin(), model.parts.end(), "housing") != model.parts.end();
+  const bool housing = std::count(model.parts.begin(), model.parts.end(), "housing") > 0;
   if (housing) {  // posts and beams are one body; what it adds is the difference to the sum
     upper.erase(upper.begin(), upper.begin() + 2);
     lower.erase(lower.begin(), lower.begin() + 2);

@@ -1,4 +1,5 @@
 #include "reduce/stand/mode_names.h"
+#include "core/records/stand_place.h"
 #include "reduce/stand/stand_modes.h"
 #include <algorithm>
 #include <array>
@@ -8,11 +9,6 @@
 namespace mill::reduce {
 namespace {
 constexpr double bending_limit = 0.5;  // share of the strain energy from which a roll bends
-
-bool starts_with(const std::string &text, const char *start)
-{
-  return text.rfind(start, 0) == 0;
-}
 
 /// Shares of the kinetic energy by part; what a part carries is a part of its own.
 std::vector<std::pair<std::string, double>> kinetic_shares(const StandWithModes &s, const Eigen::Index mode)
@@ -33,17 +29,18 @@ std::vector<std::pair<std::string, double>> kinetic_shares(const StandWithModes 
 /// "upper work-roll chock" -> "chock, upper work roll" and "chock_upper_work_roll".
 KineticShare named_part(const std::string &part, const double share, const bool bends)
 {
-  const std::string side = starts_with(part, "lower") ? "lower" : "upper";
-  const char *roll       = part.find("work") != std::string::npos ? "work" : "backup";
+  const StandPlace place = stand_place(part);
+  const std::string side = place.lower ? "lower" : "upper";
+  const char *roll       = place.work ? "work" : "backup";
   const auto name        = [&](const std::string &what) {
     return KineticShare{part, what + ", " + side + " " + roll + " roll", what + "_" + side + "_" + roll + "_roll",
                         share};
   };
-  if (part.find("chock") != std::string::npos)
+  if (place.chock)
     return name("chock");
-  if (part.find("frame") != std::string::npos)
+  if (place.frame)
     return {part, "frame, " + side, "frame_" + side, share};
-  if (part.find("roll") != std::string::npos) {
+  if (place.roll) {
     KineticShare share_of_roll = name(bends ? "bending" : "roll");
     if (bends)
       share_of_roll.part = "bending of the " + part;
@@ -106,8 +103,8 @@ std::vector<GapMotion> gap_motions(const StandWithModes &stand)
       const bool bends =
           std::size_t(p) < stand.model.parts.size() && stand.modes.strain_of_part(p, k) > bending_limit;
       motion.parts.push_back(named_part(part, share, bends));
-      if (part != "housing")  // one body on both sides of the gap
-        motion.stacks[starts_with(part, "lower") ? 1 : 0].kinetic += share;
+      if (const StandPlace place = stand_place(part); !place.housing)  // one body on both sides of the gap
+        motion.stacks[place.lower ? 1 : 0].kinetic += share;
     }
     motions.push_back(std::move(motion));
   }

@@ -1,5 +1,7 @@
 #include "reduce/stand/six_masses.h"
 #include "core/base/errors.h"
+#include "core/records/chain_number.h"
+#include "core/records/stand_place.h"
 #include "reduce/stand/stand_assembly.h"
 #include "reduce/stand/stand_modes.h"
 #include <Eigen/Dense>
@@ -52,7 +54,7 @@ int place_of_unknown(const StandModel &stand, const Eigen::Index i)
   if (place >= 0)
     return place;
   for (const StandPoint &point : stand.points)
-    if (point.name == "housing, chock seat" && point.row[i] != 0)
+    if (const StandPlace at = stand_place(point.name); at.housing && at.seat && point.row[i] != 0)
       return 5;
   return 0;  // the screw; modes of the housing rest in a static shape
 }
@@ -98,7 +100,8 @@ StandModel load_path(const StandModel &stand)
   StandModel path             = without(stand, "K4");
   const Eigen::VectorXd upper = path.points[0].row, across = upper - path.points[5].row;
   for (Connection &c : path.connections)
-    if (c.name == "K1" && c.rows.rows() == 1 && (c.rows.row(0).transpose() - across).isZero(1e-12))
+    if (c.name == word_of(ChainNumber::K1) && c.rows.rows() == 1 &&
+        (c.rows.row(0).transpose() - across).isZero(1e-12))
       c.rows.row(0) = upper;
   return path;
 }

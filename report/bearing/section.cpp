@@ -13,7 +13,7 @@ namespace {
 // A run that compares models has more to show than one by the standard alone; missing parts are then named.
 bool is_compared(const Run &run, const std::string &bearing)
 {
-  return run.manifest.kind == "bearing" || stored_curve(run, curve::bearing_law, bearing);
+  return run.manifest.kind == KindOfCase::bearing || stored_curve(run, curve::bearing_law, bearing);
 }
 
 // The arrangement of the rows decides the effect of a tilt; the text also states whether the case gives it.
@@ -34,9 +34,8 @@ std::string arrangement_sentence(const BearingInfo &info)
 bool has_radial_load(const Run &run, const std::string &bearing)
 {
   const auto names = results_of_bearing(run, bearing);
-  return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string &name) {
-           return run.find(name + ".secant") != nullptr;
-         });
+  return names.empty() || std::any_of(names.begin(), names.end(),
+                                      [&](const std::string &name) { return bool(run.find(name + ".secant")); });
 }
 
 void sketch(Page &page, const Run &run, const std::string &bearing)
@@ -117,7 +116,7 @@ void rollers(Page &page, const Run &run, const std::string &bearing)
                 "include, and in the plane-strain form each slice is independent of its neighbours. All have the "
                 "profile of the roller, which makes the "
                 "tangent step where slices or rows of elements come into contact.");
-  else if (run.manifest.kind == "bearing")
+  else if (run.manifest.kind == KindOfCase::bearing)
     page.absent("The laws of one roller are", curve_path(curve::bearing_law, bearing) + ".csv");
   if (const Table *tilt = stored_curve(run, curve::bearing_tilt, bearing))
     if (const auto drawings = roller_tilt_drawings(*tilt); !drawings.empty())
@@ -167,7 +166,7 @@ void bearing_section(Page &page, const Run &run)
   for (const std::string &name : items_of(run, curve::bearing_rows))  // without a radial load no curve exists
     if (std::find(bearings.begin(), bearings.end(), name) == bearings.end())
       bearings.push_back(name);
-  const bool wanted = run.manifest.kind == "four-high" || run.manifest.kind == "bearing";
+  const bool wanted = run.manifest.kind == KindOfCase::four_high || run.manifest.kind == KindOfCase::bearing;
   if (bearings.empty() && !wanted)
     return;
   page.section("bearings", "Bearings");

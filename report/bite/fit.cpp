@@ -1,3 +1,4 @@
+#include "core/model/bite_setup.h"
 #include "report/bite/figures.h"
 #include "report/page/curves.h"
 #include "report/plot/number.h"
@@ -90,13 +91,13 @@ std::string fit_residuals(const Run &run)
   for (const Result &result : run.results) {
     if (result.name.rfind(prefix, 0) != 0)
       continue;
-    const auto dot         = result.name.rfind('.');
-    const std::string kind = result.name.substr(dot + 1);
+    const auto dot     = result.name.rfind('.');
+    const auto measure = choice_named<PassMeasure>(result.name.substr(dot + 1));
     body += "<tr><th scope=\"row\">" + escaped(result.name.substr(prefix.size(), dot - prefix.size())) +
             "</th><td>" +
-            (kind == "force"  ? "rolling force"
-             : kind == "slip" ? "forward slip"
-                              : "torque of a roll") +
+            (measure == PassMeasure::force  ? "rolling force"
+             : measure == PassMeasure::slip ? "forward slip"
+                                            : "torque of a roll") +
             "</td><td class=\"num\">" + fixed(result.value, 2) + "</td></tr>\n";
   }
   return body.empty() ? ""

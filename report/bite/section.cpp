@@ -1,3 +1,4 @@
+#include "core/records/bite_model.h"
 #include "report/bite/figures.h"
 #include "report/page/sections.h"
 #include "report/plot/number.h"
@@ -8,7 +9,7 @@ namespace mill::report {
 namespace {
 bool has_elements(const BitePass &pass)
 {
-  return !pass.models.empty() && pass.models.front() == "fe";
+  return !pass.models.empty() && pass.models.front() == word_of(BiteModel::fe);
 }
 
 void along_the_arc(Page &page, const Run &run, const BitePass &pass)
@@ -113,7 +114,8 @@ void stiffness(Page &page, const Run &run)
 void bite_section(Page &page, const Run &run)
 {
   const auto passes = bite_passes(run);
-  if (passes.empty() || run.manifest.kind == "chatter")  // there the bite is a part of the section on chatter
+  if (passes.empty() ||
+      run.manifest.kind == KindOfCase::chatter)  // there the bite is a part of the section on chatter
     return;
   page.section("bite", "Roll bite");
   one_pass(page, run, passes.front());

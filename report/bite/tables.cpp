@@ -1,4 +1,5 @@
 #include "report/results/tables.h"
+#include "core/records/bite_model.h"
 #include "report/bite/figures.h"
 #include "report/page/cells.h"
 #include "report/page/curves.h"
@@ -92,9 +93,10 @@ std::string bite_breakdown_table(const Run &run, const BitePass &pass)
     if (std::isfinite(value))
       steps.push_back({what, value});
   };
-  add("homogeneous slab on a rigid roll (K\u00e1rm\u00e1n)", force("karman-rigid"));
-  if (force("karman") != force("karman-rigid"))
-    add("the roll flattens (Hitchcock's circle)", force("karman"));
+  const double rigid = force(word_of(BiteModel::karman_rigid)), circle = force(word_of(BiteModel::karman));
+  add("homogeneous slab on a rigid roll (K\u00e1rm\u00e1n)", rigid);
+  if (circle != rigid)
+    add("the roll flattens (Hitchcock's circle)", circle);
   add("stress changes over the thickness (Orowan)", force("orowan"));
   add("all other effects in the finite elements: shear through the strip, its ends, the free shape of the roll",
       force("fe"));

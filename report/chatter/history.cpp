@@ -80,8 +80,9 @@ Line line_of(const Table &table, const char *column, const char *unit, const std
 
 const ChatterHistoryInfo *info_of(const ChatterCondition &condition, const std::string &what)
 {
+  const std::string file = "response/chatter-" + condition.slug + "-" + what;
   for (const ChatterHistoryInfo &info : condition.histories)
-    if (info.file == "response/chatter-" + condition.slug + "-" + what)
+    if (info.file == file)
       return &info;
   return nullptr;
 }
@@ -96,11 +97,12 @@ std::string rate(const double growth)
 std::string title_of(const std::string &what, const ChatterCondition &condition)
 {
   const ChatterHistoryInfo *info = info_of(condition, what);
-  const bool working             = what == "at" && info && !std::isfinite(condition.critical.speed);
-  std::string title              = what == "below"   ? "Below the critical speed"
-                                   : what == "above" ? "Above the critical speed"
-                                   : working         ? "At the working speed"
-                                                     : "At the critical speed";
+  const auto place               = choice_named<HistorySpeed>(what);
+  const bool working             = place == HistorySpeed::at && info && !std::isfinite(condition.critical.speed);
+  std::string title              = place == HistorySpeed::below   ? "Below the critical speed"
+                                   : place == HistorySpeed::above ? "Above the critical speed"
+                                   : working                      ? "At the working speed"
+                                                                  : "At the critical speed";
   if (!info)
     return title;
   if (std::isfinite(info->speed))

@@ -21,11 +21,14 @@ struct Grid {
 
 struct OtherAxis {
   const char *key, *quantity, *unit, *title;
+  double (*working)(const ChatterCondition &);  // where the condition is on it
 };
 constexpr OtherAxis axes[] = {
-    {"reduction", "reduction", "%", "Speed and reduction"},
-    {"tension", "tension of the condition", "%", "Speed and tension"},
-    {"viscosity", "viscosity of the oil", "mPa s", "Speed and viscosity"},
+    {"reduction", "reduction", "%", "Speed and reduction", [](const ChatterCondition &c) { return c.reduction; }},
+    {"tension", "tension of the condition", "%", "Speed and tension",
+     [](const ChatterCondition &) { return 100.; }},
+    {"viscosity", "viscosity of the oil", "mPa s", "Speed and viscosity",
+     [](const ChatterCondition &c) { return c.viscosity; }},
 };
 
 // Speed runs fastest; a table that is not such a grid draws nothing.
@@ -169,8 +172,7 @@ void draw_boundary(Svg &svg, const Table &table, const OtherAxis &axis, const Fr
 
 void draw_working_point(Svg &svg, const ChatterCondition &condition, const OtherAxis &axis, const Frame &frame)
 {
-  const std::string key = axis.key;
-  const double other    = key == "tension" ? 100 : key == "reduction" ? condition.reduction : condition.viscosity;
+  const double other = axis.working(condition);
   if (frame.holds(condition.speed, other)) {
     const double x = frame.x(condition.speed), y = frame.y(other);
     const bool left = x + 9 + text_width("works here", 11) > frame.right;

@@ -197,7 +197,7 @@ void tandem(Page &page, const Run &run, const std::optional<ChatterTandem> &stor
 
 void chatter_section(Page &page, const Run &run, const ChatterData &data)
 {
-  if (data.empty() && run.manifest.kind != "chatter")
+  if (data.empty() && run.manifest.kind != KindOfCase::chatter)
     return;
   page.section("chatter", "Chatter");
   for (const std::string &problem : data.problems)

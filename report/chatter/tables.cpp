@@ -1,3 +1,5 @@
+#include "core/base/si_unit.h"
+#include "core/records/stability_finding.h"
 #include "report/chatter/figures.h"
 #include "report/page/cells.h"
 #include "report/plot/number.h"
@@ -34,15 +36,21 @@ std::string compared_cell(const double here, const double other)
 
 std::string verdict_in_words(const std::string &verdict, const double speed)
 {
-  if (verdict == "crossing")
+  const auto finding = choice_named<StabilityFinding>(verdict);
+  if (!finding)
+    return verdict.empty() ? "\u2013" : verdict;
+  switch (*finding) {
+  case StabilityFinding::crossing:
     return std::isfinite(speed) ? "chatters from " + speed_text(speed) + " m/s" : "chatters within the range";
-  if (verdict == "stable" || verdict == "unstable")
+  case StabilityFinding::stable:
+  case StabilityFinding::unstable:
     return verdict + " throughout";
-  if (verdict == "unstable below")
+  case StabilityFinding::unstable_below:
     return "unstable at low speed, stable above";
-  if (verdict == "no bite")
-    return "no steady bite in the range";
-  return verdict.empty() ? "\u2013" : verdict;
+  case StabilityFinding::no_bite:
+    break;
+  }
+  return "no steady bite in the range";
 }
 
 std::string chatter_summary_table(const std::vector<ChatterCondition> &conditions)
@@ -76,8 +84,7 @@ std::string chatter_published_table(const std::vector<ChatterCondition> &conditi
       const auto other = [&](const double value) {
         return cell(significant(value, 4) + deviation_note(entry.here, value));
       };
-      const bool bare = entry.unit.empty() || entry.unit == "-" || entry.unit == "1";
-      body += named_row(c.name, in_plain_words(entry.quantity + (bare ? "" : " [" + unit_sign(entry.unit) + "]")) +
+      body += named_row(c.name, in_plain_words(entry.quantity + after_name(unit_sign(entry.unit))) +
                                     cell("<b>" + significant(entry.here, 5) + "</b>") + other(entry.published) +
                                     other(entry.measured) + "<td>" + escaped(entry.note) + "</td>");
     }

@@ -1,5 +1,6 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/si_unit.h"
 #include "core/records/cluster_names.h"
 #include "core/records/json_archive.h"
 #include "report/cluster/figures.h"
@@ -62,7 +63,7 @@ std::string history_drawing(const Table &table, const ClusterPassRecord &pass)
   plot.height     = 300;
   std::size_t pen = 0;
   for (std::size_t i = 1; i < table.columns.size(); ++i)
-    if (table.units[i] == "N" && table.columns[i].size() > 0)
+    if (is_in(table.units[i], SiUnit::newton) && table.columns[i].size() > 0)
       plot.lines.push_back({table.names[i], 1e3 * table.columns[0],
                             100 * table.columns[i] / std::max(table.columns[i].mean(), 1e-9),
                             pens[pen++ % std::size(pens)]});

@@ -1,3 +1,5 @@
+#include "core/base/si_unit.h"
+#include "core/records/cluster_names.h"
 #include "report/cluster/figures.h"
 #include "report/page/cells.h"
 #include "report/plot/number.h"
@@ -38,12 +40,11 @@ const ClusterModeRecord *mode_called(const ClusterPassRecord &pass, const std::s
 
 std::string unit_of_key(const std::string &key, double &value)
 {
-  const std::string last = key.substr(key.rfind('.') + 1);
-  if (last == "direction" || last == "half_angle") {
-    value *= 180 / M_PI;
-    return " deg";
-  }
-  return last == "stiffness" ? " N/m" : last == "load" || last == "preload" ? " N" : "";
+  const std::string unit = unit_of_cluster_key(key);
+  if (!is_in(unit, SiUnit::radian))
+    return after_number(unit);
+  value *= 180 / M_PI;
+  return " deg";
 }
 
 std::string fitted_numbers(const ClusterFitRecord &fit)
@@ -132,10 +133,9 @@ std::string gap_table(const Run &run)
     const Result *share = run.find(mode + ".gap_share");
     return cell(share ? fixed(100 * share->value, 1) : "-");
   };
-  for (const std::string family : {"mode.", "open.mode."})
+  for (const bool open : {false, true})
     for (const Result &result : run.results) {
-      const std::string key = key_of_mode(result.name, family);
-      const bool open       = family == "open.mode.";
+      const std::string key = key_of_mode(result.name, open ? "open.mode." : "mode.");
       if (key.empty() || (open && run.find("mode." + key + ".frequency")))
         continue;
       const Result *other = run.find("open.mode." + key + ".frequency");

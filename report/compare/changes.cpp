@@ -1,4 +1,5 @@
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/compare/certainty.h"
 #include <algorithm>
 #include <cmath>
@@ -112,8 +113,8 @@ bool leads(const Result &result)
 {
   const auto parts = parts_of(result.name);
   return is_of(result.name, result_name({family::stand, "modulus"})) ||
-         (parts.front() == family::mode && parts.back() == "frequency") ||
-         (parts.front() == family::chatter && parts.back() == "critical_speed");
+         (parts.front() == family::mode && is_word(parts.back(), ResultWord::frequency)) ||
+         (parts.front() == family::chatter && is_word(parts.back(), ResultWord::critical_speed));
 }
 
 double change_between(const Result &first, const Result &other)

@@ -100,8 +100,9 @@ ContactCurves contact_curves(const Run &run, const std::string &name)
                         "kN/mm",
                         {}};
   if (values_of(*contact.curve, {"load", "N"}).size() == 0) {
-    contact.load      = "N/mm";
-    contact.stiffness = "kN/mm per m";
+    contact.per_length = true;
+    contact.load       = "N/mm";
+    contact.stiffness  = "kN/mm per m";
   }
   contact.loads = working_loads(run, name, contact.load);
   for (WorkingLoad &working : contact.loads) {

@@ -25,6 +25,7 @@ struct ContactCurves {
   std::string load;                 ///< "kN" or "N/mm"
   std::string stiffness;            ///< "kN/mm" or "kN/mm per m"
   std::vector<WorkingLoad> loads;
+  bool per_length = false;  ///< of bodies in plane strain
 };
 ContactCurves contact_curves(const Run &run, const std::string &name);
 

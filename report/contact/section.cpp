@@ -1,3 +1,4 @@
+#include "core/records/contact_name.h"
 #include "report/contact/curves.h"
 #include "report/contact/pressure_map.h"
 #include "report/page/curves.h"
@@ -18,7 +19,7 @@ constexpr std::array<Pen, 5> pens_of_barrels{Pen::dark, Pen::warm, Pen::dashed, 
 // Approach of a closed form in µm from its load and secant.
 Line closed_approach(const ContactCurves &contact, const ClosedForm &form)
 {
-  const bool per_length        = contact.load != "kN";
+  const bool per_length        = contact.per_length;
   const Eigen::VectorXd load   = values_of(*contact.closed, {"load", per_length ? "N/m" : "N"});
   const Eigen::VectorXd secant = values_of(*contact.closed, {form.column, per_length ? "N/m\u00b2" : "N/m"});
   if (load.size() == 0 || secant.size() != load.size())
@@ -102,7 +103,7 @@ std::string band_caption(const bool plane_strain)
 std::string why_in_band(const Run &run, const std::string &name)
 {
   const Result *secant = run.find(result_name({spring_of_contact(name), "secant"}));
-  if (!secant || name == "line")
+  if (!secant || is_contact(name, ContactName::line))
     return "";
   const double closed  = value_beside(secant->checks, CheckId::johnson_secant),
                section = value_beside(secant->checks, CheckId::middle_section),
@@ -156,10 +157,10 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
                           ? " This run squeezes each roll evenly between two contacts, as the closed forms "
                             "do; dashed, the rolls are held as in the stand and bend as well."
                           : ""));
-  if (!contact.closed && name != "space")
+  if (!contact.closed && !is_contact(name, ContactName::space))
     page.absent("Closed forms for the contact curve are", curve_path(curve::contact_closed, name) + ".csv");
   else if (const std::string table = band_table(contact); !table.empty()) {
-    page.table(table, band_caption(name == "line"));
+    page.table(table, band_caption(is_contact(name, ContactName::line)));
     if (const std::string why = why_in_band(run, name); !why.empty())
       page.paragraph(why);
   }
@@ -183,12 +184,12 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
             std::string(second ? " The Fourier solver, a series around the roll, shares neither mesh nor solver "
                                  "with the first: where the lines lie on one another, both are right."
                                : ""));
-  else if (name != "line" && name != "space")
+  else if (is_of_stand(name))
     page.absent("The distribution along the barrel is", curve_path(curve::contact_barrel, name) + ".csv");
   if (const Table *map = stored_curve(run, curve::contact_pressure, name))
     page.figure(
         {pressure_map(*map, "Contact pressure", "distance from mid-length")},
-        name == "space"
+        is_contact(name, ContactName::space)
             ? "Pressure over the contact patch by boundary elements on half spaces, mean of each rectangle; from "
               "mid-length when both sides carry the same. The two directions have scales of their own. Where a "
               "sharp end carries, the last row is as high as the grid is fine."
@@ -208,9 +209,9 @@ void one_contact(Page &page, const Run &run, const std::string &name, const std:
 void contact_section(Page &page, const Run &run)
 {
   const auto contacts = items_of(run, curve::contact);
-  if (contacts.empty() &&
-      (run.manifest.kind == "lumped" || run.manifest.kind == "bearing" || run.manifest.kind == "bite" ||
-       run.manifest.kind == "chatter" || run.manifest.kind == "cluster"))
+  if (contacts.empty() && (run.manifest.kind == KindOfCase::lumped || run.manifest.kind == KindOfCase::bearing ||
+                           run.manifest.kind == KindOfCase::bite || run.manifest.kind == KindOfCase::chatter ||
+                           run.manifest.kind == KindOfCase::cluster))
     return;
   page.section("contact", "Roll contact");
   if (contacts.empty())

@@ -1,3 +1,4 @@
+#include "core/model/dynamics_settings.h"
 #include "report/frequency/figures.h"
 #include "report/page/curves.h"
 #include "report/plot/number.h"
@@ -90,14 +91,15 @@ std::string magnitude_drawing(const Run &run, const std::string &model, const st
     for (const auto &[end, label] : {std::pair("_low", "95 % band"), std::pair("_high", "")})
       if (const Eigen::VectorXd *edge = band->column(column_of(place) + end))
         plot.lines.push_back({label, values_of(*band, {"frequency", "Hz"}), per_kilonewton * *edge, Pen::pale});
-  const std::pair<const char *, const char *> models[] = {
-      {"craig-bampton", "finite elements"}, {"beam", "beams"}, {"six-mass", "six masses"}};
-  for (const auto &[name, label] : models)
-    if (const Parts parts = response_parts(run, name, "bite", place); parts.stored())
+  const std::pair<StandModelKind, const char *> models[] = {{StandModelKind::craig_bampton, "finite elements"},
+                                                            {StandModelKind::beam, "beams"},
+                                                            {StandModelKind::six_mass, "six masses"}};
+  for (const auto &[kind, label] : models)
+    if (const Parts parts = response_parts(run, word_of(kind), "bite", place); parts.stored())
       plot.lines.push_back({label, parts.f, parts.magnitude(),
-                            name == model                 ? Pen::dark
-                            : name == std::string("beam") ? Pen::dotted
-                                                          : Pen::warm_dashed});
+                            model == word_of(kind)         ? Pen::dark
+                            : kind == StandModelKind::beam ? Pen::dotted
+                                                           : Pen::warm_dashed});
   limit_height(plot);
   return svg_plot(plot);
 }

@@ -1,4 +1,5 @@
 #include "core/records/result_names.h"
+#include "core/records/stand_place.h"
 #include "report/frequency/figures.h"
 #include "report/page/curves.h"
 #include "report/page/page.h"
@@ -45,7 +46,7 @@ std::string peak_rows(const Run &run, const std::vector<std::string> &places)
 
 std::string band_sentence(const Run &run, const std::string &model)
 {
-  const bool drawn       = stored_curve(run, curve::frf_band, model + "-bite") != nullptr;
+  const bool drawn       = bool(stored_curve(run, curve::frf_band, model + "-bite"));
   const std::string name = drawn
                                ? " Between the pale lines lie 95 of 100 stands drawn at random from the errors of "
                                  "springs, masses and mesh, each taken as 1.96 standard deviations."
@@ -79,7 +80,7 @@ void responses(Page &page, const Run &run)
                       band_sentence(run, model));
   std::vector<std::string> chocks, rolls;
   for (const std::string &place : places)
-    (place.find("chock") == std::string::npos ? rolls : chocks).push_back(place);
+    (stand_place(place).chock ? chocks : rolls).push_back(place);
   const std::string at_chocks = places_drawing(run, model, "Chocks, force in the bite", chocks, false),
                     tapped    = places_drawing(run, model, "Chocks, force at the chock", chocks, true);
   if (!at_chocks.empty())

@@ -1,8 +1,10 @@
 // The numbers that a mill is judged by, one card each.
 #include "report/front/cards.h"
 #include "core/base/short_number.h"
+#include "core/base/text.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/front/stability.h"
 #include "report/marks/figures.h"
 #include "report/page/curves.h"
@@ -36,12 +38,19 @@ const Result *largest_level(const Run &run, std::string &label)
 
 // Cards --------------------------------------------------------------------------------------------------------
 
+// "pass 1.peak_g.upper_work_roll"
+bool is_acceleration_in_g(const std::string &name)
+{
+  const auto parts = parts_of(name);
+  return parts.size() > 1 && text_ends_with(parts[parts.size() - 2], "_g");
+}
+
 std::string card(const Result *result, const std::string &label, const std::string &below = "",
                  const std::string &state = "")
 {
   if (!has_value(result))
     return "";
-  const bool acceleration = result->name.find("_g.") != std::string::npos;
+  const bool acceleration = is_acceleration_in_g(result->name);
   const Shown shown =
       acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
   const std::string number =
@@ -124,7 +133,7 @@ std::string gap_mode_card(const Run &run, const std::string &key)
   if (!has_value(frequency))
     return "";
   const Result *open        = run.find(result_name({family::open, family::mode, key, "frequency"}));
-  const std::string damping = key == "gap_first_kind" ? damping_of(run, *frequency) : "";
+  const std::string damping = is_word(key, ResultWord::gap_first_kind) ? damping_of(run, *frequency) : "";
   const NamedMode named     = named_mode(*frequency);
   std::string below         = named.model;
   if (has_value(open))
@@ -157,7 +166,8 @@ std::string force_card(const Run &run)
   double largest = 0;
   for (const Result &result : run.results) {
     const auto parts = parts_of(result.name);
-    if (parts.size() != 3 || parts[0] != family::bite || parts[2] != "force" || !has_value(&result))
+    if (parts.size() != 3 || parts[0] != family::bite || !is_word(parts[2], ResultWord::force) ||
+        !has_value(&result))
       continue;
     for (const Check &check : result.checks)
       if (const double apart = result.value / check.value - 1;
@@ -276,7 +286,7 @@ std::string marks_cards(const Run &run)
   std::string all = card(run.find(result_name({marks_family, "frequency"})), "frequency of the marks");
   for (const Result &result : run.results)
     if (const auto parts = parts_of(result.name);
-        parts.size() == 3 && parts[0] == marks_family && parts[2] == "per_turn")
+        parts.size() == 3 && parts[0] == marks_family && is_word(parts[2], ResultWord::per_turn))
       all += card(&result, meaning_of(result.name));
   return all;
 }
@@ -287,17 +297,17 @@ std::string cards(const Run &run)
 {
   if (holds_marks(run))
     return marks_cards(run);
-  if (run.manifest.kind == "cluster")
+  if (run.manifest.kind == KindOfCase::cluster)
     return cluster_cards(run);
-  if (run.manifest.kind == "stack")
+  if (run.manifest.kind == KindOfCase::stack)
     return stack_cards(run);
   if (has_chain(run))
     return chain_cards(run);
-  if (run.manifest.kind == "bearing")
+  if (run.manifest.kind == KindOfCase::bearing)
     return bearing_cards(run);
-  if (run.manifest.kind == "chatter")
+  if (run.manifest.kind == KindOfCase::chatter)
     return speed_cards(run);
-  if (run.manifest.kind == "bite")
+  if (run.manifest.kind == KindOfCase::bite)
     return bite_cards(run);
   return contact_cards(run);
 }

@@ -3,6 +3,7 @@
 #include "core/base/name_part.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
+#include "core/records/run_status.h"
 #include "report/front/cards.h"
 #include "report/front/chain_table.h"
 #include "report/front/stability.h"
@@ -21,7 +22,7 @@ constexpr std::size_t most_facts = 5;
 
 bool has_failed(const Run &run)
 {
-  return run.status != "ok" && run.status != "warnings";
+  return !choice_named<RunStatus>(run.status);
 }
 
 // A sentence begins with a capital; a key of the case ("output_rate", "strip.width") stays as it is written.
@@ -39,13 +40,14 @@ std::string sentence(const Run &run)
 {
   if (holds_marks(run))
     return marks_sentence(read_marks(run.directory));
-  if (run.manifest.kind == "stack" && has_value(run.find("stack.crown")) && has_value(run.find("stack.edge_drop")))
+  if (run.manifest.kind == KindOfCase::stack && has_value(run.find("stack.crown")) &&
+      has_value(run.find("stack.edge_drop")))
     return "The strip has a crown of " + shown(*run.find("stack.crown")) + " and an edge drop of " +
            shown(*run.find("stack.edge_drop"));
-  if (run.manifest.kind == "bearing" && has_value(run.find("Kzc.tangent")))
+  if (run.manifest.kind == KindOfCase::bearing && has_value(run.find("Kzc.tangent")))
     return "The bearing is a spring of " + escaped(shown(*run.find("Kzc.tangent"))) +
            (run.find("Kzc.tangent")->at.empty() ? "" : " at " + escaped(run.find("Kzc.tangent")->at));
-  if (const Result *k4 = run.find("K4.combined"); run.manifest.kind == "bite" && has_value(k4))
+  if (const Result *k4 = run.find("K4.combined"); run.manifest.kind == KindOfCase::bite && has_value(k4))
     return "The bite is a spring of " + escaped(shown(*k4)) + (k4->at.empty() ? "" : " at " + escaped(k4->at));
   for (const char *contact : pair_contacts)
     if (const Result *k = run.find(result_name({family::contact, contact, "tangent"})); has_value(k))
@@ -79,7 +81,7 @@ std::string verdict(const Run &run)
   const auto verdicts         = speed_verdicts(run);
   const bool poor             = !verdicts.empty() && verdicts.front().finding == SpeedFinding::unstable;
   const bool unsure           = !verdicts.empty() && verdicts.front().is_doubtful();
-  const bool doubt            = run.status == "warnings" || !run.warnings.empty();
+  const bool doubt            = run.status == word_of(RunStatus::warnings) || !run.warnings.empty();
   const std::string finished  = doubt ? "Finished with " + count_of_warnings(run) + "." : "Finished.";
   const std::string stability = stability_sentence(run, verdicts), outcome = sentence(run);
   const std::string words =
@@ -184,10 +186,11 @@ std::string estimates(const Run &run)
 
 std::string screen_head(const Run &run)
 {
-  const Manifest &m = run.manifest;
+  const Manifest &m      = run.manifest;
+  const std::string kind = m.kind ? word_of(*m.kind) : "";
   std::string facts;
   for (const auto &[name, value] : {std::pair<const char *, const std::string &>("case", run.case_name),
-                                    {"kind", m.kind},
+                                    {"kind", kind},
                                     {"run", m.run_id},
                                     {"date", m.date}})
     if (!value.empty())

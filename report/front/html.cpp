@@ -45,8 +45,8 @@ std::string sidebar(const Run &run, const Page &page)
 
 bool has_chain(const Run &run)
 {
-  return run.manifest.kind != "two-cylinders" && run.manifest.kind != "bearing" &&
-         run.manifest.kind != "chatter" && (run.find("M1") || stored_curve(run, curve::modes));
+  return run.manifest.kind != KindOfCase::two_cylinders && run.manifest.kind != KindOfCase::bearing &&
+         run.manifest.kind != KindOfCase::chatter && (run.find("M1") || stored_curve(run, curve::modes));
 }
 
 std::string title_element(const std::string &title)

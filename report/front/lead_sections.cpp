@@ -29,16 +29,16 @@ std::string what_is_in_short(const Run &run)
   if (has_chain(run))
     return "What the model runs on. Stiffnesses belong to the whole stand, Kzc to one bearing; for a contact the "
            "tangent is used.";
-  if (run.manifest.kind == "bearing")
+  if (run.manifest.kind == KindOfCase::bearing)
     return "One bearing at its working load; tangents belong to small motions about that state.";
-  if (run.manifest.kind == "bite")
+  if (run.manifest.kind == KindOfCase::bite)
     return "The strip between the work rolls, by the model that gives K4; derivatives are exact and hold the arc.";
-  if (run.manifest.kind == "chatter")
+  if (run.manifest.kind == KindOfCase::chatter)
     return "Every condition at its working speed; a positive growth rate means that the stand chatters.";
-  if (run.manifest.kind == "cluster")
+  if (run.manifest.kind == KindOfCase::cluster)
     return "Every pass: its force, the named natural frequencies about the state at rest, how far it is from "
            "buckling and from an open contact; then the numbers that variants of the stack are fitted with.";
-  if (run.manifest.kind == "stack")
+  if (run.manifest.kind == KindOfCase::stack)
     return "The strip that the loaded stack makes, the contacts of its rolls, and how the crown follows force, "
            "bending, "
            "crowns and eccentrics; derivatives are exact at this state.";
@@ -64,7 +64,7 @@ std::string what_chatter_leaves_out()
 
 std::string what_is_left_out(const Run &run)
 {
-  if (run.manifest.kind == "chatter")
+  if (run.manifest.kind == KindOfCase::chatter)
     return what_chatter_leaves_out();
   if (stored_curve(run, curve::modes_of_model, "craig-bampton"))
     return "Vertical motion, the same on both sides of mid-length; rocking and the motion along the pass line are "
@@ -78,22 +78,22 @@ std::string what_is_left_out(const Run &run)
            "rocking on their necks, chocks that move against their roll, or frame modes with several moving "
            "points. "
            "The chain is linear and has no feedback from the strip: it rings, but it cannot become unstable.";
-  if (run.manifest.kind == "bearing")
+  if (run.manifest.kind == KindOfCase::bearing)
     return "Raceways and rollers are elastic, smooth and dry: no friction, no oil film, no cage forces, no heat. "
            "A "
            "stiffness of rings and chock is that of the bodies described in the case; the housing that holds the "
            "chock is rigid.";
-  if (run.manifest.kind == "bite")
+  if (run.manifest.kind == KindOfCase::bite)
     return "Plane strain: the strip does not spread, and its edges are not seen. The flow stress is the same at "
            "any "
            "rate and temperature, friction one law along the whole arc; lubricant and heat are not followed. "
            "These numbers are not compared with a published experiment.";
-  if (run.manifest.kind == "cluster")
+  if (run.manifest.kind == KindOfCase::cluster)
     return "Rolls are rigid discs in one plane, their contacts and supports springs of one length: no bending, no "
            "tilt "
            "across the strip, no saddle or housing that moves, no chatter feedback from the strip. The law of a "
            "support is taken from the case.";
-  if (run.manifest.kind == "stack")
+  if (run.manifest.kind == KindOfCase::stack)
     return "Rolls are Timoshenko beams, their contacts springs per length: contacts of one roll do not feel each "
            "other, "
            "shoulders do not soften it. The strip does not flow across its width, and its slopes are those of the "
@@ -131,7 +131,7 @@ void limits_section(Page &page, const Run &run)
   if (!run.assumptions.empty())
     page.html(list_of(run.assumptions));
   page.paragraph(what_is_left_out(run));
-  if (has_chatter(run) && run.manifest.kind != "chatter")
+  if (has_chatter(run) && run.manifest.kind != KindOfCase::chatter)
     page.paragraph("In the section on chatter the strip does feed back. " + what_chatter_leaves_out());
   if (!run.remarks.empty())
     page.html("<p>Not in this report:</p>\n" + list_of(run.remarks));

@@ -1,6 +1,8 @@
 // How far the working speeds are from the critical ones.
 #include "report/front/stability.h"
+#include "core/base/digits.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/page/curves.h"
 #include "report/plot/number.h"
 #include <cmath>
@@ -42,7 +44,8 @@ std::vector<SpeedVerdict> speed_verdicts(const Run &run)
     return all;
   for (const Result &result : run.results)
     if (const auto parts = parts_of(result.name); parts.size() == 3 && parts[0] == family::chatter &&
-                                                  parts[2] == "growth_rate" && std::isfinite(result.value))
+                                                  is_word(parts[2], ResultWord::growth_rate) &&
+                                                  std::isfinite(result.value))
       all.push_back(of_condition(run, parts[1], result));
   worst_first(all);
   return all;
@@ -50,8 +53,8 @@ std::vector<SpeedVerdict> speed_verdicts(const Run &run)
 
 std::string title_of_pass(const Run &run, const std::string &name)
 {
-  if (name.find_first_not_of("0123456789") != std::string::npos)
+  if (!is_digits(name))
     return name;
-  return (run.manifest.kind == "chatter" ? "condition " : "pass ") + name;
+  return (run.manifest.kind == KindOfCase::chatter ? "condition " : "pass ") + name;
 }
 }  // namespace mill::report

@@ -32,10 +32,10 @@ std::string whole_ones(const MarksData &data)
     list += (list.empty() ? "" : ", ") + significant(whole, 6) + " per turn of the " + name;
   };
   for (const RollMarks &r : data.rolls)
-    if (r.verdict == "whole")
+    if (r.verdict == word_of(Wholeness::whole))
       add(r.roll, r.whole);
   for (const EventMarks &e : data.events)
-    if (e.verdict == "whole")
+    if (e.verdict == word_of(Wholeness::whole))
       list += (list.empty() ? "" : ", ") + fixed(e.whole, 0) + " times " + e.name;
   return list;
 }

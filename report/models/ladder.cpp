@@ -1,3 +1,4 @@
+#include "core/model/dynamics_settings.h"
 #include "report/models/figures.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
@@ -33,17 +34,17 @@ std::vector<LadderColumn> columns_of(const ModelData &data)
 {
   std::vector<const ComparedModel *> order;
   for (const ComparedModel &model : data.models)
-    if (!model.modes.empty() && model.name != "six-mass")
+    if (!model.modes.empty() && model.name != word_of(StandModelKind::six_mass))
       order.push_back(&model);
   if (const ComparedModel *chain = data.find("six-mass"); chain && !chain->modes.empty())
     order.insert(order.begin() + std::min<std::ptrdiff_t>(1, std::ptrdiff_t(order.size())), chain);
   std::vector<LadderColumn> columns;
   for (std::size_t i = 0; i < order.size(); ++i)
     columns.push_back({order[i], 250 + 280 * double(i),
-                       order.size() > 1 && i == 0     ? -1
-                       : i + 1 == order.size()        ? 1
-                       : order[i]->name == "six-mass" ? 0
-                                                      : 1});
+                       order.size() > 1 && i == 0                            ? -1
+                       : i + 1 == order.size()                               ? 1
+                       : order[i]->name == word_of(StandModelKind::six_mass) ? 0
+                                                                             : 1});
   return columns;
 }
 
@@ -58,7 +59,7 @@ const Partner *partner_of(const ModelData &data, const std::string &model, const
 
 bool is_joined(const ModelData &data, const ComparedModel &model, const int mode)
 {
-  if (model.name != "six-mass")
+  if (model.name != word_of(StandModelKind::six_mass))
     return data.pairs.empty() || partner_of(data, model.name, mode);
   for (const ModePartners &pair : data.pairs)
     if (pair.mode == mode)
@@ -207,7 +208,7 @@ std::string frequency_ladder(const ModelData &data, const std::vector<ForceReach
           "natural frequencies in Hz of every model, partners joined");
   draw_axis(svg, frame, right);
   for (const LadderColumn &chain : columns)
-    if (chain.model->name == "six-mass")
+    if (chain.model->name == word_of(StandModelKind::six_mass))
       for (const LadderColumn &other : columns)
         if (&other != &chain)
           draw_joins(svg, data, frame, chain, other);

@@ -1,4 +1,5 @@
 #include "report/modes/drawing.h"
+#include "core/records/stand_place.h"
 #include "report/modes/mode_sizes.h"
 #include <algorithm>
 #include <cmath>
@@ -289,8 +290,8 @@ void Builder::others()
 {
   double y = headroom + 30;
   for (const std::string &name : model_.points) {
-    const bool on_a_roll =
-        name.find(" roll seat") != std::string::npos || name.find(" roll end") != std::string::npos;
+    const StandPlace place = stand_place(name);
+    const bool on_a_roll   = place.roll && (place.seat || place.end);
     if (placed_.count(name) || name.empty() || on_a_roll)  // the roll's own outline shows those
       continue;
     box(34, y, 9, 18, point(name), "part");

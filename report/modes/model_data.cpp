@@ -1,6 +1,7 @@
 #include "report/modes/model_data.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/model/dynamics_settings.h"
 #include "core/records/json_archive.h"
 #include <algorithm>
 #include <filesystem>
@@ -58,7 +59,7 @@ std::string ModelData::title(const std::string &name) const
 const ComparedModel *ModelData::detailed() const
 {
   for (auto model = models.rbegin(); model != models.rend(); ++model)
-    if (model->name != "six-mass" && !model->modes.empty())
+    if (model->name != word_of(StandModelKind::six_mass) && !model->modes.empty())
       return &*model;
   return nullptr;
 }

@@ -1,5 +1,6 @@
 #include "report/modes/named_modes.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/modes/model_data.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
@@ -51,7 +52,8 @@ std::string named_mode_table(const Run &run)
   for (const Result &mode : run.results) {
     const auto parts   = parts_of(mode.name);
     const bool is_open = parts.front() == family::open;
-    if (parts.back() != "frequency" || parts.size() != (is_open ? 4u : 3u) || parts[is_open] != family::mode)
+    if (!is_word(parts.back(), ResultWord::frequency) || parts.size() != (is_open ? 4u : 3u) ||
+        parts[is_open] != family::mode)
       continue;
     const ModeRow row = row_of(run, parts[parts.size() - 2]);
     if (!is_open || !row.rolling)  // a mode of both states has one row

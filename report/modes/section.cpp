@@ -5,6 +5,7 @@
 #include "report/plot/svg.h"
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace mill::report {
 namespace {
@@ -88,8 +89,9 @@ std::string horizontal_table(const Table &modes)
   const Eigen::VectorXd frequency = values_of(modes, {"frequency", "Hz"});
   std::string heading             = "<th>mode</th><th>frequency [Hz]</th>";
   std::vector<Eigen::VectorXd> shapes;
+  static const std::set<std::string> not_places{"mode", "frequency"};
   for (const std::string &name : modes.names)
-    if (name != "mode" && name != "frequency") {
+    if (!not_places.count(name)) {
       const Eigen::VectorXd shape = values_of(modes, {name, "-"});
       if (shape.size() != frequency.size())
         continue;

@@ -22,7 +22,7 @@ std::size_t end_of_sentence(const std::string &html)
   bool tag = false;
   for (std::size_t i = 0; i + 2 < html.size(); ++i) {
     tag                    = html[i] == '<' || (tag && html[i] != '>');
-    const std::size_t next = html.compare(i + 2, 3, "<b>") == 0 ? i + 5 : i + 2;
+    const std::size_t next = html.substr(i + 2, 3) == "<b>" ? i + 5 : i + 2;
     if (!tag && html[i] == '.' && html[i + 1] == ' ' && next < html.size() && html[next] >= 'A' &&
         html[next] <= 'Z')
       return i + 1;

@@ -168,7 +168,7 @@ Manifest manifest_of(const Json &json)
   m.program           = text_at(json, "program");
   m.version           = text_at(json, "version");
   m.case_path         = text_at(json, "case_path");
-  m.kind              = text_at(json, "kind");
+  m.kind              = choice_named<KindOfCase>(text_at(json, "kind"));
   m.title             = text_at(json, "title");
   m.run_id            = text_at(json, "run_id");
   m.date              = text_at(json, "date");
@@ -189,7 +189,7 @@ Manifest manifest_of(const Json &json)
     m.bearings[name] = bearing_of(bearing);
   for (const Json &pass : list_at(json, "passes"))
     m.passes.push_back({text_at(pass, "name"), text_at(pass, "slug"), number_at(pass, "load"),
-                        flag_at(pass, "synthetic"), text_at(pass, "force_meaning")});
+                        flag_at(pass, "synthetic"), choice_named<ForceMeaning>(text_at(pass, "force_meaning"))});
   for (const Json &verdict : list_at(json, "critical_speed"))
     m.speeds.push_back(speed_verdict_of(verdict));
   return m;
@@ -269,9 +269,8 @@ void leave_out_unknown_curves(Run &run)
       items.push_back(path);
   for (const std::string &path : items)
     if (!run.manifest.bearings.count(curve_name(path)->item) &&
-        std::any_of(items.begin(), items.end(), [&](const std::string &other) {
-          return path.size() > other.size() && path.compare(0, other.size() + 1, other + "-") == 0;
-        })) {
+        std::any_of(items.begin(), items.end(),
+                    [&](const std::string &other) { return path.rfind(other + "-", 0) == 0; })) {
       run.remarks.push_back(path + ".csv is not a curve that this program knows and is not shown.");
       run.tables.erase(path);
     }

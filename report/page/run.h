@@ -1,9 +1,12 @@
 #pragma once
 #include "core/base/parameter.h"
 #include "core/base/warning.h"
+#include "core/model/dynamics_settings.h"
+#include "core/model/kind_of_case.h"
 #include "core/records/csv.h"
 #include "core/records/speed_verdict.h"
 #include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -38,7 +41,7 @@ struct PassInfo {
   std::string slug;  ///< "pass-1", names response/<slug>.csv
   double load;       ///< N, working load; the mean of the record when the case states none; NaN: neither stored
   bool synthetic;    ///< the force record is made, not measured
-  std::string force_meaning;  ///< measured | disturbance | published
+  std::optional<ForceMeaning> force_meaning;  ///< nothing: not stored
 };
 
 struct Timing {
@@ -57,7 +60,8 @@ struct BearingInfo {
 
 /// run.json: who, when, with what.
 struct Manifest {
-  std::string program, version, case_path, kind, title, run_id, date, hostname, blas;
+  std::string program, version, case_path, title, run_id, date, hostname, blas;
+  std::optional<KindOfCase> kind;  ///< nothing: a kind that this version does not know
   int threads        = 0;
   double peak_memory = 0;  ///< byte; 0: not stored
   std::vector<std::pair<std::string, std::string>> versions;

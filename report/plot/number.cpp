@@ -1,5 +1,6 @@
 #include "report/plot/number.h"
 #include "core/base/short_number.h"
+#include "core/base/si_unit.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -126,26 +127,26 @@ Shown engineering(const double value, const std::string &si_unit)
   for (const auto &[si, factor, shown] : conversions)
     if (si_unit == si)
       return {value * factor, shown};
-  if (si_unit == "m") {
+  if (is_in(si_unit, SiUnit::metre)) {
     if (std::abs(value) < 1e-4 && value != 0)
       return {value * 1e6, "\u00b5m"};
     return std::abs(value) < 10 ? Shown{value * 1e3, "mm"} : Shown{value, "m"};
   }
-  if (si_unit == "rad")  // tilts are small, places round a ring are not
+  if (is_in(si_unit, SiUnit::radian))  // tilts are small, places round a ring are not
     return std::abs(value) < 0.02 && value != 0 ? Shown{value * 1e3, "mrad"}
                                                 : Shown{value * 57.295779513082321, "\u00b0"};
-  if (constexpr double hour = 3600; si_unit == "s" && value >= hour)
+  if (constexpr double hour = 3600; is_in(si_unit, SiUnit::second) && value >= hour)
     return {value / hour, "h"};
   return {value, unit_sign(si_unit)};
 }
 
 std::string unit_sign(const std::string &unit)
 {
-  if (unit == "1" || unit == "-")
+  if (is_pure(unit))
     return "";
   std::string text;
   for (std::size_t i = 0; i < unit.size(); ++i)
-    if (unit.compare(i, 4, "sqrt") == 0) {
+    if (unit.substr(i, 4) == "sqrt") {
       text += "\u221a";
       i += 3;
     } else if (unit[i] == '(' || unit[i] == ')')

@@ -1,3 +1,4 @@
+#include "core/model/dynamics_settings.h"
 #include "report/page/curves.h"
 #include "report/page/sections.h"
 #include "report/plot/number.h"
@@ -9,34 +10,41 @@
 
 namespace mill::report {
 namespace {
-// What made the responses, by the source of their peaks: prefix of its frequencies, empty for the six masses.
-std::string driven_model(const Run &run)
+// What made the responses, by the source of their peaks.
+StandModelKind driven_model(const Run &run)
 {
-  for (const Result &result : run.results)
-    if (result.name.find(".peak_g.upper_work_roll") != std::string::npos) {
-      if (result.source.find("rolls as beams") != std::string::npos)
-        return "beam.";
-      return result.source.find("reduced finite elements") != std::string::npos ? "craig-bampton." : "";
-    }
-  return "";
+  const auto peak = std::find_if(run.results.begin(), run.results.end(), [](const Result &result) {
+    return ends_with(result.name, ".peak_g.upper_work_roll");
+  });
+  for (const auto &[model, source] : {std::pair(StandModelKind::beam, "rolls as beams"),
+                                      std::pair(StandModelKind::craig_bampton, "reduced finite elements")})
+    if (peak != run.results.end() && peak->source.find(source) != std::string::npos)
+      return model;
+  return StandModelKind::six_mass;
 }
 
 std::string driven_title(const Run &run)
 {
-  const std::string model = driven_model(run);
-  return model.empty()      ? "chain of six masses"
-         : model == "beam." ? "stand of beams"
-                            : "stand of reduced finite elements";
+  switch (driven_model(run)) {
+  case StandModelKind::six_mass:
+    break;
+  case StandModelKind::beam:
+    return "stand of beams";
+  case StandModelKind::craig_bampton:
+    return "stand of reduced finite elements";
+  }
+  return "chain of six masses";
 }
 
 struct Channel {
   const char *column, *title, *quantity, *unit;
+  bool of_roll;  // an acceleration, on the scale of both rolls
 };
 const Channel channels[] = {
-    {"force", "Rolling force", "force", "kN"},
-    {"load_cell", "Load cell", "force", "kN"},
-    {"upper_work_roll", "Upper work roll", "acceleration", "g"},
-    {"lower_work_roll", "Lower work roll", "acceleration", "g"},
+    {"force", "Rolling force", "force", "kN", false},
+    {"load_cell", "Load cell", "force", "kN", false},
+    {"upper_work_roll", "Upper work roll", "acceleration", "g", true},
+    {"lower_work_roll", "Lower work roll", "acceleration", "g", true},
 };
 
 // Both rolls on one scale: the difference between them is what one looks for.
@@ -59,7 +67,7 @@ std::string history(const Table &table, const Channel &channel, const std::strin
   plot.height = 190;
   plot.x      = {"time", "s"};
   plot.y      = {channel.quantity, channel.unit};
-  if (channel.unit == std::string("g") && limit > 0) {
+  if (channel.of_roll && limit > 0) {
     plot.y.low  = -limit;
     plot.y.high = limit;
   }
@@ -75,7 +83,7 @@ std::string zoomable(const std::string &drawing, const PassInfo &pass, const Tab
   const Eigen::VectorXd value = values_of(table, {channel.column, channel.unit});
   return "<div class=\"history\"><div class=\"static\">" + drawing + "</div>" +
          zoom_chart(pass.slug, std::string(channel.quantity) + " [" + channel.unit + "]",
-                    channel.unit == std::string("g") ? limit : 0, time, {{channel.title, value}}) +
+                    channel.of_roll ? limit : 0, time, {{channel.title, value}}) +
          "</div>\n";
 }
 
@@ -153,10 +161,11 @@ std::string spectrum(const Run &run, const Table &table, const std::string &titl
     plot.y.high = 2 * largest;
   }
   plot.x.low              = 5;  // below, a record of some seconds has no resolution worth showing
-  const std::string model = driven_model(run);
-  for (int i = 1; const Result *f = run.find(model + "f" + std::to_string(i)); ++i) {
+  const bool of_chain     = driven_model(run) == StandModelKind::six_mass;
+  const std::string model = of_chain ? "" : word_of(driven_model(run));
+  for (int i = 1; const Result *f = run.find(result_name({model, "f" + std::to_string(i)})); ++i) {
     plot.marks.push_back({f->value, "f" + std::to_string(i)});
-    plot.x.high = (model.empty() ? 4 : 2) * f->value;  // further up there is nothing to answer with
+    plot.x.high = (of_chain ? 4 : 2) * f->value;  // further up there is nothing to answer with
   }
   return svg_plot(plot);
 }
@@ -180,8 +189,8 @@ void one_pass(Page &page, const Run &run, const PassInfo &pass)
                           {{"upper_work_roll", "upper work roll"}, {"lower_work_roll", "lower work roll"}},
                           "amplitude density", "g/\u221aHz")},
                 "Spectra of " + escaped(pass.name) + " with the natural frequencies of " +
-                    (driven_model(run).empty() ? "the chain" : "the " + driven_title(run)) + " marked, up to " +
-                    (driven_model(run).empty() ? "four times" : "twice") +
+                    (driven_model(run) == StandModelKind::six_mass ? "the chain" : "the " + driven_title(run)) +
+                    " marked, up to " + (driven_model(run) == StandModelKind::six_mass ? "four times" : "twice") +
                     " the highest. A peak of the "
                     "acceleration at a mark where the "
                     "force has none is a resonance of the stand; where the force spectrum ends, so does what this "
@@ -202,9 +211,10 @@ std::string force_rows(const Run &run)
       continue;
     const double duration = time[time.size() - 1] - time[0];
     rows += "<tr><th scope=\"row\">" + escaped(pass.name) + "</th><td>" +
-            (pass.synthetic ? "synthetic" : "recorded") + "</td><td>" + escaped(pass.force_meaning) +
-            "</td><td class=\"num\">" + fixed(force.mean(), 1) + "</td><td class=\"num\">" +
-            fixed(force.minCoeff(), 2) + " \u2026 " + fixed(force.maxCoeff(), 2) + "</td><td class=\"num\">" +
+            (pass.synthetic ? "synthetic" : "recorded") + "</td><td>" +
+            (pass.force_meaning ? word_of(*pass.force_meaning) : "") + "</td><td class=\"num\">" +
+            fixed(force.mean(), 1) + "</td><td class=\"num\">" + fixed(force.minCoeff(), 2) + " \u2026 " +
+            fixed(force.maxCoeff(), 2) + "</td><td class=\"num\">" +
             fixed(force.maxCoeff() - force.minCoeff(), 3) + "</td><td class=\"num\">" + fixed(duration, 2) +
             "</td><td class=\"num\">" + fixed(1e-3 * double(time.size() - 1) / duration, 1) + "</td></tr>\n";
   }

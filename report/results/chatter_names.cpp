@@ -1,3 +1,4 @@
+#include "core/records/result_words.h"
 #include "report/page/curves.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -58,11 +59,12 @@ std::string chatter_meaning(const std::string &name)
   const std::size_t first = name.find('.'), second = name.find('.', first + 1);
   if (first == std::string::npos || second == std::string::npos)
     return "";
-  const std::string family = name.substr(0, first);
-  std::string meaning = family + ", " + name.substr(first + 1, second - first - 1), rest = name.substr(second + 1);
+  const std::string subject = name.substr(0, first);
+  std::string meaning       = subject + ", " + name.substr(first + 1, second - first - 1),
+              rest          = name.substr(second + 1);
   const bool derivative =
       rest.size() > 2 && rest[1] == '.' && std::string("PQF").find(rest[0]) != std::string::npos;
-  if (family != "chatter" && !(family == "bite" && derivative))
+  if (subject != family::chatter && !(subject == family::bite && derivative))
     return "";
   for (std::string joint = ", "; !rest.empty();) {
     const std::size_t dot  = rest.find('.');
@@ -78,8 +80,9 @@ std::string chatter_meaning(const std::string &name)
 
 bool is_slope_by_one_input(const std::string &name)
 {
-  return is_of(name, family::chatter) &&
-         (name.find(".friction_slope.") != std::string::npos || name.find(".speed_slope.") != std::string::npos);
+  const auto parts = parts_of(name);
+  const auto third = parts.size() > 3 ? choice_named<ResultWord>(parts[2]) : std::nullopt;
+  return parts[0] == family::chatter && (third == ResultWord::friction_slope || third == ResultWord::speed_slope);
 }
 
 namespace {
@@ -101,7 +104,7 @@ std::vector<Group> chatter_groups(const Run &run)
       continue;
     const std::string name = result.name.substr(start, end - start);
     const std::string title =
-        std::string(chatter ? "Chatter" : "Bite") + (name == "tandem" ? ", " : ", condition ") + name;
+        std::string(chatter ? "Chatter" : "Bite") + (name == tandem_item ? ", " : ", condition ") + name;
     const auto known =
         std::find_if(groups.begin(), groups.end(), [&](const Group &group) { return group.title == title; });
     if (known == groups.end())

@@ -1,4 +1,6 @@
 #include "core/records/cluster_names.h"
+#include "core/base/digits.h"
+#include "core/records/result_words.h"
 #include "core/records/schedule_record.h"
 #include "report/results/names.h"
 #include <map>
@@ -23,9 +25,9 @@ const std::map<std::string, std::string> quantity_words{
 
 bool leads(const std::vector<std::string> &parts)
 {
-  const std::string &third = parts[2];
-  return parts[1] == cluster_fit || third == "mode" || third == "buckling_factor" || third == "leaving_force" ||
-         (third == "force" && parts.size() == 3);
+  const auto third = choice_named<ResultWord>(parts[2]);
+  return parts[1] == cluster_fit || third == ResultWord::mode || third == ResultWord::buckling_factor ||
+         third == ResultWord::leaving_force || (third == ResultWord::force && parts.size() == 3);
 }
 }  // namespace
 
@@ -42,13 +44,13 @@ std::string cluster_meaning(const std::string &name)
     const auto known        = quantity_words.find(part);
     if (parts[1] == cluster_fit)
       text += (i == 3 ? ", " : ".") + part;
-    else if (parts.size() == 3 && part == "force")
+    else if (parts.size() == 3 && is_word(part, ResultWord::force))
       text += ", rolling force";
-    else if (parts.size() == 3 && part.size() > 1 && part[0] == 'f' &&
-             part.find_first_not_of("0123456789", 1) == std::string::npos)
+    else if (parts.size() == 3 && part[0] == 'f' && is_digits(part.substr(1)))
       text += ", natural frequency " + part.substr(1);
     else if (i + 1 == parts.size() && parts.size() == 5)
-      text += (parts[2] == "roller_load" ? ", roller " : " along ") + part;  // cluster.PASS.velocity.W.y
+      text += (is_word(parts[2], ResultWord::roller_load) ? ", roller " : " along ") +
+              part;  // cluster.PASS.velocity.W.y
     else
       text += ", " + (known == quantity_words.end() ? part : known->second);
   }

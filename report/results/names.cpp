@@ -1,5 +1,7 @@
 #include "report/results/names.h"
+#include "core/records/contact_name.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "report/results/named_mode.h"
 #include <algorithm>
 
@@ -214,6 +216,25 @@ const Words aspects[] = {
     {"peak", "largest magnitude"},
 };
 
+// "row2_share", without the number of the row.
+const std::pair<std::string, std::string> of_rows[] = {{"row_share", "share of row "},
+                                                       {"row_axial", "axial force of row "}};
+
+// Words that mean something else in one family.
+struct WordsOfFamily {
+  const char *family;
+  std::size_t least;  // place in the name from which on it is this word, not the name of a bearing or a pass
+  const char *name, *meaning;
+};
+const WordsOfFamily of_one_family[] = {
+    {curve::bearing.family, 2, "C", "basic dynamic rating"},  // alone it is the damper of the chain
+    {curve::bearing.family, 2, "eccentricity", "eccentricity over the clearance"},
+    {family::bite, 2, "peak_pressure", "largest pressure apart from the edge of the contact"},
+    {family::frf, 1, "bite", "force in the bite"},
+    {family::frf, 1, "frequency", "frequency of the largest magnitude"},
+    {family::mode, 2, "frequency", "natural frequency"},
+};
+
 std::string words_of(const std::string &part)
 {
   for (const Words &words : quantities)
@@ -222,10 +243,9 @@ std::string words_of(const std::string &part)
   for (const Words &words : aspects)
     if (part == words.name)
       return words.meaning;
-  if (part.size() == 10 && part.substr(0, 3) == "row" && part.substr(4) == "_share")
-    return std::string("share of row ") + part[3];
-  if (part.size() == 10 && part.substr(0, 3) == "row" && part.substr(4) == "_axial")
-    return std::string("axial force of row ") + part[3];
+  for (const auto &[name, meaning] : of_rows)
+    if (part.size() == 10 && part.substr(0, 3) + part.substr(4) == name)
+      return meaning + part.substr(3, 1);
   return "";
 }
 
@@ -242,9 +262,9 @@ std::string number_after(const std::string &prefix, const std::string &name)
 // "gap_first_kind" -> "gap first kind"
 std::string words_of_crossing(std::string part)
 {
-  if (part == "distance")
+  if (is_word(part, ResultWord::distance))
     return "distance from the working range";
-  if (part == "speed")
+  if (is_word(part, ResultWord::speed))
     return "speed of the rolls' surface";
   std::replace(part.begin(), part.end(), '_', ' ');
   return part;
@@ -282,32 +302,23 @@ std::string meaning_of(const std::string &name)
     return words_of(family::open) + ", " + meaning_of(name.substr(parts[0].size() + 1));
   for (std::size_t i = 0; i < parts.size(); ++i) {
     std::string words = words_of(parts[i]);
-    if (i > 0 && parts[0] == "bearing" && parts[i] == "C")
-      words = "basic dynamic rating";  // C alone is the damper of the chain
-    if (i > 0 && parts[0] == "bearing" && parts[i] == "eccentricity")
-      words = "eccentricity over the clearance";
-    if (i == 1 && parts[0] == "bearing")
+    if (i == 1 && parts[0] == curve::bearing.family)
       words = parts[1];
-    if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != "contact")
+    if (i == 0 && words.empty() && parts.size() > 1 && parts[0] != family::contact)
       words = parts[0];  // the name of a pass
-    const bool of_fit = i > 0 && parts[0] == "bite" && parts[1] == bite_fit;
+    const bool of_fit = i > 0 && parts[0] == family::bite && parts[1] == bite_fit;
     if (parts[0] == family::nonlinear && (i == 1 || (words.empty() && !number_after("f", parts[i]).empty())))
       words = i == 1 ? parts[1] : "mode " + number_after("f", parts[i]);
-    if (i == 1 && (parts[0] == "bite" || (parts[0] == "stand" && words.empty())))
+    if (i == 1 && (parts[0] == family::bite || (parts[0] == family::stand && words.empty())))
       words = of_fit ? "fit to measured values" : parts[1];
     if (i > 2 && of_fit && words.empty())
       words = parts[i];  // the name of a pass
-    if (i > 1 && parts[0] == "bite" && parts[i] == "peak_pressure")
-      words = "largest pressure apart from the edge of the contact";
-    if (parts[0] == family::frf && parts[i] == "bite")
-      words = "force in the bite";
-    if (i == 2 && parts[0] == family::mode && parts[i] == "frequency")
-      words = "natural frequency";
-    if (parts[0] == family::frf && parts[i] == "frequency")
-      words = "frequency of the largest magnitude";
+    for (const WordsOfFamily &one : of_one_family)
+      if (i >= one.least && parts[0] == one.family && parts[i] == one.name)
+        words = one.meaning;
     if (parts[0] == family::campbell && i > 0)
       words = words_of_crossing(parts[i]);
-    if (i == 1 && parts[0] == "contact")
+    if (i == 1 && parts[0] == family::contact)
       words = contact_title(parts[1]);
     if (!words.empty())
       meaning += (meaning.empty() ? "" : ", ") + words;
@@ -325,19 +336,19 @@ const Result *chain_value(const Run &run, const std::string &name)
 
 std::vector<Group> short_groups(const Run &run)
 {
-  if (run.manifest.kind == "bearing")
+  if (run.manifest.kind == KindOfCase::bearing)
     return bearing_groups(run);
-  if (run.manifest.kind == "bite")
+  if (run.manifest.kind == KindOfCase::bite)
     return bite_groups(run);
-  if (run.manifest.kind == "chatter")
+  if (run.manifest.kind == KindOfCase::chatter)
     return chatter_groups(run);
-  if (run.manifest.kind == "cluster")
+  if (run.manifest.kind == KindOfCase::cluster)
     return cluster_groups(run);
-  if (run.manifest.kind == "stack")
+  if (run.manifest.kind == KindOfCase::stack)
     return stack_groups(run);
   Group contact{"Contact", {}}, stiffness{"Stiffness", {}}, mass{"Equivalent mass", {}}, named{"", {}},
       chain{"", {}}, fit{"Fit to measured values", {}};
-  if (run.manifest.kind == "two-cylinders" || !chain_value(run, "K1"))
+  if (run.manifest.kind == KindOfCase::two_cylinders || !chain_value(run, "K1"))
     for (const Result &result : run.results)
       if (is_of(result.name, family::contact))
         contact.results.push_back(&result);
@@ -377,10 +388,19 @@ std::vector<Group> short_groups(const Run &run)
 
 std::string contact_title(const std::string &contact)
 {
-  if (contact == "upper")
+  const auto name = choice_named<ContactName>(contact);
+  if (!name)
+    return "contact " + contact;
+  switch (*name) {
+  case ContactName::upper:
     return "upper contact (K3)";
-  if (contact == "lower")
+  case ContactName::lower:
     return "lower contact (K5)";
-  return contact == "line" ? "line contact" : contact == "space" ? "contact in space" : "contact " + contact;
+  case ContactName::line:
+    return "line contact";
+  case ContactName::space:
+    break;
+  }
+  return "contact in space";
 }
 }  // namespace mill::report

@@ -1,6 +1,11 @@
 #include "report/results/output_reference.h"
+#include "core/base/digits.h"
+#include "core/base/si_unit.h"
+#include "core/records/chain_number.h"
 #include "core/records/cluster_names.h"
+#include "core/records/contact_name.h"
 #include "core/records/result_names.h"
+#include "core/records/result_words.h"
 #include "core/records/stack_names.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -14,6 +19,7 @@ struct OutputGroup {
   const char *family;  // first part of the row
   const char *title;
   const char *chapter;  // of docs/theory
+  bool begins = false;  // the first part only begins so
 };
 
 constexpr std::array<OutputGroup, 31> output_groups{{
@@ -22,7 +28,7 @@ constexpr std::array<OutputGroup, 31> output_groups{{
     {"K4", "Roll bite as a spring", "08-roll-bite-slab-theories"},
     {"contact", "Roll contact in detail", "12-contact-of-meshed-bodies"},
     {"Kzc", "A bearing alone", "05-roller-bearings"},
-    {"KzcN", "Bearings of the stand", "05-roller-bearings"},
+    {"KzcN", "Bearings of the stand", "05-roller-bearings", true},
     {"bearing", "Rating and life of bearings, oil films", "05-roller-bearings"},
     {"bite", "Roll bite", "08-roll-bite-slab-theories"},
     {"KN", "Springs of the six-mass chain", "04-springs-and-masses"},
@@ -50,18 +56,14 @@ constexpr std::array<OutputGroup, 31> output_groups{{
     {"influence", "Roll stacks: what moves the profile", "51-roll-stacks"},
 }};
 
-bool is_number(const std::string &text)
-{
-  return !text.empty() && std::all_of(text.begin(), text.end(), [](unsigned char c) { return std::isdigit(c); });
-}
-
 // "f12" -> "fN", "Kzc3_across" -> "KzcN_across", "row2_axial" -> "rowN_axial"; K3, K4 and K5 have rows of their
 // own.
 std::string numbers_replaced(const std::string &part)
 {
-  if (is_number(part))
+  if (is_digits(part))
     return "N";
-  if (part == "K3" || part == "K4" || part == "K5" || part.rfind("L10", 0) == 0)
+  if (part == word_of(ChainNumber::K3) || part == word_of(ChainNumber::K4) || part == word_of(ChainNumber::K5) ||
+      part.rfind("L10", 0) == 0)
     return part;
   std::string out;
   for (std::size_t i = 0; i < part.size(); ++i) {
@@ -79,7 +81,7 @@ const OutputGroup *group_of(const std::string &row)
 {
   const std::string family = parts_of(row)[0];
   for (const OutputGroup &group : output_groups)
-    if (family == group.family || (group.family == std::string("KzcN") && family.rfind("KzcN", 0) == 0))
+    if (family == group.family || (group.begins && family.rfind(group.family, 0) == 0))
       return &group;
   return nullptr;
 }
@@ -96,12 +98,12 @@ void read_source(const std::string &source, OutputRow &row)
   for (std::size_t open = source.find('('); open != std::string::npos; open = source.find('(', open + 1)) {
     const std::string inside = source.substr(open + 1, source.find(')', open) - open - 1);
     const auto dot           = inside.find('.');
-    if (dot == std::string::npos || !is_number(inside.substr(0, dot)) || inside.size() > dot + 4)
+    if (dot == std::string::npos || !is_digits(inside.substr(0, dot)) || inside.size() > dot + 4)
       continue;
     std::string after = inside.substr(dot + 1);
     if (!after.empty() && std::islower((unsigned char)after.back()))
       after.pop_back();
-    if (is_number(after))
+    if (is_digits(after))
       row.equation = inside;
   }
   row.method = row.method.substr(0, row.method.find_first_of(",;("));
@@ -123,20 +125,26 @@ std::string cell(std::string text)
   return replaced(std::move(text), "|", "\\|");
 }
 
+// cluster.PASS.WORD.ROLL
+bool is_of_roll(const std::string &part)
+{
+  const auto word = choice_named<ResultWord>(part);
+  return word == ResultWord::velocity || word == ResultWord::acceleration || word == ResultWord::least_guide;
+}
+
 // "cluster.PASS.W-I.force", "cluster.PASS.W.x", "cluster.PASS.velocity.W.y",
 // "cluster.fit.VARIANT.contact.W-I.stiffness": rolls and contacts have the names that the case gives them.
 void name_cluster_parts(std::vector<std::string> &parts)
 {
   if (parts[1] == cluster_fit && parts.size() > 4) {
     parts[2] = "VARIANT";
-    parts[4] = parts[3] == "contact" ? "CONTACT" : "ROLL";
+    parts[4] = is_word(parts[3], ResultWord::contact) ? "CONTACT" : "ROLL";
   } else if (parts.size() > 3 && parts[2] == family::mode) {
     parts = {parts[0], parts[1], parts[2], "MODE"};
-  } else if (parts.size() > 3 &&
-             (parts[2] == "velocity" || parts[2] == "acceleration" || parts[2] == "least_guide")) {
+  } else if (parts.size() > 3 && is_of_roll(parts[2])) {
     parts[3] = "ROLL";
   } else if (parts.size() == 4) {
-    parts[2] = parts[3] == "x" || parts[3] == "y" ? "ROLL" : "CONTACT";
+    parts[2] = is_word(parts[3], ResultWord::x) || is_word(parts[3], ResultWord::y) ? "ROLL" : "CONTACT";
   }
 }
 
@@ -145,7 +153,7 @@ std::string without_names_of_case(std::string meaning, const std::vector<std::st
                                   const std::vector<std::string> &to)
 {
   for (std::size_t i = 1; i < std::min(from.size(), to.size()); ++i)
-    if (std::isupper((unsigned char)to[i][0]) && to[i].size() > 1 && to[i] != "N" && from[i] != to[i])
+    if (std::isupper((unsigned char)to[i][0]) && to[i].size() > 1 && from[i] != to[i])
       for (const auto &[before, after] :
            {std::pair{std::string(", "), std::string(", ")}, std::pair{std::string(" "), std::string(" ")}})
         meaning = replaced((before + meaning + after), before + from[i] + after, before + to[i] + after)
@@ -170,11 +178,11 @@ std::string row_of_output(const Run &run, const std::string &result)
     parts[1] = "MODE";
   if (family == family::open && parts.size() > 2 && parts[1] == family::mode)
     parts[2] = "MODE";
-  if (family == "bearing" && parts.size() > 2)
+  if (family == curve::bearing.family && parts.size() > 2)
     parts[1] = "BEARING";
   if (family == family::frf && parts.size() > 3)
     parts[1] = "EXCITED", parts[2] = "PLACE";
-  if (family == family::contact && parts.size() > 2 && (parts[1] == "upper" || parts[1] == "lower"))
+  if (family == family::contact && parts.size() > 2 && is_of_stand(parts[1]))
     parts[1] = "upper/lower";
   if ((family == family::bite || family == family::chatter || family == family::cluster) && parts.size() > 2 &&
       parts[1] != bite_fit)
@@ -217,7 +225,7 @@ std::string output_reference(const std::vector<Run> &runs)
         continue;
       row.meaning = meaning_of(result.name);
       row.meaning = without_names_of_case(row.meaning, parts_of(result.name), parts_of(row.name));
-      row.unit    = result.unit == "1" ? "-" : result.unit;
+      row.unit    = is_in(result.unit, SiUnit::one) ? "-" : result.unit;
       read_source(result.source, row);
       rows.push_back(row);
     }

@@ -1,4 +1,6 @@
 #include "core/records/stack_names.h"
+#include "core/base/digits.h"
+#include "core/records/result_words.h"
 #include "report/results/names.h"
 #include <map>
 
@@ -41,17 +43,18 @@ std::string stack_word(const std::string &key)
 // influence.crown.W.bending_force, influence.edge_drop.force
 std::string influence_meaning(const std::vector<std::string> &parts)
 {
-  const std::string moved = parts[1] == "crown" ? "change of the crown with " : "change of the edge drop with ";
+  const std::string moved =
+      is_word(parts[1], ResultWord::crown) ? "change of the crown with " : "change of the edge drop with ";
   if (parts.size() == 3)
     return moved + "the rolling force";
-  const std::string &input = parts[3];
-  if (input == "crown")
+  const auto input = choice_named<ResultWord>(parts[3]);
+  if (input == ResultWord::crown)
     return parts[2] + ", " + moved + "its own crown on the diameter, both halves";
-  if (input == "shift")
+  if (input == ResultWord::shift)
     return parts[2] + ", " + moved + "its shift to the drive side; a turned lower roll moves the other way";
-  if (input == "bending_force")
+  if (input == ResultWord::bending_force)
     return parts[2] + ", " + moved + "the bending force of each chock, both halves";
-  return parts[2] + ", " + moved + "the eccentric of saddle " + input.substr(std::string("eccentric").size());
+  return parts[2] + ", " + moved + "the eccentric of saddle " + parts[3].substr(std::string("eccentric").size());
 }
 }  // namespace
 
@@ -61,7 +64,7 @@ std::string stack_meaning(const std::string &name)
   if (parts.size() < 2)
     return "";
   if (parts[0] == family::stack)
-    return parts[1][0] == 'f' && parts[1].find_first_not_of("0123456789", 1) == std::string::npos
+    return parts[1][0] == 'f' && is_digits(parts[1].substr(1))
                ? "natural frequency " + parts[1].substr(1) + " of the stack"
                : stack_word(name);
   if (parts.size() < 3)
@@ -84,9 +87,11 @@ std::vector<Group> stack_groups(const Run &run)
     const auto parts = parts_of(result.name);
     if (parts[0] == family::stack)
       groups[0].results.push_back(&result);
-    if (parts[0] == family::pair && (parts[2] == "force" || parts[2] == "q_max" || parts[2] == "peak_pressure"))
+    const auto last = choice_named<ResultWord>(parts.back());
+    if (parts[0] == family::pair &&
+        (last == ResultWord::force || last == ResultWord::q_max || last == ResultWord::peak_pressure))
       groups[1].results.push_back(&result);
-    if (parts[0] == family::influence && parts[1] == "crown")
+    if (parts[0] == family::influence && is_word(parts[1], ResultWord::crown))
       groups[2].results.push_back(&result);
   }
   return groups;

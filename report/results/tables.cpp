@@ -1,4 +1,5 @@
 #include "report/results/tables.h"
+#include "core/base/si_unit.h"
 #include "core/model/material.h"
 #include "core/records/result_names.h"
 #include "report/plot/number.h"
@@ -17,7 +18,8 @@ bool contains(std::string text, const std::string &word)
 
 bool is_share(const Result &result)
 {
-  return result.unit == "1" && (contains(result.name, "share") || contains(result.name, "without_contact"));
+  return is_in(result.unit, SiUnit::one) &&
+         (contains(result.name, "share") || contains(result.name, "without_contact"));
 }
 
 // At most five digits; six above 1e5, as in published tables of stiffnesses.
@@ -169,7 +171,7 @@ std::string value_cell(const Result &result)
   std::string cell  = shown.unit.empty() ? "<b>" + with_unit(shown, result.error_estimate) + "</b>"
                                          : "<b>" + table_number(shown.value, result.error_estimate) + "</b>\u00a0" +
                                               escaped(shown.unit);
-  if (result.unit == "N/m")
+  if (is_in(result.unit, SiUnit::stiffness))
     cell += "<small>" + known_digits(result.value, result.error_estimate, 5) + "\u00a0N/m</small>";
   return cell;
 }
@@ -222,7 +224,7 @@ std::string full_table(const Run &run)
     return "<tr" + data_of(result) + ">" + row_head(result) + common_cells(result, result.source) + "<td>" +
            all_checks(result) + lists.link(result.inputs) + "</td></tr>\n";
   };
-  if (run.manifest.kind == "bearing" || run.manifest.kind == "bite")
+  if (run.manifest.kind == KindOfCase::bearing || run.manifest.kind == KindOfCase::bite)
     for (const Group &group : short_groups(run)) {
       table += group_head(group);
       for (const Result *result : group.results)
@@ -230,7 +232,8 @@ std::string full_table(const Run &run)
     }
   else
     for (const Result &result : run.results)
-      if (run.manifest.kind == "chatter" ? !is_slope_by_one_input(result.name) : !is_of_one_model(result.name))
+      if (run.manifest.kind == KindOfCase::chatter ? !is_slope_by_one_input(result.name)
+                                                   : !is_of_one_model(result.name))
         table += row(result);
   return table + "</tbody></table>\n" + lists.html();
 }
@@ -243,7 +246,7 @@ const Result *pass_value(const Run &run, const PassInfo &pass, const std::string
 
 double in_g(const double value, const std::string &unit)
 {
-  return unit == "m/s2" ? value / standard_gravity : value;
+  return is_in(unit, SiUnit::acceleration) ? value / standard_gravity : value;
 }
 
 std::string g_text(const double value)

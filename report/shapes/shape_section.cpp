@@ -183,7 +183,7 @@ void shape_section(Page &page, const Run &run)
 {
   const Table *work   = stored_curve(run, curve::shape_work_roll),
               *backup = stored_curve(run, curve::shape_backup_roll);
-  if (!work && !backup && run.manifest.kind != "four-high")
+  if (!work && !backup && run.manifest.kind != KindOfCase::four_high)
     return;
   page.section("shapes", "Roll shapes and equivalent masses", Depth::expert);
   std::vector<Roll> rolls;

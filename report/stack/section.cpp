@@ -8,7 +8,7 @@
 namespace mill::report {
 void stack_section(Page &page, const Run &run)
 {
-  if (run.manifest.kind != "stack")
+  if (run.manifest.kind != KindOfCase::stack)
     return;
   if (stored_curve(run, curve::stack_strip)) {
     page.section("stack", "Strip and rolls", Depth::manager);

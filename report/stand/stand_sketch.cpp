@@ -237,7 +237,7 @@ namespace {
 std::string how_the_bite_acts(const Run &run)
 {
   for (const PassInfo &pass : run.manifest.passes)
-    if (pass.force_meaning != "measured")
+    if (pass.force_meaning != ForceMeaning::measured)
       return "";
   return run.manifest.passes.empty()
              ? ""

@@ -1,4 +1,5 @@
 #include "report/study/optimum_section.h"
+#include "core/records/search_goal.h"
 #include "report/page/cells.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
@@ -110,7 +111,7 @@ std::string progress(const json &document)
   const auto n         = Eigen::Index(optimum["path"].size());
   Line dots{"row", Eigen::VectorXd(n), Eigen::VectorXd(n), Pen::pale, true, false},
       best{"best so far", dots.x, dots.y};
-  const bool greatest = optimum["searched"] == "greatest";
+  const bool greatest = choice_named<SearchGoal>(optimum["searched"].get<std::string>()) == SearchGoal::greatest;
   double so_far       = std::nan("");
   for (Eigen::Index i = 0; i < n; ++i) {
     const double value = unit.factor * number_in(optimum["path"][std::size_t(i)]);

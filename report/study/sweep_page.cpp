@@ -1,5 +1,6 @@
 #include "report/study/sweep_page.h"
 #include "core/base/files.h"
+#include "core/base/si_unit.h"
 #include "report/front/html.h"
 #include "report/page/cells.h"
 #include "report/page/page.h"
@@ -141,10 +142,7 @@ std::string table_of_rows(const json &document)
   std::vector<ShownUnit> units;
   for (std::size_t r = 0; r < document["results"].size(); ++r) {
     units.push_back(shown_unit(document, r));
-    head +=
-        "<th>" + escaped(document["results"][r]["name"]) +
-        (units.back().sign == "-" || units.back().sign.empty() ? "" : " [" + escaped(units.back().sign) + "]") +
-        "</th>";
+    head += "<th>" + escaped(document["results"][r]["name"]) + escaped(after_name(units.back().sign)) + "</th>";
   }
   std::size_t number = 0;
   for (const json &row : document["rows"]) {

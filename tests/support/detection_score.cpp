@@ -7,6 +7,7 @@ namespace detection_score {
 namespace {
 using random_record::Content;
 using namespace mill::twin;
+using mill::FindingKind;
 
 constexpr double counted_line = 12;  // dB
 constexpr double few_decays   = 12;  // a mode that decays less often in the record cannot be separated from a line
@@ -16,7 +17,7 @@ std::vector<double> reported_lines(const Analysis &analysis)
 {
   std::vector<double> reported;
   for (const Finding &finding : analysis.findings)
-    if (finding.kind == "line" || finding.kind == "family") {
+    if (finding.kind == FindingKind::line || finding.kind == FindingKind::family) {
       if (finding.members.empty())
         reported.push_back(finding.frequency);
       for (const FamilyMember &member : finding.members)
@@ -47,8 +48,8 @@ std::string reasons_at(const Analysis &analysis, const double f)
   for (const ChannelAnalysis &channel : analysis.channels)
     for (const SpectralCandidate &one : channel.detected.candidates)
       if (std::abs(one.peak.frequency - f) < one.peak.resolution)
-        all +=
-            fmt::format("; {} {:.5g} Hz {:.3g}: {}", one.fate, one.peak.frequency, one.peak.amplitude, one.reason);
+        all += fmt::format("; {} {:.5g} Hz {:.3g}: {}", word_of(one.fate), one.peak.frequency, one.peak.amplitude,
+                           one.reason);
   return all;
 }
 
@@ -88,8 +89,8 @@ void score_modes(Score &score, const Content &content, const Analysis &analysis,
     ++score.modes;
     if (std::any_of(analysis.findings.begin(), analysis.findings.end(), [&](const Finding &finding) {
           return std::abs(finding.frequency - mode.frequency) < reach &&
-                 (finding.kind == "mode" || finding.kind == "resonance" ||
-                  (finding.kind == "line" && mode.decays < few_decays));
+                 (finding.kind == FindingKind::mode || finding.kind == FindingKind::resonance ||
+                  (finding.kind == FindingKind::line && mode.decays < few_decays));
         }))
       ++score.modes_found;
     else
@@ -97,7 +98,7 @@ void score_modes(Score &score, const Content &content, const Analysis &analysis,
                                   mode.frequency, 100 * mode.damping, mode.decibel);
   }
   for (const Finding &finding : analysis.findings) {
-    if (finding.kind != "mode" && finding.kind != "resonance")
+    if (finding.kind != FindingKind::mode && finding.kind != FindingKind::resonance)
       continue;
     const double f = finding.frequency;
     const bool is_true =
@@ -110,7 +111,7 @@ void score_modes(Score &score, const Content &content, const Analysis &analysis,
                     [&](const auto &line) { return std::abs(f - line.frequency) < 2 * bin; });
     if (!is_true) {
       ++score.false_modes;
-      score.missed += fmt::format("{}: {} of {:.2f} Hz, {:.3g} {}, is false: {}\n", name, finding.kind, f,
+      score.missed += fmt::format("{}: {} of {:.2f} Hz, {:.3g} {}, is false: {}\n", name, word_of(finding.kind), f,
                                   finding.amplitude, finding.unit, fmt::join(finding.evidence, "; "));
     }
   }
@@ -135,16 +136,16 @@ void score_growth(Score &score, const Content &content, const Analysis &analysis
                                 content.growth, content.growth_frequency, content.growth_from, content.growth_to);
     for (const Finding &finding : analysis.findings)  // what it was taken for
       if (std::abs(finding.frequency - content.growth_frequency) < 25)
-        score.missed += fmt::format("  {} at {:.2f} Hz: {}\n", finding.kind, finding.frequency,
+        score.missed += fmt::format("  {} at {:.2f} Hz: {}\n", word_of(finding.kind), finding.frequency,
                                     fmt::join(finding.evidence, "; "));
     return;
   }
   ++score.calm;
   for (const Finding &finding : analysis.findings)
-    if (finding.kind == "near instability" || finding.kind == "alarm") {
+    if (finding.kind == FindingKind::near_instability || finding.kind == FindingKind::alarm) {
       ++score.false_growth;
-      score.missed += fmt::format("{}: {} at {:.2f} Hz is false: {}\n", name, finding.kind, finding.frequency,
-                                  finding.evidence.front());
+      score.missed += fmt::format("{}: {} at {:.2f} Hz is false: {}\n", name, word_of(finding.kind),
+                                  finding.frequency, finding.evidence.front());
       break;
     }
 }
@@ -202,7 +203,7 @@ Score score_of(const std::uint64_t seed, const random_record::Wish &wish)
         std::max(score.account_error, std::abs(a.lines + a.families + a.modes + a.floor + a.unexplained - 1));
   }
   for (const CandidateFate &one : analysis.candidates)
-    score.fateless += one.fate.empty() || one.reason.empty();
+    score.fateless += one.reason.empty();
   return score;
 }
 }  // namespace detection_score

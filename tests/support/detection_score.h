@@ -12,7 +12,7 @@ struct Score {
   long calm = 0, false_growth = 0;     ///< records without growth; of them with an alarm or a warning
   long growing = 0, growth_found = 0;  ///< records with growth; of them reported with its sign
   double account_error = 0;            ///< -, largest distance of the sum of shares from one
-  long fateless        = 0;            ///< candidates without a fate or a reason
+  long fateless        = 0;            ///< candidates whose fate has no reason
   std::string missed;                  ///< what was wrong, a line each
   void add(const Score &other);
   std::string table() const;  ///< rows of markdown

@@ -1,4 +1,5 @@
 #include "twin/advice/advice_files.h"
+#include "core/base/si_unit.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -116,7 +117,7 @@ std::string csv_line(const RatedAction &a, const std::string &rank)
   for (const double part : {a.verified, a.change, a.spread, a.first_order, a.apart})
     text += "," + csv_number(100 * part);
   for (const SideEffect &effect : a.effects)
-    text += "," + csv_number(effect.unit == "1" ? 100 * effect.value : effect.value);
+    text += "," + csv_number(is_in(effect.unit, SiUnit::one) ? 100 * effect.value : effect.value);
   std::vector<std::string> repeated;
   for (const SideEffect &effect : a.repeated)
     repeated.push_back(fmt::format("{}: {:+.4g} %", effect.name, 100 * effect.value));
@@ -150,7 +151,7 @@ std::string advice_json(const AdviceRecord &record)
 std::string advice_csv(const AdviceRecord &record)
 {
   std::string text = "rank,action,verified change [%],change [%],sd [%],first order [%],one after the other [%]";
-  const auto unit  = [](const std::string &si) { return si == "1" ? std::string("%") : si; };
+  const auto unit  = [](const std::string &si) { return is_in(si, SiUnit::one) ? std::string("%") : si; };
   std::vector<SideEffect> columns;
   if (!record.actions.empty())
     columns = record.actions.front().effects;

@@ -1,6 +1,7 @@
 #include "twin/advice/chatter_advice.h"
 #include "core/base/errors.h"
 #include "core/base/require.h"
+#include "core/base/si_unit.h"
 #include "core/process/parallel.h"
 #include "twin/advice/process_action.h"
 #include "twin/chatter/critical_slopes.h"
@@ -110,7 +111,8 @@ private:
     for (ProcessAction &action : process_actions(asked_.bite, asked_.process))
       steps.push_back({std::move(action), ""});
     for (const dynamics::StructureNumber &number : asked_.numbers) {
-      if (number.key == "stand.dampings" || number.unit == "Hz" || number.M_by.size() > 0 || !(number.value > 0))
+      if (number.key == "stand.dampings" || is_in(number.unit, SiUnit::hertz) || number.M_by.size() > 0 ||
+          !(number.value > 0))
         continue;
       const bool of_spring = number.K_by.size() > 0;
       for (const double factor : of_spring ? asked_.stiffness : asked_.damping)
@@ -120,7 +122,7 @@ private:
                 of_spring ? "part of the stand that this spring stands for" : "dampers, liners, cylinders",
                 number.key, factor},
                number.key,
-               number.unit == "1"});  // a damping ratio
+               is_in(number.unit, SiUnit::one)});  // a damping ratio
     }
     for (const StructureAction &action : asked_.actions)
       steps.push_back(

@@ -1,3 +1,4 @@
+#include "core/records/chain_number.h"
 #include "twin/advice/advice.h"
 #include <algorithm>
 #include <cmath>
@@ -62,7 +63,7 @@ LevelQuestion usual_question(const AdvisedStand &advised, const double low, cons
   q.force = white_force(low, high, resolving_step(advised.stand, high));
   if (advised.chain)
     for (const dynamics::Spring &spring : advised.chain->springs)
-      if (spring.stiffness > 0 && spring.name != "K4")
+      if (spring.stiffness > 0 && spring.name != word_of(ChainNumber::K4))
         q.springs.push_back({spring.name, 0.8, 1.2, means_of_spring(spring.name)});
   q.dampers = usual_dampers(advised.stand, 1e5);
   q.tuned   = {TunedChoice{q.place}};

@@ -8,14 +8,14 @@ namespace mill::twin {
 namespace {
 constexpr double of_floor = 1.5, farthest = 2;  // -, where the flank of a resonance ends; at an octave at most
 
-bool is_mode_fate(const std::string &fate)
+bool is_mode_fate(const FindingKind fate)
 {
-  return fate == "mode" || fate == "resonance" || fate == "edge";
+  return fate == FindingKind::mode || fate == FindingKind::resonance || fate == FindingKind::edge;
 }
 
-bool is_family_fate(const std::string &fate)
+bool is_family_fate(const FindingKind fate)
 {
-  return fate == "family" || fate == "lost samples";
+  return fate == FindingKind::family || fate == FindingKind::lost_samples;
 }
 
 // Bins of a resonance: within its width, and farther while the density stays above the floor.
@@ -56,7 +56,7 @@ void add_shares(Account &account, const ChannelAnalysis &seen)
   const WelchSpectrum &s        = seen.spectrum;
   std::vector<bool> of_mode(std::size_t(s.density.size()), false);
   for (const SpectralCandidate &one : detected.candidates)
-    if (!one.peak.line && (is_mode_fate(one.fate) || one.fate == "part of a resonance"))
+    if (!one.peak.line && (is_mode_fate(one.fate) || one.fate == FindingKind::part_of_resonance))
       mark_resonance(of_mode, seen, one.peak);
   double area = 0;
   for (Eigen::Index k = 1; k < s.density.size(); ++k) {
@@ -89,16 +89,17 @@ std::string source_of(const Analysis &analysis, const SpectralCandidate &candida
       return std::abs(member.frequency - f) <= 2 * candidate.peak.resolution;
     });
     if ((agrees && finding.members.empty()) || in)
-      return finding.owner.rfind("source not", 0) == 0 ? finding.owner : finding.kind + ", " + finding.owner;
+      return finding.owner.rfind("source not", 0) == 0 ? finding.owner
+                                                       : std::string(word_of(finding.kind)) + ", " + finding.owner;
   }
-  return candidate.fate + ", source not identified";
+  return std::string(word_of(candidate.fate)) + ", source not identified";
 }
 
 void add_largest(Account &account, const Analysis &analysis, const ChannelAnalysis &seen)
 {
   const SpectralCandidate *largest = nullptr;
   for (const SpectralCandidate &one : seen.detected.candidates)
-    if (one.fate != "side lobe" && one.fate != "skirt of a line" &&
+    if (one.fate != FindingKind::side_lobe && one.fate != FindingKind::skirt &&
         (!largest || one.peak.amplitude > largest->peak.amplitude))
       largest = &one;
   const WelchSpectrum &s = seen.spectrum;
@@ -135,17 +136,18 @@ void list_modes(Analysis &analysis)
   const double none = std::nan("");
   for (const IdentifiedMode &mode : analysis.modes.modes) {
     const auto is_it = [&](const Finding &finding) {
-      return (finding.kind == "mode" || finding.kind == "edge") &&
+      return (finding.kind == FindingKind::mode || finding.kind == FindingKind::edge) &&
              std::abs(finding.frequency - mode.frequency) <=
                  std::max(0.01 * mode.frequency, 3 * mode.law_frequency);
     };
     const auto finding = std::find_if(analysis.findings.begin(), analysis.findings.end(), is_it);
-    std::string fate = "pole not confirmed", reason = "not both halves of the record show it";
+    FindingKind fate   = FindingKind::unconfirmed_pole;
+    std::string reason = "not both halves of the record show it";
     if (finding != analysis.findings.end()) {
       fate   = finding->kind;
       reason = fmt::format("{} of 15 model orders; finding at {:.2f} Hz", mode.orders, finding->frequency);
     } else if (mode.confirmed) {
-      fate   = "pole of a line";
+      fate   = FindingKind::pole_of_line;
       reason = "its damping cannot be separated from zero";
     }
     analysis.candidates.push_back(

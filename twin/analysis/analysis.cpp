@@ -61,7 +61,7 @@ std::vector<CleanChannel> channels_without_lines(const Analysis &analysis, const
       continue;
     std::vector<double> frequencies;
     for (const SpectralCandidate &one : analysis.channels[c].detected.candidates)
-      if (one.fate == "line" &&
+      if (one.fate == FindingKind::line &&
           !(analysis.channels[c].map.speed.size() > 0 && speed_span(analysis) > 0.02 && one.peak.coherence < 0.5))
         frequencies.push_back(one.peak.frequency);
     if (frequencies.empty())

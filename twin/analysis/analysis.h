@@ -61,8 +61,7 @@ struct FamilyMember {
 
 /// Something the record shows.
 struct Finding {
-  std::string
-      kind;  ///< "mode", "line", "family", "resonance", "locked to the speed", "near instability", "alarm", ..
+  FindingKind kind;
   std::string channel;  ///< where it is largest
   double frequency;     ///< Hz; NaN: none
   double low, high;     ///< Hz, 95 % interval of the frequency
@@ -79,8 +78,8 @@ struct CandidateFate {
   double frequency;  ///< Hz
   double amplitude;  ///< 0-peak, in `unit`; NaN: none
   std::string unit;
-  double over_floor;   ///< dB; NaN: none
-  std::string fate;    ///< "line", "family", "mode", "side lobe", ..
+  double over_floor;  ///< dB; NaN: none
+  FindingKind fate;
   std::string reason;  ///< one sentence
 };
 

@@ -1,5 +1,6 @@
 #include "twin/analysis/analysis_files.h"
 #include "core/base/hidden_characters.h"
+#include "core/base/si_unit.h"
 #include "core/records/compared_bands.h"
 #include "core/records/results.h"
 #include "twin/analysis/channel_analysis.h"
@@ -117,7 +118,7 @@ double amplitude_error(const Analysis &analysis, const Finding &finding)
 
 ordered_json json_of(const Analysis &analysis, const Finding &finding)
 {
-  ordered_json json{{"kind", finding.kind},
+  ordered_json json{{"kind", word_of(finding.kind)},
                     {"channel", finding.channel},
                     {"frequency", number(finding.frequency)},
                     {"interval", {number(finding.low), number(finding.high)}},
@@ -164,10 +165,11 @@ ordered_json json_of(const ChannelAnalysis &seen)
 ordered_json level_errors(const ChannelAnalysis &seen)
 {
   ordered_json all = ordered_json::array();
-  if (seen.unit == "m/s2" || seen.unit == "m/s")
+  if (is_in(seen.unit, SiUnit::acceleration) || is_in(seen.unit, SiUnit::speed))
     for (const ComparedBand &band : compared_bands)
-      all.push_back({{"band", {band.low, band.high}},
-                     {"error", number(level_error(seen.map, band.low, band.high, seen.unit == "m/s2"))}});
+      all.push_back(
+          {{"band", {band.low, band.high}},
+           {"error", number(level_error(seen.map, band.low, band.high, is_in(seen.unit, SiUnit::acceleration)))}});
   return all;
 }
 
@@ -210,7 +212,7 @@ Table spectrum_table(const Analysis &analysis, const WelchSpectrum ChannelAnalys
       continue;
     if (table.columns.empty())
       table.add(axis, unit, Eigen::VectorXd::LinSpaced(s.density.size(), 0, s.rate / 2));
-    table.add(seen.name, "(" + seen.unit + ")^2/" + (unit == "Hz" ? "Hz" : "(1/m)"), s.density);
+    table.add(seen.name, "(" + seen.unit + ")^2/" + (is_in(unit, SiUnit::hertz) ? "Hz" : "(1/m)"), s.density);
   }
   return table;
 }
@@ -407,7 +409,7 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   json["cleaning"] = ordered_json::array();
   for (const CleaningEvent &event : record.events)
     json["cleaning"].push_back({{"channel", event.channel},
-                                {"fault", event.fault},
+                                {"fault", word_of(event.fault)},
                                 {"from", event.from},
                                 {"to", event.to},
                                 {"count", event.count},
@@ -446,8 +448,8 @@ std::string candidates_csv(const Analysis &analysis)
   std::string text = "channel,frequency [Hz],amplitude,unit,over the floor [dB],fate,reason\n";
   for (const CandidateFate &one : analysis.candidates)
     text += text_cell(one.channel) + "," + cell(one.frequency, "{:.9g}") + "," + cell(one.amplitude, "{:.5g}") +
-            "," + text_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + text_cell(one.fate) + "," +
-            text_cell(one.reason) + "\n";
+            "," + text_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + text_cell(word_of(one.fate)) +
+            "," + text_cell(one.reason) + "\n";
   return text;
 }
 

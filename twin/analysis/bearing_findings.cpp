@@ -63,7 +63,7 @@ void compare_with_baseline(Finding &finding, const BearingScore &now, const std:
   finding.evidence.push_back(fmt::format("score {:.1f} against {:.1f} of the baseline: {}", now.score,
                                          before->second, grows ? "it grows" : "it does not grow, no fault"));
   if (grows)
-    finding.kind = "bearing fault";
+    finding.kind = FindingKind::bearing_fault;
 }
 
 // A frequency of the fault has one explanation: what else was found there names the bearing, its own source
@@ -81,7 +81,7 @@ void give_to_bearing(Analysis &analysis, const std::string &channel, const std::
     return "";
   };
   const auto is_warning = [](const Finding &finding) {
-    return finding.kind == "near instability" || finding.kind == "alarm";
+    return finding.kind == FindingKind::near_instability || finding.kind == FindingKind::alarm;
   };
   auto &all = analysis.findings;
   all.erase(std::remove_if(all.begin(), all.end(),
@@ -92,14 +92,15 @@ void give_to_bearing(Analysis &analysis, const std::string &channel, const std::
             all.end());
   for (Finding &finding : all) {
     if (finding.channel != channel ||
-        (finding.kind != "mode" && finding.kind != "resonance" && finding.kind != "line"))
+        (finding.kind != FindingKind::mode && finding.kind != FindingKind::resonance &&
+         finding.kind != FindingKind::line))
       continue;
     const std::string place = place_of(finding.frequency);
     if (place.empty())
       continue;
     finding.evidence.push_back("second: " + finding.owner);
     finding.owner = place;
-    finding.kind  = "fault line";
+    finding.kind  = FindingKind::fault_line;
   }
 }
 
@@ -118,7 +119,7 @@ void look_at(Analysis &analysis, const CleanRecord &record, const CleanChannel &
     if (!lines.indicated())
       continue;
     const double f = lines.frequency * (1 + lines.slip);
-    Finding finding{"bearing",
+    Finding finding{FindingKind::bearing,
                     channel.name,
                     f,
                     f - spectrum.resolution,

@@ -1,4 +1,5 @@
 #include "twin/analysis/findings.h"
+#include "twin/records/known_channel.h"
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +54,7 @@ double crossing_near(const WelchSpectrum &s, const double f)
 
 bool is_force(const ChannelAnalysis &channel)
 {
-  return channel.quantity == Quantity::force && channel.name != "load_cell";
+  return channel.quantity == Quantity::force && channel.name != word_of(KnownChannel::load_cell);
 }
 
 std::vector<double> force_edges(const Analysis &analysis)

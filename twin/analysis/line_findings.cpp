@@ -52,7 +52,7 @@ Finding finding_of_line(const Analysis &analysis, const MergedPeak &one)
 {
   const Peak &peak             = one.peak;
   const ChannelAnalysis &where = analysis.channels[one.channel];
-  Finding finding{"line",
+  Finding finding{FindingKind::line,
                   where.name,
                   peak.frequency,
                   peak.frequency - 1.96 * peak.deviation,
@@ -112,7 +112,7 @@ void add_family(Analysis &analysis, const std::vector<MergedPeak> &lines, const 
   const MergedPeak &loudest    = lines[strongest];
   const MergedPeak &shown      = family.orders.front() == 1 ? lines[family.members.front()] : loudest;
   const ChannelAnalysis &where = analysis.channels[loudest.channel];
-  Finding finding{"family",
+  Finding finding{FindingKind::family,
                   where.name,
                   family.fundamental,
                   family.fundamental - 1.96 * family.deviation,
@@ -136,7 +136,7 @@ void add_family(Analysis &analysis, const std::vector<MergedPeak> &lines, const 
   for (std::size_t i = 0; i < family.members.size(); ++i) {
     const MergedPeak &member = lines[family.members[i]];
     finding.members.push_back({family.orders[i], member.peak.frequency, member.peak.amplitude});
-    give_fate(analysis, member, "family",
+    give_fate(analysis, member, FindingKind::family,
               fmt::format("{} x {:.6g} Hz{}{}", family.orders[i], family.fundamental,
                           family.name.empty() ? "" : ", ", family.name));
   }
@@ -155,7 +155,8 @@ void add_side_bands(Analysis &analysis, const std::vector<MergedPeak> &lines, co
     harmonics = std::max(harmonics, place.harmonic);
     sides     = std::max(sides, std::abs(place.side));
   }
-  Finding finding{"family", where.name, bands.carrier, bands.carrier, bands.carrier, 0, where.unit, "", {}, {}};
+  Finding finding{
+      FindingKind::family, where.name, bands.carrier, bands.carrier, bands.carrier, 0, where.unit, "", {}, {}};
   finding.owner =
       fmt::format("{:.6g} Hz{} with side bands {:.5g} Hz apart", bands.carrier,
                   harmonics > 1 ? fmt::format(" and its harmonics up to {}", harmonics) : "", bands.spacing);
@@ -176,7 +177,7 @@ void add_side_bands(Analysis &analysis, const std::vector<MergedPeak> &lines, co
       finding.amplitude = member.peak.amplitude;
     }
     give_fate(
-        analysis, member, "family",
+        analysis, member, FindingKind::family,
         fmt::format("{} x {:.6g} Hz {:+d} x {:.5g} Hz", place.harmonic, bands.carrier, place.side, bands.spacing));
   }
   analysis.findings.push_back(std::move(finding));
@@ -200,7 +201,7 @@ std::vector<std::size_t> add_lost_samples(Analysis &analysis, const CleanRecord 
     const std::string sentence = fmt::format(
         "samples are lost at the borders of blocks of {} samples: comb of {:.2f} Hz", lost->block, lost->spacing);
     const ChannelAnalysis &where = analysis.channels[c];
-    Finding finding{"lost samples",
+    Finding finding{FindingKind::lost_samples,
                     where.name,
                     lost->strongest,
                     lost->strongest,
@@ -223,7 +224,7 @@ std::vector<std::size_t> add_lost_samples(Analysis &analysis, const CleanRecord 
       members.push_back(number[m]);
       finding.members.push_back({0, one.peak.frequency, one.peak.amplitude});
       finding.amplitude = std::max(finding.amplitude, one.peak.amplitude);
-      give_fate(analysis, one, "lost samples", sentence);
+      give_fate(analysis, one, FindingKind::lost_samples, sentence);
     }
     std::sort(finding.members.begin(), finding.members.end(),
               [](const auto &a, const auto &b) { return a.frequency < b.frequency; });
@@ -242,7 +243,7 @@ void add_single_line(Analysis &analysis, const MergedPeak &one, const std::strin
     finding.evidence.push_back(follows);
   if (speed_span(analysis) < 0.02 && speed > 0)
     finding.evidence.push_back(spacing_sentence(finding.frequency, speed, stand));
-  give_fate(analysis, one, "line", finding.evidence.front());
+  give_fate(analysis, one, FindingKind::line, finding.evidence.front());
   analysis.findings.push_back(std::move(finding));
 }
 }  // namespace
@@ -257,11 +258,12 @@ void add_line_findings(Analysis &analysis, const CleanRecord &record, const Case
       continue;
     std::string sentence;
     if (is_locked(analysis, one, sentence)) {
-      give_fate(analysis, one, "locked to the speed", sentence + "; it is a line over the rolled length");
+      give_fate(analysis, one, FindingKind::locked, sentence + "; it is a line over the rolled length");
       continue;
     }
     if (is_unresolved_mode(analysis, one.peak)) {
-      give_fate(analysis, one, "mode", "the bins are too wide to separate it from the mode at this frequency");
+      give_fate(analysis, one, FindingKind::mode,
+                "the bins are too wide to separate it from the mode at this frequency");
       continue;
     }
     lines.push_back(std::move(one));

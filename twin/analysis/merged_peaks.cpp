@@ -30,8 +30,8 @@ std::vector<MergedPeak> merged_peaks(const Analysis &analysis)
   for (std::size_t c = 0; c < analysis.channels.size(); ++c) {
     const auto &candidates = analysis.channels[c].detected.candidates;
     for (std::size_t i = 0; i < candidates.size(); ++i)
-      if (candidates[i].fate == "line" ||
-          (candidates[i].fate == "resonance" && is_vibration(analysis.channels[c].quantity)))
+      if (candidates[i].fate == FindingKind::line ||
+          (candidates[i].fate == FindingKind::resonance && is_vibration(analysis.channels[c].quantity)))
         all.push_back({candidates[i].peak, c, {{c, i}}});
   }
   std::stable_sort(all.begin(), all.end(),
@@ -52,7 +52,7 @@ std::vector<MergedPeak> merged_peaks(const Analysis &analysis)
   return kept;
 }
 
-void give_fate(Analysis &analysis, const MergedPeak &peak, const std::string &fate, const std::string &reason)
+void give_fate(Analysis &analysis, const MergedPeak &peak, const FindingKind fate, const std::string &reason)
 {
   for (const MergedPeak::Place &place : peak.seen) {
     SpectralCandidate &candidate = analysis.channels[place.channel].detected.candidates[place.candidate];

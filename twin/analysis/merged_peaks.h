@@ -17,5 +17,5 @@ struct MergedPeak {
 std::vector<MergedPeak> merged_peaks(const Analysis &analysis);
 
 /// Writes down what became of a peak, for every channel that shows it.
-void give_fate(Analysis &analysis, const MergedPeak &peak, const std::string &fate, const std::string &reason);
+void give_fate(Analysis &analysis, const MergedPeak &peak, FindingKind fate, const std::string &reason);
 }  // namespace mill::twin

@@ -1,6 +1,7 @@
 #include "twin/analysis/channel_analysis.h"
 #include "twin/analysis/findings.h"
 #include "twin/analysis/owner.h"
+#include "twin/records/known_channel.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -86,7 +87,7 @@ const CleanChannel *recorded_force(const Analysis &analysis, const CleanRecord &
   for (std::size_t i = 0; i < analysis.channels.size(); ++i) {
     if (!is_force(analysis.channels[i]) || record.channels[i].n_used() == 0)
       continue;
-    if (record.channels[i].name == "force")
+    if (is_driving_force(record.channels[i].name))
       return &record.channels[i];
     if (only)
       return nullptr;
@@ -139,7 +140,7 @@ void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChanne
 Finding finding_of(const Analysis &analysis, const double frequency, const double sd, const double damping,
                    const Eigen::VectorXcd &shape)
 {
-  Finding finding{"mode",
+  Finding finding{FindingKind::mode,
                   loudest(analysis, shape),
                   frequency,
                   frequency - 1.96 * sd,
@@ -219,7 +220,7 @@ void add_of_response_alone(Analysis &analysis, const CaseModel *stand)
         fmt::format("damping {:.2f} % of critical, standard error at least {:.2f} %, about twice that in practice",
                     100 * mode.damping, 100 * mode.law_damping));
     if (edge) {
-      finding.kind  = "edge";
+      finding.kind  = FindingKind::edge;
       finding.owner = "edge of the force band";
       finding.evidence.push_back("the density of the force changes by 10 dB within 5 % there");
     } else {

@@ -1,3 +1,4 @@
+#include "core/base/si_unit.h"
 #include "twin/analysis/channel_analysis.h"
 #include "twin/analysis/findings.h"
 #include "twin/onset/growth_stretch.h"
@@ -31,8 +32,16 @@ double upper_of(const ForcedMode &mode)
 
 void add_near_instability(Analysis &analysis, const Finding &of_mode, const std::string &sentence)
 {
-  Finding finding{"near instability", of_mode.channel, of_mode.frequency, of_mode.low, of_mode.high,
-                  of_mode.amplitude,  of_mode.unit,    of_mode.owner,     {},          {}};
+  Finding finding{FindingKind::near_instability,
+                  of_mode.channel,
+                  of_mode.frequency,
+                  of_mode.low,
+                  of_mode.high,
+                  of_mode.amplitude,
+                  of_mode.unit,
+                  of_mode.owner,
+                  {},
+                  {}};
   finding.evidence.push_back(sentence);
   analysis.findings.push_back(std::move(finding));
 }
@@ -51,7 +60,8 @@ double lonely_half_band(const Analysis &analysis, const Finding &of_mode)
   double half_band = std::min(widest_half_band, of_mode.frequency);
   for (const Finding &other : analysis.findings) {
     const double apart = std::abs(other.frequency - of_mode.frequency);
-    if ((other.kind == "mode" || other.kind == "resonance") && apart > of_mode.high - of_mode.low)
+    if ((other.kind == FindingKind::mode || other.kind == FindingKind::resonance) &&
+        apart > of_mode.high - of_mode.low)
       half_band = std::min(half_band, apart / 2);
   }
   return half_band;
@@ -147,7 +157,7 @@ void add_alarms(Analysis &analysis, const Finding &of_mode, const ComplexEnvelop
                 const std::optional<GrowthStretch> &stretch, const AnalysisSettings &settings)
 {
   AlarmSettings rule;
-  if (of_mode.unit == "m/s2")
+  if (is_in(of_mode.unit, SiUnit::acceleration))
     rule.limit = settings.limit;
   int n = 0;
   for (const Alarm &alarm : alarms(envelope, rule)) {
@@ -158,8 +168,8 @@ void add_alarms(Analysis &analysis, const Finding &of_mode, const ComplexEnvelop
           fmt::format("more than {} alarms at {:.4g} Hz; the first are listed", most_alarms, of_mode.frequency));
       break;
     }
-    Finding finding{"alarm",     of_mode.channel, of_mode.frequency, of_mode.low, of_mode.high,
-                    alarm.level, of_mode.unit,    of_mode.owner,     {}};
+    Finding finding{FindingKind::alarm, of_mode.channel, of_mode.frequency, of_mode.low, of_mode.high,
+                    alarm.level,        of_mode.unit,    of_mode.owner,     {}};
     finding.evidence.push_back(
         fmt::format("at {:.2f} s: {:.3g} is {:.1f} times the baseline of {:.3g}, growing at {:.2f} 1/s",
                     alarm.time, alarm.level, alarm.level / alarm.baseline, alarm.baseline, alarm.sigma));
@@ -206,17 +216,18 @@ void add_onset_findings(Analysis &analysis, const CleanRecord &record, const std
   const std::size_t n = analysis.findings.size();
   int lines_seen      = 0;
   for (std::size_t i = 0; i < n; ++i) {
-    const std::string kind = analysis.findings[i].kind;
+    const FindingKind kind = analysis.findings[i].kind;
     const bool within_band = analysis.findings[i].frequency + band_of_envelope <= record.rate / 2;
     if (const CleanChannel *whole = record.find(analysis.findings[i].channel);
-        kind == "line" && whole && is_vibration(whole->quantity) && within_band && lines_seen++ < most_lines) {
+        kind == FindingKind::line && whole && is_vibration(whole->quantity) && within_band &&
+        lines_seen++ < most_lines) {
       Finding line = analysis.findings[i];
       add_growth_of_line(analysis, line, *whole, record.rate, settings);
       analysis.findings[i] = line;
       continue;
     }
     const CleanChannel *channel = line_free_channel(record, line_free, analysis.findings[i].channel);
-    if ((kind != "mode" && kind != "resonance") || !channel || !within_band)
+    if ((kind != FindingKind::mode && kind != FindingKind::resonance) || !channel || !within_band)
       continue;
     const ComplexEnvelope envelope =
         complex_envelope(channel->value, channel->pieces, record.rate, analysis.findings[i].frequency);

@@ -22,7 +22,7 @@ template <class Test> bool any_confirmed(const Analysis &analysis, const Test &i
 const Finding *known_as(const Analysis &analysis, const Peak &peak)
 {
   for (const Finding &finding : analysis.findings)
-    if ((finding.kind == "mode" || finding.kind == "edge") &&
+    if ((finding.kind == FindingKind::mode || finding.kind == FindingKind::edge) &&
         std::abs(finding.frequency - peak.frequency) <=
             std::max({peak.width, 0.01 * peak.frequency, finding.high - finding.low, 2 * peak.resolution}))
       return &finding;
@@ -35,7 +35,7 @@ const Finding *smeared_line(const Analysis &analysis, const Peak &peak)
   if (speed_span(analysis) < 0.02)
     return nullptr;
   for (const Finding &finding : analysis.findings)
-    if (finding.kind == "locked to the speed" && peak.frequency >= finding.low && peak.frequency <= finding.high &&
+    if (finding.kind == FindingKind::locked && peak.frequency >= finding.low && peak.frequency <= finding.high &&
         peak.width <= wider * (finding.high - finding.low))
       return &finding;
   return nullptr;
@@ -71,7 +71,7 @@ void add_resonance(Analysis &analysis, const MergedPeak &one, const CaseModel *s
   const ChannelAnalysis &where = analysis.channels[one.channel];
   const double span            = speed_span(analysis);
   const double sd              = peak.deviation;
-  Finding finding{"resonance",
+  Finding finding{FindingKind::resonance,
                   where.name,
                   peak.frequency,
                   peak.frequency - 1.96 * sd,
@@ -90,7 +90,7 @@ void add_resonance(Analysis &analysis, const MergedPeak &one, const CaseModel *s
     const Follows how =
         follows_speed(exponent, span, std::max(peak.width, where.map.rate / double(where.map.L)) / peak.frequency);
     if (how == Follows::locked) {
-      give_fate(analysis, one, "locked to the speed", "it is a line over the rolled length");
+      give_fate(analysis, one, FindingKind::locked, "it is a line over the rolled length");
       return;
     }
     finding.evidence.push_back(
@@ -101,7 +101,7 @@ void add_resonance(Analysis &analysis, const MergedPeak &one, const CaseModel *s
   if (stand && speed > 0)
     finding.owner = turning_owner({peak.frequency, 2 * peak.resolution, false, 4 * sd}, stand, speed, {}, 0, {});
   if (finding.owner.empty() && is_edge(analysis.force_edges, peak.frequency)) {
-    finding.kind  = "edge";
+    finding.kind  = FindingKind::edge;
     finding.owner = "edge of the force band";
   }
   if (finding.owner.empty() && stand)
@@ -121,10 +121,11 @@ void add_resonance_findings(Analysis &analysis, const CaseModel *stand, const do
     if (one.peak.line)
       continue;
     if (const Finding *known = known_as(analysis, one.peak))
-      give_fate(analysis, one, known->kind, fmt::format("{} at {:.2f} Hz", known->kind, known->frequency));
+      give_fate(analysis, one, known->kind,
+                fmt::format("{} at {:.2f} Hz", word_of(known->kind), known->frequency));
     else if (const Finding *locked = smeared_line(analysis, one.peak))
       give_fate(
-          analysis, one, "locked to the speed",
+          analysis, one, FindingKind::locked,
           fmt::format("smeared between {:.4g} and {:.4g} Hz while the speed changes", locked->low, locked->high));
     else
       add_resonance(analysis, one, stand, speed);
@@ -155,7 +156,7 @@ void add_locked_findings(Analysis &analysis, const CaseModel *stand)
             fmt::format("{} shows it too, {:.3g} {} 0-peak", channel.name, peak.amplitude, channel.unit));
         continue;
       }
-      Finding finding{"locked to the speed",
+      Finding finding{FindingKind::locked,
                       channel.name,
                       peak.frequency * v,
                       peak.frequency * analysis.lowest_speed,
@@ -211,7 +212,7 @@ void add_severity_findings(Analysis &analysis, const AnalysisSettings &settings)
     std::size_t zone = 0;
     while (zone < settings.severity.size() && channel.velocity_rms > settings.severity[zone])
       ++zone;
-    Finding finding{"severity",
+    Finding finding{FindingKind::severity,
                     channel.name,
                     std::nan(""),
                     std::nan(""),

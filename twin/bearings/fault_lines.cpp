@@ -1,10 +1,17 @@
 #include "twin/bearings/fault_lines.h"
+#include "core/base/choice.h"
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 
 namespace mill::twin {
 namespace {
+enum class Fault { outer, inner, roller, cage };
+constexpr auto words_of(Fault)
+{
+  return choice_words<Fault>("BPFO", "BPFI", "2 BSF", "FTF");
+}
+
 constexpr double slip_low = -0.015, slip_high = 0.008, neighbourhood = 0.08;
 constexpr Eigen::Index fewest_neighbours = 10;  // bins to each side
 constexpr int harmonics = 4, side_bands = 3, shaft_harmonics = 40;
@@ -96,7 +103,8 @@ FaultLines best_slip(const Lines &lines, const std::string &family, const double
 // Harmonics of a family that was found, with the side bands it makes.
 void block_family(Lines &lines, const FaultLines &family, const double shaft, const double cage)
 {
-  const bool by_shaft = family.family != "2 BSF", by_cage = family.family == "2 BSF" || family.family == "BPFO";
+  const bool by_shaft = family.family != word_of(Fault::roller),
+             by_cage  = !by_shaft || family.family == word_of(Fault::outer);
   for (int h = 1; h <= 2 * harmonics; ++h) {
     const double f = h * family.frequency * (1 + family.slip);
     lines.block(f);
@@ -159,10 +167,10 @@ std::vector<FaultLines> fault_lines(const EnvelopeSpectrum &spectrum, const Turn
   Lines lines(spectrum);
   for (int k = 1; k <= shaft_harmonics; ++k)
     lines.block(k * shaft);
-  std::vector<std::pair<std::string, double>> left{{"BPFO", bearing.outer * shaft},
-                                                   {"BPFI", bearing.inner * shaft},
-                                                   {"2 BSF", 2 * bearing.roller * shaft},
-                                                   {"FTF", bearing.cage * shaft}};
+  std::vector<std::pair<std::string, double>> left{{word_of(Fault::outer), bearing.outer * shaft},
+                                                   {word_of(Fault::inner), bearing.inner * shaft},
+                                                   {word_of(Fault::roller), 2 * bearing.roller * shaft},
+                                                   {word_of(Fault::cage), bearing.cage * shaft}};
   while (!left.empty()) {
     FaultLines best;
     for (const auto &[family, frequency] : left)

@@ -1,4 +1,5 @@
 #include "twin/calibration/calibration_files.h"
+#include "core/records/calibration_status.h"
 #include "core/records/results.h"
 #include "twin/calibration/words.h"
 #include <cmath>
@@ -141,8 +142,8 @@ ordered_json rows_of_matrix(const Eigen::MatrixXd &matrix)
 std::string calibration_status(const Calibration &result, const bool accepted)
 {
   if (!result.refusals.empty())
-    return accepted ? "accepted" : "refused";
-  return result.agrees ? "agrees" : "ok";
+    return word_of(accepted ? CalibrationStatus::accepted : CalibrationStatus::refused);
+  return word_of(result.agrees ? CalibrationStatus::agrees : CalibrationStatus::ok);
 }
 
 bool is_written(const Calibration &result, const bool accepted)

@@ -32,7 +32,7 @@ void list_clips(const CleanChannel &channel, const Eigen::VectorXd &value, const
 {
   // neighbouring clips within 0.1 s are one entry of the list
   const auto apart = Eigen::Index(0.1 * rate);
-  CleaningEvent open{channel.name, "clipped", 0, 0, 0, "counted; the peak is a lower bound"};
+  CleaningEvent open{channel.name, CleaningFault::clipped, 0, 0, 0, "counted; the peak is a lower bound"};
   Eigen::Index last = -apart - 1;
   for (Eigen::Index i = 0; i < value.size(); ++i) {
     if (!at_level(value[i]))
@@ -99,8 +99,8 @@ void cut_stuck(CleanChannel &channel, const double rate, std::vector<CleaningEve
       if (end - i >= shortest && level != channel.clip_low && level != channel.clip_high) {
         if (i > begin)
           kept.push_back({begin, i});
-        events.push_back(
-            {channel.name, "stuck", double(i) / rate, double(end - 1) / rate, end - i, "piece removed"});
+        events.push_back({channel.name, CleaningFault::stuck, double(i) / rate, double(end - 1) / rate, end - i,
+                          "piece removed"});
         channel.stuck += end - i;
         begin = end;
       }

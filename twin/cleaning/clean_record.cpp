@@ -22,7 +22,7 @@ void fill_short_gaps(CleanChannel &channel, const double rate, const std::vector
 {
   const auto is_listed = [&](const Eigen::Index first, const Eigen::Index n) {
     return std::any_of(of_all.begin(), of_all.end(), [&](const CleaningEvent &e) {
-      return e.fault == "gap" && e.count == n && std::llround(e.from * rate) == first;
+      return e.fault == CleaningFault::gap && e.count == n && std::llround(e.from * rate) == first;
     });
   };
   Eigen::VectorXd &x = channel.value;
@@ -42,8 +42,9 @@ void fill_short_gaps(CleanChannel &channel, const double rate, const std::vector
       channel.filled += n;
     }
     if (!is_listed(i, n))
-      events.push_back({channel.name, n > longest_filled ? "gap" : "missing", double(i) / rate,
-                        double(end - 1) / rate, n, fills ? "filled linearly" : "record cut here"});
+      events.push_back({channel.name, n > longest_filled ? CleaningFault::gap : CleaningFault::missing,
+                        double(i) / rate, double(end - 1) / rate, n,
+                        fills ? "filled linearly" : "record cut here"});
     i = end;
   }
 }
@@ -112,7 +113,7 @@ void list_row_gaps(CleanRecord &record, const TimeGrid &grid)
   Eigen::Index before = 0;
   for (const Eigen::Index k : grid.position) {
     if (k > before + 1)
-      record.events.push_back({"", "gap", double(before + 1) / grid.rate, double(k - 1) / grid.rate,
+      record.events.push_back({"", CleaningFault::gap, double(before + 1) / grid.rate, double(k - 1) / grid.rate,
                                k - before - 1,
                                k - before - 1 <= longest_filled ? "filled linearly" : "record cut here"});
     before = std::max(before, k);
@@ -138,8 +139,8 @@ CleanChannel clean_channel(RawChannel &&raw, const RawRecord &record, const Time
   else {
     for (Eigen::Index i = 0; i < raw.value.size(); ++i)  // listed here, since the spline fills them
       if (std::isnan(raw.value[i]))
-        events.push_back(
-            {channel.name, "missing", record.time[i], record.time[i], 1, "filled by the cubic spline"});
+        events.push_back({channel.name, CleaningFault::missing, record.time[i], record.time[i], 1,
+                          "filled by the cubic spline"});
     channel.value = interpolated(raw.value, record.time, grid);
   }
   raw.value.resize(0);
@@ -229,11 +230,11 @@ CleanRecord clean_record(RawRecord &&raw)
   record.notes        = raw.notes;
   list_row_gaps(record, grid);
   if (grid.doubled > 0)
-    record.events.push_back({"", "doubled", 0, double(grid.n - 1) / grid.rate, grid.doubled,
+    record.events.push_back({"", CleaningFault::doubled, 0, double(grid.n - 1) / grid.rate, grid.doubled,
                              "samples with the time of their neighbour were left out"});
   if (grid.uneven)
     record.events.push_back(
-        {"", "jitter", 0, double(grid.n - 1) / grid.rate, raw.n_samples(),
+        {"", CleaningFault::jitter, 0, double(grid.n - 1) / grid.rate, raw.n_samples(),
          fmt::format("times are {:.3g} samples (rms) away from an even grid; put onto it by a cubic spline",
                      grid.jitter * grid.rate)});
   const std::vector<CleaningEvent> of_all = record.events;

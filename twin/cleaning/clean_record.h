@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "twin/cleaning/described_channel.h"
 #include "twin/cleaning/time_grid.h"
 #include "twin/records/raw_record.h"
@@ -16,13 +17,19 @@ struct Span {
   }
 };
 
+enum class CleaningFault { gap, missing, clipped, stuck, doubled, jitter };
+constexpr auto words_of(CleaningFault)
+{
+  return choice_words<CleaningFault>("gap", "missing", "clipped", "stuck", "doubled", "jitter");
+}
+
 /// Something that was found wrong and what was done about it.
 struct CleaningEvent {
   std::string channel;  ///< empty: all of the record
-  std::string fault;    ///< "gap", "missing", "clipped", "stuck", "doubled", "jitter"
-  double from, to;      ///< s from the start of the record, first and last sample
-  Eigen::Index count;   ///< samples
-  std::string done;     ///< "filled linearly", "cut here", ..
+  CleaningFault fault;
+  double from, to;     ///< s from the start of the record, first and last sample
+  Eigen::Index count;  ///< samples
+  std::string done;    ///< "filled linearly", "cut here", ..
 };
 
 /// A channel on the even grid, its offset and drift taken off (not of a speed).

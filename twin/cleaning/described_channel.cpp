@@ -1,4 +1,5 @@
 #include "twin/cleaning/described_channel.h"
+#include "core/base/si_unit.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -60,7 +61,7 @@ double common_step(const Shape &shape, Eigen::Index &others)
 
 std::string range_text(const Shape &shape, const std::string &unit)
 {
-  return fmt::format("{:.6g} to {:.6g}{}", shape.low, shape.high, unit == "1" ? "" : " " + unit);
+  return fmt::format("{:.6g} to {:.6g}{}", shape.low, shape.high, after_number(unit));
 }
 }  // namespace
 
@@ -80,7 +81,7 @@ std::optional<DescribedChannel> described(const RawChannel &channel)
     result.lowest = result.highest = std::nan("");
     return named("empty", ", without a number");
   }
-  const std::string unit = channel.unit == "1" ? "" : " " + channel.unit;
+  const std::string unit = after_number(channel.unit);
   if (shape.low == shape.high)
     return named("constant", fmt::format(", {:.6g}{}", shape.low, unit));
   if (n < few_values)

@@ -32,7 +32,7 @@ double leakage_at(const std::vector<SpectralCandidate> &lines, const WelchSpectr
 {
   double sum = 0;
   for (const SpectralCandidate &line : lines)
-    if (line.fate == "line")
+    if (line.fate == FindingKind::line)
       sum += line.peak.density * 2 * leakage(double(k) - line.peak.frequency / s.resolution());
   return sum;
 }
@@ -84,7 +84,7 @@ std::array<SpectralCandidate, 2> candidates_of(const LinePair &pair, const Peak 
     peak.deviation             = line.deviation;
     peak.coherence             = pair.coherence;
     peak.swing                 = 0;
-    both[i]                    = {peak, "line",
+    both[i]                    = {peak, FindingKind::line,
                                   fmt::format("{:.0f} dB over the floor, one of two lines {:.3g} Hz apart that beat ({:.0f} % of "
                                                                  "the power of their peak turns steadily)",
                                               peak.prominence, pair.lines[1].frequency - pair.lines[0].frequency,
@@ -114,7 +114,7 @@ bool is_skirt(const std::vector<SpectralCandidate> &candidates, const Peak &peak
   return peak.width < reach * peak.resolution &&
          std::any_of(candidates.begin(), candidates.end(), [&](const SpectralCandidate &other) {
            const double unsteady = 1 - std::min(1.0, other.peak.coherence) + least_share;
-           return other.fate == "line" && peak.density < unsteady * other.peak.density &&
+           return other.fate == FindingKind::line && peak.density < unsteady * other.peak.density &&
                   std::abs(other.peak.frequency - peak.frequency) < reach * peak.resolution;
          });
 }
@@ -152,7 +152,7 @@ SpectralPeaks spectral_peaks(const Eigen::VectorXd &value, const std::vector<Spa
       if (s.density[k] < 4 * leaked) {
         Peak lobe = line_peak(s, k, next_to, result.floor[k], {});
         lobe.line = false;
-        result.candidates.push_back({lobe, "side lobe", "the window spreads a stronger line that far"});
+        result.candidates.push_back({lobe, FindingKind::side_lobe, "the window spreads a stronger line that far"});
       }
       continue;
     }
@@ -168,7 +168,7 @@ SpectralPeaks spectral_peaks(const Eigen::VectorXd &value, const std::vector<Spa
       }
     } else if (peak.width < narrow * s.enbw() && test.steady()) {
       result.candidates.push_back(
-          {peak, "line",
+          {peak, FindingKind::line,
            fmt::format("{:.0f} dB over the floor, steady from segment to segment ({:.0f} % of its power)",
                        peak.prominence, 100 * std::min(1.0, test.coherence))});
       take_out(result.without_lines, peak, next_to);
@@ -181,21 +181,21 @@ SpectralPeaks spectral_peaks(const Eigen::VectorXd &value, const std::vector<Spa
   for (const Peak &peak : resonances(s, result.without_lines, result.floor, low, high)) {
     const bool skirt = is_skirt(result.candidates, peak);
     result.candidates.push_back(
-        {peak, skirt ? "skirt of a line" : "resonance",
+        {peak, skirt ? FindingKind::skirt : FindingKind::resonance,
          skirt ? std::string("next to a stronger line whose frequency is not quite steady")
                : fmt::format("{:.0f} dB over the floor, {:.3g} Hz wide", peak.prominence, peak.width)});
   }
   for (const Peak &peak : narrow_modes) {
     const bool skirt = is_skirt(result.candidates, peak);
     const bool known = std::any_of(result.candidates.begin(), result.candidates.end(), [&](const auto &other) {
-      return other.fate == "resonance" && std::abs(other.peak.frequency - peak.frequency) <=
-                                              std::max(1.5 * other.peak.width, 3 * peak.resolution);
+      return other.fate == FindingKind::resonance && std::abs(other.peak.frequency - peak.frequency) <=
+                                                         std::max(1.5 * other.peak.width, 3 * peak.resolution);
     });
     result.candidates.push_back(
         {peak,
-         skirt   ? "skirt of a line"
-         : known ? "part of a resonance"
-                 : "resonance",
+         skirt   ? FindingKind::skirt
+         : known ? FindingKind::part_of_resonance
+                 : FindingKind::resonance,
          skirt   ? "next to a stronger line whose frequency is not quite steady"
          : known ? "its level comes and goes, and it lies within a wider peak"
                  : "narrow, but its level comes and goes from segment to segment as that of a mode"});

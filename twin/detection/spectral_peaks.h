@@ -1,4 +1,5 @@
 #pragma once
+#include "core/records/finding_kind.h"
 #include "twin/spectra/peaks.h"
 #include "twin/spectra/welch.h"
 #include <Eigen/Core>
@@ -9,7 +10,7 @@ namespace mill::twin {
 /// A local maximum of a spectrum above the threshold, and what became of it.
 struct SpectralCandidate {
   Peak peak;
-  std::string fate;    ///< "line", "resonance", "side lobe", "skirt of a line", "part of a resonance"; exactly one
+  FindingKind fate;    ///< line, resonance, side_lobe, skirt or part_of_resonance until findings claim it
   std::string reason;  ///< one sentence
 };
 

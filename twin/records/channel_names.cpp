@@ -1,4 +1,5 @@
 #include "twin/records/channel_names.h"
+#include "core/base/si_unit.h"
 #include "core/base/valid_text.h"
 #include "twin/records/channel_scale.h"
 #include <algorithm>
@@ -138,7 +139,7 @@ void add_channel(RawRecord &record, const ColumnHead &head, const Place &place, 
   channel.value = std::move(numbers);
   if (unit.factor != 1)
     channel.value *= unit.factor;
-  if (!unit.known && unit.si != "1")
+  if (!unit.known && !is_in(unit.si, SiUnit::one))
     record.notes.push_back(fmt::format("{}: unit '{}' not converted", channel.name, unit.si));
   record.channels.push_back(std::move(channel));
 }

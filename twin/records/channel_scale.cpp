@@ -1,4 +1,5 @@
 #include "twin/records/channel_scale.h"
+#include "core/base/si_unit.h"
 #include "core/base/units.h"
 #include <charconv>
 #include <cmath>
@@ -51,7 +52,7 @@ std::optional<ColumnUnit> scale_of(const std::string &column, const ColumnUnit &
   auto given = options.scales.find(column);
   if (given == options.scales.end())
     given = options.scales.find("");
-  const bool open = unit.quantity == Quantity::voltage || (!unit.known && unit.si == "1");
+  const bool open = unit.quantity == Quantity::voltage || (!unit.known && is_in(unit.si, SiUnit::one));
   if (given == options.scales.end() || !open)
     return std::nullopt;
   ColumnUnit scaled = unit_by_scale(given->second, column);

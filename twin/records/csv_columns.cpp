@@ -1,6 +1,7 @@
 #include "twin/records/csv_columns.h"
 #include <algorithm>
 #include <fmt/format.h>
+#include <set>
 
 namespace mill::twin {
 namespace {
@@ -18,8 +19,8 @@ double any_reading(const std::string_view cell, const StyleMask styles)
 
 bool is_date_name(const std::string &name)
 {
-  const std::string small = lower(name);
-  return small == "date" || small == "datum";
+  static const std::set<std::string> names{"date", "datum"};
+  return names.count(lower(name)) > 0;
 }
 
 void find_time(CsvColumns &columns, const CsvLayout &layout, const std::vector<ColumnEvidence> &evidence)

@@ -71,7 +71,7 @@ private:
   void finish()
   {
     record.notes = rows->notes();
-    if (source.encoding() != "UTF-8")
+    if (!source.is_in_utf8())
       record.notes.push_back("the file is " + source.encoding());
     if (rows->had_comma())
       record.notes.push_back("decimal commas were read as decimal points");

@@ -1,4 +1,5 @@
 #include "twin/records/csv_rows.h"
+#include "core/base/text.h"
 #include "twin/records/line_source.h"
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ CsvRows::CsvRows(std::string file, const std::vector<std::string> &head, const R
 
 void CsvRows::look_at(const std::string_view line, CsvEvidence &evidence)
 {
-  if (line.empty() || line.front() == '#' || line.find_first_not_of(" \t") == std::string_view::npos)
+  if (is_blank(line) || line.front() == '#')
     return;
   cut(line);
   if (cells_.size() >= layout_.columns.size())
@@ -114,7 +115,7 @@ void CsvRows::prepare_clock(const std::vector<std::string> &head)
 
 CsvRows::Kind CsvRows::take(const std::string_view line, const int number, const bool last)
 {
-  if (line.empty() || line.find_first_not_of(" \t") == std::string_view::npos) {
+  if (is_blank(line)) {
     ++blank_lines_;
     return Kind::nothing;
   }

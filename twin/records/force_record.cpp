@@ -1,5 +1,6 @@
 #include "twin/records/force_record.h"
 #include "twin/records/channel_names.h"
+#include "twin/records/known_channel.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -82,7 +83,7 @@ std::size_t force_channel(const RawRecord &record)
   std::vector<std::size_t> forces;
   for (std::size_t i = 0; i < record.channels.size(); ++i) {
     const RawChannel &channel = record.channels[i];
-    if (channel.name == "force") {
+    if (is_driving_force(channel.name)) {
       if (channel.quantity == Quantity::force)
         return i;
       throw InputError(

@@ -1,5 +1,6 @@
 #include "twin/records/line_source.h"
 #include "core/base/errors.h"
+#include "core/base/text.h"
 #include <fmt/format.h>
 
 namespace mill::twin {
@@ -12,7 +13,7 @@ LineSource::LineSource(const std::string &path) : file_(path), path_(path)
   char head[3]             = {};
   const std::string_view h = {head, file_.read(head, 3)};
   std::size_t skip         = 0;
-  if (h == "\xEF\xBB\xBF")
+  if (h == utf8_mark)
     skip = 3;
   else if (const auto two = h.substr(0, 2); two == "\xFF\xFE" || two == "\xFE\xFF") {
     encoding_ = head[0] == '\xFF' ? "UTF-16 little endian" : "UTF-16 big endian";
@@ -91,6 +92,11 @@ int LineSource::number() const
 bool LineSource::ended_without_newline() const
 {
   return open_end_;
+}
+
+bool LineSource::is_in_utf8() const
+{
+  return encoding_ == "UTF-8";
 }
 
 const std::string &LineSource::encoding() const

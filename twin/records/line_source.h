@@ -19,6 +19,7 @@ public:
   bool next(std::string_view &line);
   int number() const;  ///< of the line that next() gave, from 1
   bool ended_without_newline() const;
+  bool is_in_utf8() const;
   const std::string &encoding() const;  ///< "UTF-8", "UTF-16 little endian", "Windows-1252", ..
   bool had_mark() const;                ///< a byte-order mark was at the beginning
   double size() const;                  ///< byte

@@ -1,3 +1,5 @@
+#include "core/base/choice.h"
+#include "core/base/text.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/line_source.h"
 #include "twin/records/number_style.h"
@@ -11,6 +13,19 @@
 // Source: National Instruments, Specification for the LabVIEW Measurement File (.lvm), 2009.
 namespace mill::twin {
 namespace {
+// Columns of X_Value: none, one of all channels, one of each.
+enum class XColumns { no, one, multi };
+constexpr auto words_of(XColumns)
+{
+  return choice_words<XColumns>("No", "One", "Multi");
+}
+// Keys of the head of the file that are read.
+enum class HeadKey { decimal_separator, x_columns, date, time };
+constexpr auto words_of(HeadKey)
+{
+  return choice_words<HeadKey>("Decimal_Separator", "X_Columns", "Date", "Time");
+}
+
 class LvmReader {
 public:
   LvmReader(const std::string &path, const ReadOptions &read_options) : source(path), options(read_options)
@@ -62,20 +77,21 @@ private:
       const auto cells = cells_of(line);
       if (cells.size() < 2)
         continue;
-      if (cells[0] == "Decimal_Separator")
+      const auto key = choice_named<HeadKey>(cells[0]);
+      if (key == HeadKey::decimal_separator)
         style.decimal = cells[1] == "," ? ',' : '.';
-      if (cells[0] == "X_Columns")
-        x_columns = cells[1];
-      if (cells[0] == "Date" && start_date.empty())
+      if (key == HeadKey::x_columns)
+        x_columns = choice_named<XColumns>(cells[1]);
+      if (key == HeadKey::date && start_date.empty())
         start_date = cells[1];
-      if (cells[0] == "Time" && start_time.empty())
+      if (key == HeadKey::time && start_time.empty())
         start_time = cells[1].substr(0, std::min(cells[1].find_first_of(".,") + 7, cells[1].size()));
     }
   }
 
   void take(const std::string_view line)
   {
-    if (line.find_first_not_of(" \t") == std::string_view::npos)
+    if (is_blank(line))
       return;
     const auto cells = cells_of(line);
     if (is_end_of_head(line)) {
@@ -117,7 +133,7 @@ private:
                                    "one recorder",
                                    n_channels, values.size()));
     values.resize(n_channels);
-    multi = x_columns == "Multi";
+    multi = x_columns == XColumns::multi;
     if (!head_place.line)
       head_place = place();
     for (std::size_t c = 0; c < n_channels; ++c) {
@@ -148,7 +164,7 @@ private:
       values[c].push_back(number);
     }
     double x = std::nan("");
-    if (x_columns != "No" && read_number(cells[0], style, x))
+    if (x_columns != XColumns::no && read_number(cells[0], style, x))
       times.push_back(x);
   }
 
@@ -181,7 +197,7 @@ private:
                   Eigen::Map<const Eigen::VectorXd>(values[c].data(), Eigen::Index(n)));
     }
     record.other_columns.push_back("X_Value");
-    if (source.encoding() != "UTF-8")
+    if (!source.is_in_utf8())
       record.notes.push_back("the file is " + source.encoding());
     require_usable_channels(record, options, "write the units into Y_Unit_Label, or");
   }
@@ -201,7 +217,8 @@ private:
   RawRecord record;
   char separator = '\t';
   NumberStyle style;
-  std::string x_columns = "One", start_date, start_time;
+  std::optional<XColumns> x_columns = XColumns::one;
+  std::string start_date, start_time;
   std::map<std::string, std::vector<std::string>> keys;
   std::vector<std::string> names;
   std::vector<std::vector<double>> values;

@@ -1,4 +1,5 @@
 #include "twin/records/mat_arrays.h"
+#include "core/base/choice.h"
 #include "core/base/input_file.h"
 #include "core/base/valid_text.h"
 #include "twin/records/binary_numbers.h"
@@ -9,6 +10,13 @@
 
 namespace mill::twin {
 namespace {
+// Mark at the end of the head.
+enum class ByteOrder { little_endian, big_endian };
+constexpr auto words_of(ByteOrder)
+{
+  return choice_words<ByteOrder>("IM", "MI");
+}
+
 constexpr std::size_t head_size = 128;
 constexpr int compressed = 15, matrix = 14;
 constexpr int deepest            = 12;    // structures inside structures
@@ -219,12 +227,13 @@ private:
 
 NamedArrays mat_arrays(const std::string &file, const std::string &bytes)
 {
-  if (bytes.compare(0, 10, "MATLAB 7.3") == 0 || bytes.compare(0, 4, "\x89HDF") == 0)
+  if (bytes.rfind("MATLAB 7.3", 0) == 0 || bytes.rfind("\x89HDF", 0) == 0)
     throw InputError(file + " is a MATLAB file of version 7.3; save it in MATLAB with save('record.mat', '-v7')");
-  if (bytes.size() < head_size || (bytes.compare(126, 2, "IM") != 0 && bytes.compare(126, 2, "MI") != 0))
+  const auto order = bytes.size() < head_size ? std::nullopt : choice_named<ByteOrder>(bytes.substr(126, 2));
+  if (!order)
     throw InputError(file + " is not a MATLAB file of level 5; save it in MATLAB with save('record.mat', '-v7')");
   NamedArrays arrays;
-  MatParser(file, bytes, bytes.compare(126, 2, "MI") == 0, arrays).read(head_size);
+  MatParser(file, bytes, *order == ByteOrder::big_endian, arrays).read(head_size);
   return arrays;
 }
 }  // namespace mill::twin

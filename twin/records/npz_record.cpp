@@ -1,4 +1,5 @@
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/base/valid_text.h"
 #include "twin/records/named_arrays.h"
 #include "twin/records/npy_array.h"
@@ -12,7 +13,7 @@ namespace mill::twin {
 namespace {
 std::string array_name(const std::string &entry)
 {
-  const bool npy = entry.size() > 4 && entry.compare(entry.size() - 4, 4, ".npy") == 0;
+  const bool npy = entry.size() > 4 && text_ends_with(entry, ".npy");
   return npy ? entry.substr(0, entry.size() - 4) : entry;
 }
 

@@ -39,11 +39,17 @@ bool begins_as_text(const std::string &path)
          });
 }
 
+// An ending that texts and files of single programs have.
+bool is_of_any_program(const std::string &path)
+{
+  return ending_of(path) == ".dat";
+}
+
 // By the ending of the name; nullptr: no format has this ending.
 Reader reader_of(const std::string &path)
 {
   const std::string ending = ending_of(path);
-  if (ending == ".dat")
+  if (is_of_any_program(path))
     return begins_as_text(path) ? read_csv_record : nullptr;
   for (const auto &[known, reader] : readers())
     if (ending == known)
@@ -55,7 +61,7 @@ RawRecord read_any(const std::string &path, const ReadOptions &options)
 {
   if (const Reader reader = reader_of(path))
     return reader(path, options);
-  if (ending_of(path) == ".dat")
+  if (is_of_any_program(path))
     throw InputError(path + ": this .dat file is not a text; export it as CSV in the program of its recorder "
                             "(ibaPDA: ibaAnalyzer)");
   throw InputError(fmt::format(

@@ -1,5 +1,6 @@
 #include "twin/records/record_units.h"
 #include "core/base/units.h"
+#include "twin/records/known_channel.h"
 #include <algorithm>
 #include <array>
 #include <iterator>
@@ -83,7 +84,8 @@ std::string plain_spelling(std::string text)
 
 bool is_speed_name(const std::string &name)
 {
-  return name == "speed" || name == "exit_speed" || name == "entry_speed" || name == "strip_speed";
+  const auto known = choice_named<KnownChannel>(name);
+  return known && *known != KnownChannel::force && *known != KnownChannel::load_cell;
 }
 
 Quantity velocity_or_speed(const std::string &name)

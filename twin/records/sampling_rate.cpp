@@ -32,7 +32,10 @@ RateName rate_name(const std::string &name)
         "samplinginterval", "sampleinterval", "samplingperiod", "abtastzeit", "tinterval"})
     if (word == known)
       return RateName::step;
-  return word == "rate" || word == "frequency" || word == "freq" ? RateName::unclear : RateName::none;
+  for (const char *known : {"rate", "frequency", "freq"})
+    if (word == known)
+      return RateName::unclear;
+  return RateName::none;
 }
 
 double sampling_rate(const std::string &file, const std::vector<RateCandidate> &candidates,

@@ -65,6 +65,12 @@ std::string_view part(const std::string_view line, const std::size_t from, const
   return text;
 }
 
+// The line before and after a data set.
+bool is_border(const std::string_view line)
+{
+  return part(line, 0, 80) == "-1";
+}
+
 // A number of fixed width, "1.5D-03" as Fortran writes it too.
 bool number_in(const std::string_view text, double &value)
 {
@@ -130,7 +136,7 @@ public:
     std::string_view line;
     bool any = false;
     while (text.next(line)) {
-      if (part(line, 0, 80) != "-1")
+      if (!is_border(line))
         continue;
       if (!text.next(line))
         break;
@@ -155,7 +161,7 @@ private:
   {
     std::string_view line;
     while (text.next(line))
-      if (part(line, 0, 80) == "-1")
+      if (is_border(line))
         return;
   }
 
@@ -238,7 +244,7 @@ private:
     while (values.size() < n) {
       if (!text.next(line))
         throw InputError(text.here(), fmt::format("the file ends after {} of {} numbers", values.size(), n));
-      if (part(line, 0, 80) == "-1")
+      if (is_border(line))
         throw InputError(text.here(), fmt::format("the data set ends after {} of {} numbers", values.size(), n));
       take_line(line, set, is_double, n, values);
     }
@@ -314,7 +320,7 @@ private:
     const auto values           = numbers(set, n_numbers);
     std::string_view line;
     if (set.binary)  // some writers put no line end behind the numbers
-      while (text.next(line) && part(line, 0, 80) != "-1")
+      while (text.next(line) && !is_border(line))
         if (!part(line, 0, 80).empty())
           throw InputError(
               text.here(),

@@ -1,3 +1,4 @@
+#include "core/base/choice.h"
 #include "core/base/input_file.h"
 #include "twin/records/binary_numbers.h"
 #include "twin/records/channel_names.h"
@@ -8,6 +9,18 @@
 // Source: Microsoft and IBM, Multimedia Programming Interface and Data Specifications 1.0 (1991), chapter 3.
 namespace mill::twin {
 namespace {
+// First four bytes of a file, and of the chunks of it that are read.
+enum class WavForm { usual, of_64_bits };
+constexpr auto words_of(WavForm)
+{
+  return choice_words<WavForm>("RIFF", "RF64");
+}
+enum class WavChunk { format, samples };
+constexpr auto words_of(WavChunk)
+{
+  return choice_words<WavChunk>("fmt ", "data");
+}
+
 struct WavFormat {
   int coding = 0, channels = 0, bits = 0;  // coding 1: PCM, 3: floating point
   double rate = 0;                         // Hz
@@ -79,8 +92,7 @@ RawRecord read_wav_record(const std::string &path, const ReadOptions &options)
   InputFile file(path);
   std::string head(12, '\0');
   head.resize(file.read(head.data(), 12));
-  if (head.size() < 12 || (head.compare(0, 4, "RIFF") != 0 && head.compare(0, 4, "RF64") != 0) ||
-      head.compare(8, 4, "WAVE") != 0)
+  if (head.size() < 12 || !choice_named<WavForm>(head.substr(0, 4)) || head.substr(8) != "WAVE")
     refuse_wav(path, "is not a WAV file: it does not begin with RIFF .. WAVE");
   RawRecord record;
   record.file   = path;
@@ -94,12 +106,13 @@ RawRecord read_wav_record(const std::string &path, const ReadOptions &options)
       refuse_wav(path, "has no samples (chunk 'data'); it was cut off while it was written or copied");
     double size     = number_at(&chunk[4], {'u', 4, false});
     const auto left = file.size() - position - 8;
-    if (chunk.compare(0, 4, "fmt ") == 0) {
+    const auto kind = choice_named<WavChunk>(chunk.substr(0, 4));
+    if (kind == WavChunk::format) {
       std::string bytes(std::size_t(std::min(size, 64.0)), '\0');
       bytes.resize(file.read(bytes.data(), bytes.size()));
       format = wav_format(bytes, path);
     }
-    if (chunk.compare(0, 4, "data") == 0) {
+    if (kind == WavChunk::samples) {
       if (format.coding == 0)
         refuse_wav(path, "has samples before it says how they are written (chunk 'fmt ')");
       if (size > left) {  // a recorder that was switched off, or more than 4 GiB

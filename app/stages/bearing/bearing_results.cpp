@@ -66,8 +66,9 @@ double estimate_error(const BearingStudy &s, const std::string &name)
           std::max(spread, std::abs(double(candidates.front().rollers_per_row) / double(c.rollers_per_row) - 1));
     return spread;
   }
+  static const std::set<std::string> others{"moment", "rib_max"};
   const bool of_angle =
-      name.find("axial") != std::string::npos || name.find("tilt") == 0 || name == "moment" || name == "rib_max";
+      name.find("axial") != std::string::npos || name.rfind("tilt", 0) == 0 || others.count(name);
   return of_angle ? axial_spread(candidates) : 0;
 }
 }  // namespace

@@ -12,12 +12,11 @@ namespace {
 // "backup" and "work" are the bearings of these rolls; every other word is a name.
 std::string name_of_bearing(const Case &the_case, const std::string &which)
 {
-  if (const auto *stand = std::get_if<FourHigh>(&the_case.spec)) {
-    if (which == "backup")
-      return stand->backup_roll.bearing;
-    if (which == "work")
-      return stand->work_roll.bearing;
-  }
+  const auto *stand = std::get_if<FourHigh>(&the_case.spec);
+  for (const auto &[word, roll] :
+       {std::pair("backup", &FourHigh::backup_roll), std::pair("work", &FourHigh::work_roll)})
+    if (stand && which == word)
+      return (stand->*roll).bearing;
   return which;
 }
 

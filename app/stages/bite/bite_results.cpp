@@ -1,6 +1,7 @@
 #include "app/stages/bite/bite_results.h"
 #include "app/stages/bite/bite_accuracy.h"
 #include "app/stages/contact/contact_stage.h"
+#include "core/records/bite_model.h"
 #include "core/records/result_names.h"
 #include "reduce/bite/slab/neutral_point.h"
 #include "reduce/bite/slab/path_stiffness.h"
@@ -146,7 +147,7 @@ namespace {
 void add_thicknesses(const BiteStudy &s, const Adder &add)
 {
   const bool fe        = &s.chosen() == s.find("fe");
-  const bool free_slab = !fe && s.chosen().key == "karman-elastic-arc";
+  const bool free_slab = !fe && s.chosen().key == word_of(BiteModel::karman_elastic_arc);
   const double leaving = fe ? s.flow->fine.exit_thickness
                             : bite::leaving_thickness(s.question.bite, s.chosen().state,
                                                       free_slab ? bite::Arc::elastic : bite::Arc::rigid);
@@ -386,7 +387,7 @@ void note_bite(RunContext &run, const BiteStudy &s)
     run.warn({WarningId::bite_model_refused, subject, "the slab theory for comparison has no solution",
               s.slab().refused, "", concerned_by(s)});
   const bool free_arc =
-      s.chosen().key == "karman-elastic-arc" ||
+      s.chosen().key == word_of(BiteModel::karman_elastic_arc) ||
       (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == BiteArc::elastic);
   if (free_arc)
     run.assume(where +
@@ -401,7 +402,7 @@ void note_bite(RunContext &run, const BiteStudy &s)
                  : Warning{WarningId::bite_arc_error, subject, "no free arc was found to compare with",
                            "force and K4 are stated without an error estimate", "", concerned_by(s)});
   for (const BiteAnswer &answer : s.answers)
-    if (!answer.refused.empty() && answer.key != "fe" && &answer != &s.slab())
+    if (!answer.refused.empty() && answer.key != word_of(BiteModel::fe) && &answer != &s.slab())
       run.assume(where + answer.key + " has no answer: " + answer.refused);
   note_force(run, s, subject);
 }

@@ -3,6 +3,7 @@
 #include "app/stages/bite/strip_flow_stage.h"
 #include "core/base/errors.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/bite_model.h"
 #include "core/records/result_names.h"
 #include "reduce/bite/slab/flattening.h"
 #include <algorithm>
@@ -203,8 +204,9 @@ const BiteAnswer &BiteStudy::chosen() const
 bool BiteStudy::beyond_circle() const
 {
   const BiteAnswer &answer = chosen();
-  const bool circle        = question.setup.arc == BiteArc::hitchcock ||
-                      (question.setup.arc == BiteArc::elastic && answer.key == "fe" && !flow->elastic);
+  const bool circle =
+      question.setup.arc == BiteArc::hitchcock ||
+      (question.setup.arc == BiteArc::elastic && answer.key == word_of(BiteModel::fe) && !flow->elastic);
   return circle && bite::beyond_hitchcock(question.bite, answer.state.flattened_radius);
 }
 
@@ -215,7 +217,8 @@ void add_for_accuracy(BiteStudy &study)
   const bite::SlabModel free{Theory::karman, Arc::elastic};
   if (study.beyond_circle() && !study.find("karman-elastic-arc"))  // on a half plane: no section was made
     study.answers.insert(study.answers.begin() + 1, ask(study, "karman-elastic-arc", free));
-  if (study.slab().key != "karman-elastic-arc" || !study.slab().refused.empty() || study.flexibility_error == 0)
+  if (study.slab().key != word_of(BiteModel::karman_elastic_arc) || !study.slab().refused.empty() ||
+      study.flexibility_error == 0)
     return;
   BiteStudy softer;
   softer.question    = study.question;
@@ -266,7 +269,8 @@ std::optional<Warning> bite_without_theory(const BiteQuestion &question)
   if (!std::isnan(study.regime.flattening))
     return {};
   for (const auto &[key, model] : models_beside(question))
-    if (key != "karman-rigid" && key != "sims" && ask(study, key, model).refused.empty())
+    if (key != word_of(BiteModel::karman_rigid) && key != word_of(BiteModel::sims) &&
+        ask(study, key, model).refused.empty())
       return {};
   Warning warning = no_arc_carries(question.pass, study.regime);
   warning.detail += "; a run ends with this unless its finite elements have an answer";

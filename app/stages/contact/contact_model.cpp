@@ -1,6 +1,7 @@
 #include "app/stages/contact/contact_model.h"
 #include "app/stages/contact/contact_stage.h"
 #include "core/model/four_high.h"
+#include "core/records/contact_name.h"
 #include "meshes/roll/contact_mesh_size.h"
 #include "reduce/chain/roll_profile.h"
 #include <algorithm>
@@ -38,7 +39,7 @@ bool reaches_patch_edge(const fem::ContactPair &pair, const double load)
 
 void make_pairs(ContactModel &m, const std::string &name, const FourHigh &stand, const ContactSettings &settings)
 {
-  const double side = name == "lower" ? -1 : 1, shift = side * stand.work_roll.axial_shift;
+  const double side = is_contact(name, ContactName::lower) ? -1 : 1, shift = side * stand.work_roll.axial_shift;
   const auto pair_of = [&](const fem::CondensedRoll &backup, const fem::HeldRoll &a,
                            const fem::CondensedRoll &work, const fem::HeldRoll &b) {
     auto pair = shift == 0

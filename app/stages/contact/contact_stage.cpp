@@ -11,6 +11,7 @@
 #include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
+#include "core/records/contact_name.h"
 #include "core/records/record_text.h"
 #include "fem/body/on_mesh.h"
 #include <algorithm>
@@ -213,10 +214,11 @@ void add_section(RunContext &run, Study &s, const FourHigh &stand, const double 
   const double misfit =
       std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
   const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
-                       const double other, const double closed, const std::string &reference) {
+                       const double other, const double closed, const std::string &reference,
+                       const double least_error) {
     Parameter p      = blank(unit, F, reference);
     p.value          = value;
-    p.error_estimate = std::max(mesh_pair_error(value, second), what == "approach" ? 0. : misfit);
+    p.error_estimate = std::max(mesh_pair_error(value, second), least_error);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({coarse_mesh, second, ""});
     add_check(p, fourier_solver, other);
@@ -227,11 +229,11 @@ void add_section(RunContext &run, Study &s, const FourHigh &stand, const double 
   };
   const BarrelProfile other = s.second ? s.second->mirrored_at : BarrelProfile();
   add("half_width", "m", fine.half_width[mid], coarse.half_width[mid2], at_middle(other.half_width),
-      hertz.half_width, "at mid-length");
+      hertz.half_width, "at mid-length", misfit);
   add("peak_pressure", "Pa", fine.peak_pressure[mid], coarse.peak_pressure[mid2], at_middle(other.peak_pressure),
-      hertz.peak_pressure, "at mid-length");
+      hertz.peak_pressure, "at mid-length", misfit);
   add("approach", "m", point.approach, point2.approach,
-      s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference);
+      s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference, 0);
   if (s.second) {
     add_line_load_spread(run, s.name, held, s.second->in_stand_at);
     write_curve(run, curve::contact_barrel_second, s.name, barrel_table(s.second->in_stand_at));
@@ -432,7 +434,7 @@ std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourH
   for (Study &s : studies) {
     StageTimer timer(run, "contact " + s.name + ", results");
     timer.cached         = s.kept;
-    const auto &settings = s.name == "upper" ? stand.upper_contact : stand.lower_contact;
+    const auto &settings = is_contact(s.name, ContactName::upper) ? stand.upper_contact : stand.lower_contact;
     out[s.name]          = report_study(run, stand, s, settings, loads);
     if (s.twin.empty())
       keep_study(run, s);

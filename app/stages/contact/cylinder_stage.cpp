@@ -142,9 +142,9 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
     s.method         = a.method;
     s.at             = {"{}", {{c.at, "N/mm"}}};
     s.error_estimate = mesh_pair_error(s.value, a.second.*member);
-    if (what == "half_width" || what == "peak_pressure")
+    if (member == &LineValues::half_width || member == &LineValues::peak_pressure)
       s.error_estimate = std::max(s.error_estimate, misfit);
-    if (what == "tangent" && std::isfinite(a.exact))
+    if (member == &LineValues::tangent && std::isfinite(a.exact))
       s.error_estimate = std::max(s.error_estimate, difference(a.exact, s.value));
     s.checks = std::move(checks);
     if (by_elements)

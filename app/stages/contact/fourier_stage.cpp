@@ -3,6 +3,7 @@
 #include "app/stages/contact/contact_stage.h"
 #include "core/base/files.h"
 #include "core/model/four_high.h"
+#include "core/records/contact_name.h"
 #include "core/records/record_text.h"
 #include "fem/members.h"
 #include "fem/roll/contact_study.h"
@@ -111,7 +112,7 @@ SecondEngine solve_again(RunContext &run, const FourHigh &stand, const FourierRo
     z.resize(2 * side.size());
     z << -side.reverse(), side;
   }
-  const Eigen::VectorXd drop = profile_drop(stand, settings, name == "lower" ? -1 : 1, z);
+  const Eigen::VectorXd drop = profile_drop(stand, settings, is_contact(name, ContactName::lower) ? -1 : 1, z);
   fem::FourierDrive loading;
   loading.tilt        = std::isnan(settings.tilt) ? 0 : settings.tilt;
   loading.load_offset = settings.load_offset;

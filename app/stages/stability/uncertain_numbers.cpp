@@ -2,6 +2,7 @@
 #include "app/run/run_context.h"
 #include "core/base/short_number.h"
 #include "core/model/four_high.h"
+#include "core/records/chain_number.h"
 #include "core/records/result_names.h"
 #include <algorithm>
 #include <cmath>
@@ -28,7 +29,8 @@ std::string number_behind(const FourHigh &stand, const std::string &input)
        {std::pair("K3", "K5"), std::pair("K1", "K7"), std::pair("M1", "M6"), std::pair("Kzc2", "Kzc3")})
     if ((input == upper || input == lower) && computed(upper, lower))
       return std::string(upper) + "_and_" + lower;
-  if (input == "K_Zy" || input == "K_Zy_lower")  // one bearing, or one given value
+  if (input == word_of(ChainNumber::K_Zy) ||
+      input == word_of(ChainNumber::K_Zy_lower))  // one bearing, or one given value
     return "K_Zy";
   if (input.rfind("frame.", 0) != 0 || !is_estimated(stand, input))
     return input;

@@ -1,6 +1,7 @@
 #include "app/stages/stand/mode_results.h"
 #include "app/run/curve_files.h"
 #include "core/base/files.h"
+#include "core/model/dynamics_settings.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
 #include "reduce/stand/mode_names.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <map>
 #include <utility>
 
 namespace mill {
@@ -32,18 +34,20 @@ bool knows_strip(const LumpedModel &chain)
 std::string frequency_result(const StandModel &model, const std::size_t mode, const GapState state)
 {
   const std::string number = fmt::format("f{}", mode + 1);
-  return name_in_state(state, model.name == "six-mass" ? number : result_name({model.name, number}));
+  return name_in_state(state, model.name == word_of(StandModelKind::six_mass) ? number
+                                                                              : result_name({model.name, number}));
 }
 
 const char *title_of(const std::string &model)
 {
-  if (model == "six-mass")
-    return "six masses";
-  if (model == "stack")
-    return "rolls as beams about the solved state";
-  if (model == "stack-lumped")
-    return "one mass for each roll";
-  return model == "beam" ? "rolls as beams" : "rolls as reduced finite elements";
+  static const std::map<std::string, const char *> titles{
+      {word_of(StandModelKind::six_mass), "six masses"},
+      {word_of(StandModelKind::beam), "rolls as beams"},
+      {word_of(StandModelKind::craig_bampton), "rolls as reduced finite elements"},
+      {"stack", "rolls as beams about the solved state"},
+      {"stack-lumped", "one mass for each roll"}};
+  const auto title = titles.find(model);
+  return title == titles.end() ? titles.at(word_of(StandModelKind::craig_bampton)) : title->second;
 }
 
 reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSettings &dynamics)

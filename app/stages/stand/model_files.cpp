@@ -1,10 +1,12 @@
 #include "app/stages/stand/model_files.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
+#include "core/model/dynamics_settings.h"
 #include "core/records/detailed_model.h"
 #include "core/records/line_vtu.h"
 #include "core/records/mat_file.h"
 #include "core/records/matrix_market.h"
+#include "core/records/stand_place.h"
 #include "dynamics/response/modal_model.h"
 #include <algorithm>
 #include <array>
@@ -21,26 +23,25 @@ bool below_limit(const reduce::StandWithModes &s, const Eigen::Index mode, const
 }
 
 // Height of an axis or of a mass above the pass line.  m
-double height_of(const FourHigh &stand, const std::string &place)
+double height_of(const FourHigh &stand, const StandPlace &place)
 {
   const double work   = stand.work_roll.barrel_diameter / 2,
                backup = 2 * work + stand.backup_roll.barrel_diameter / 2;
   const double top    = backup + stand.backup_roll.barrel_diameter;
-  const double side   = place.rfind("lower", 0) == 0 || place == "housing, chock seat" ? -1 : 1;
-  if (place.find("work") != std::string::npos)
+  const double side   = place.lower || (place.housing && place.seat) ? -1 : 1;
+  if (place.work)
     return side * work;
-  if (place.find("backup") != std::string::npos)
+  if (place.backup)
     return side * backup;
-  return side * (place == "cylinder" ? 0.5 * (backup + top) : top);
+  return side * (place.cylinder ? 0.5 * (backup + top) : top);
 }
 
 // Half the distance of what a point represents: a chock on its neck, else the middle.  m
-double axial_station(const FourHigh &stand, const std::string &place)
+double axial_station(const FourHigh &stand, const StandPlace &place)
 {
-  const bool at_seat = place.find("chock") != std::string::npos || place.find("seat") != std::string::npos;
-  if (!at_seat || place.find("housing") != std::string::npos)
+  if (!(place.chock || place.seat) || place.housing)
     return 0;
-  return 0.5 * (place.find("work") != std::string::npos ? stand.work_roll : stand.backup_roll).bearing_span;
+  return 0.5 * (place.work ? stand.work_roll : stand.backup_roll).bearing_span;
 }
 
 // Points of the drawing with the row of the model that moves each.
@@ -72,7 +73,7 @@ Drawing drawing_of(const FourHigh &stand, const StandModel &model)
 {
   Drawing d;
   for (const StandLine &line : model.lines) {
-    const double y = height_of(stand, line.name);
+    const double y = height_of(stand, stand_place(line.name));
     std::vector<Eigen::Index> cell;
     for (Eigen::Index k = line.z.size() - 1; k > 0; --k) {
       cell.push_back(d.count());
@@ -85,12 +86,13 @@ Drawing drawing_of(const FourHigh &stand, const StandModel &model)
     d.field.cells.push_back(cell);
   }
   for (const StandPoint &point : model.points) {
-    const bool on_a_line = std::any_of(model.lines.begin(), model.lines.end(), [&](const StandLine &line) {
-      return point.name.rfind(line.name, 0) == 0 && point.name.find("chock") == std::string::npos;
+    const StandPlace place = stand_place(point.name);
+    const bool on_a_line   = std::any_of(model.lines.begin(), model.lines.end(), [&](const StandLine &line) {
+      return point.name.rfind(line.name, 0) == 0 && !place.chock;
     });
     if (on_a_line)
       continue;
-    const double y = height_of(stand, point.name), z = axial_station(stand, point.name);
+    const double y = height_of(stand, place), z = axial_station(stand, place);
     for (const double side : {-1., 1.})
       if (side > 0 || z != 0) {
         d.field.cells.push_back({d.count()});
@@ -143,7 +145,7 @@ std::array<RollInPlace, 4> rolls_in_place(const FourHigh &stand, const Component
                                    {"lower work roll", &work, 0},
                                    {"lower backup roll", &backup, 0}};
   for (RollInPlace &roll : rolls)
-    roll.height = height_of(stand, roll.name);
+    roll.height = height_of(stand, stand_place(roll.name));
   return rolls;
 }
 
@@ -277,7 +279,7 @@ void write_model_matrices(RunContext &run, const DynamicsSettings &dynamics, con
     const auto kept =
         std::upper_bound(s.modes.frequency.begin(), s.modes.frequency.end(), 2 * dynamics.frequency_limit) -
         s.modes.frequency.begin();
-    const bool all          = s.model.name == "six-mass";
+    const bool all          = s.model.name == word_of(StandModelKind::six_mass);
     const Eigen::Index n    = all ? s.modes.frequency.size() : kept;
     const Eigen::MatrixXd C = dynamics::damping_matrix(
         s.model, s.modes.frequency.head(n), s.modes.shape.leftCols(n), dynamics.modal_damping, gap_damper);
@@ -286,7 +288,7 @@ void write_model_matrices(RunContext &run, const DynamicsSettings &dynamics, con
     run.out.write("models/" + name + ".mat",
                   mat_of(s, symmetric_part(s.model.M), symmetric_part(stiffness_of(s.model)), C));
   }
-  if (name != "six-mass")
+  if (name != word_of(StandModelKind::six_mass))
     run.out.write("lumped_model-" + name + ".toml", detailed_model_toml(files, run.the_case, run.out.path()));
 }
 

@@ -5,7 +5,9 @@
 #include "app/stages/stand/models_file.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/case/provenance.h"
+#include "core/model/dynamics_settings.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/chain_number.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
@@ -62,14 +64,14 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
     f.error_estimate = s.modes.error_estimate[i] + errors.error[i];
     f.error_lacks    = errors.lacks[std::size_t(i)];
     f.inputs         = keys_of_models(chain);
-    if (s.model.name == "craig-bampton")  // its work-roll chocks stand on their bearings
+    if (s.model.name == word_of(StandModelKind::craig_bampton))  // its work-roll chocks stand on their bearings
       f.inputs = joined(std::move(f.inputs), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
     for (const reduce::ModePair &pair : pairs)
       if (pair.mode == i && pair.other >= 0) {
         f.checks.push_back({title_of(other.model.name), other.modes.frequency[pair.other],
                             fmt::format("modal assurance {:.3f}", pair.mac)});
         // Beams are the coarser theory: how far they are from the solid is what they are sure to.
-        if (s.model.name == "beam")
+        if (s.model.name == word_of(StandModelKind::beam))
           f.error_estimate += std::abs(other.modes.frequency[pair.other] / f.value - 1);
       }
     run.results.add(frequency_result(s.model, std::size_t(i), named), f);
@@ -228,7 +230,8 @@ ModelsRecord comparison(const FourHigh &stand, const reduce::LumpedStand &chain,
   record.kept_modes = kept_modes(stand, reduce::stand_springs(stand, chain, true), components.fine, limit);
   record.breakdown  = reduce::chain_breakdown(stand, chain);
   for (auto &mass : reduce::model_breakdown(stand, models.craig_bampton.model, stand.dynamics.mass_reference))
-    if (!stand.housing.present() || (mass.mass != "M1" && mass.mass != "M6"))  // a housing is one body there
+    if (!stand.housing.present() || (mass.mass != word_of(ChainNumber::M1) &&
+                                     mass.mass != word_of(ChainNumber::M6)))  // a housing is one body there
       record.breakdown.push_back(std::move(mass));
   record.routes = mass_routes(stand, chain, masses);
   return record;
@@ -306,7 +309,7 @@ namespace {
 // Puts a model of the stand together again from other numbers.
 reduce::StandBuilder builder_of(const reduce::StandWithModes &s, const ComponentSets &components)
 {
-  if (s.model.name == "beam")
+  if (s.model.name == word_of(StandModelKind::beam))
     return [](const FourHigh &stand, const reduce::StandSprings &springs) {
       return reduce::beam_stand(stand, springs, beam_elements);
     };
@@ -319,7 +322,7 @@ reduce::StandBuilder builder_of(const reduce::StandWithModes &s, const Component
 reduce::StandWithModes with_connection_errors(reduce::StandWithModes s, const FourHigh &stand,
                                               const reduce::LumpedStand &chain, const ComponentSets &components)
 {
-  const bool chock_on_bearing = s.model.name == "craig-bampton";
+  const bool chock_on_bearing = s.model.name == word_of(StandModelKind::craig_bampton);
   reduce::set_connection_errors(s.model, stand, reduce::stand_springs(stand, chain, chock_on_bearing), chain,
                                 builder_of(s, components));
   return s;

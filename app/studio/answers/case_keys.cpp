@@ -1,7 +1,9 @@
 #include "app/studio/answers/case_keys.h"
+#include "core/base/si_unit.h"
 #include "core/base/units.h"
 #include "core/case/case_template.h"
 #include "core/case/kinds.h"
+#include "core/records/result_names.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -56,7 +58,7 @@ std::vector<std::string> units_like(const std::string &form)
 {
   std::vector<std::string> symbols;
   const Unit *known = find_unit(form);
-  if (!known || form == "1")
+  if (!known || is_pure(form))
     return symbols;
   for (const Unit &unit : all_units())
     if (unit.dimension == known->dimension && std::strcmp(unit.quantity, known->quantity) == 0)
@@ -89,7 +91,7 @@ bool is_section(const SectionRows &rows, const std::string &name)
 {
   if (rows.repeat == Repeat::once)
     return name == rows.name;
-  return name.compare(0, rows.name.size() + 1, rows.name + ".") == 0 && name.size() > rows.name.size() + 1;
+  return is_of(name, rows.name) && name.size() > rows.name.size() + 1;
 }
 }  // namespace
 

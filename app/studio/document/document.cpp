@@ -1,5 +1,6 @@
 #include "app/studio/document/document.h"
 #include "app/studio/document/journal.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/case/case_edit.h"
@@ -28,6 +29,13 @@ std::optional<std::string> text_on_disk(const std::string &path)
 }
 
 // All that a change does; the journal is made of its lines.
+// What a line of the journal does.
+enum class LineOf { set, undo, redo, text, saved, pin, unpin, run };
+constexpr auto words_of(LineOf)
+{
+  return choice_words<LineOf>("set", "undo", "redo", "text", "saved", "pin", "unpin", "run");
+}
+
 struct History {
   std::string text, on_disk;
   long revision = 0;
@@ -75,28 +83,37 @@ struct History {
 
   void take(const json &line)
   {
-    const std::string op = line.at("op").get<std::string>();
-    const auto word      = [&](const char *name) { return line.at(name).get<std::string>(); };
-    if (op == "set")
-      set(line.at("edits"));
-    else if (op == "undo")
-      step(before, after);
-    else if (op == "redo")
-      step(after, before);
-    else if (op == "text")
-      to(word("text"));
-    else if (op == "saved")
+    const auto word = [&](const char *name) { return line.at(name).get<std::string>(); };
+    const auto op   = choice_named<LineOf>(word("op"));
+    if (!op)
+      return;
+    switch (*op) {
+    case LineOf::set:
+      return set(line.at("edits"));
+    case LineOf::undo:
+      return step(before, after);
+    case LineOf::redo:
+      return step(after, before);
+    case LineOf::text:
+      return to(word("text"));
+    case LineOf::saved:
       on_disk = text;
-    else if (op == "pin") {
+      return;
+    case LineOf::pin: {
+      const std::string pinned = line.contains("text") ? word("text") : text;
       if (Pin *known = pin_named(word("name")))
-        known->text = line.contains("text") ? word("text") : text;
+        known->text = pinned;
       else
-        pins.push_back({word("name"), line.contains("text") ? word("text") : text});
-    } else if (op == "unpin")
+        pins.push_back({word("name"), pinned});
+      return;
+    }
+    case LineOf::unpin:
       pins.erase(std::remove_if(pins.begin(), pins.end(), [&](const Pin &p) { return p.name == word("name"); }),
                  pins.end());
-    else if (op == "run")
+      return;
+    case LineOf::run:
       runs.push_back({word("id"), word("text")});
+    }
   }
 };
 }  // namespace
@@ -116,7 +133,7 @@ struct Document::State {
   // An edit, which alone can be refused, is tried first, so that the journal holds only what can be replayed.
   void change(const json &line)
   {
-    if (line.at("op") == "set") {
+    if (const auto op = line.at("op").get<std::string>(); op == word_of(LineOf::set)) {
       History trial;
       trial.text = history.text;
       trial.done = history.done;
@@ -133,11 +150,11 @@ struct Document::State {
   {
     std::vector<std::string> lines{first_line().dump()};
     for (const Pin &pin : history.pins)
-      lines.push_back(json{{"op", "pin"}, {"name", pin.name}, {"text", pin.text}}.dump());
+      lines.push_back(json{{"op", word_of(LineOf::pin)}, {"name", pin.name}, {"text", pin.text}}.dump());
     for (const StoredRun &run : history.runs)
-      lines.push_back(json{{"op", "run"}, {"id", run.id}, {"text", run.text}}.dump());
+      lines.push_back(json{{"op", word_of(LineOf::run)}, {"id", run.id}, {"text", run.text}}.dump());
     if (history.text != history.on_disk)
-      lines.push_back(json{{"op", "text"}, {"text", history.text}}.dump());
+      lines.push_back(json{{"op", word_of(LineOf::text)}, {"text", history.text}}.dump());
     journal->replace(lines);
   }
 
@@ -214,7 +231,7 @@ void Document::set(const std::vector<Edit> &edits)
 {
   if (edits.empty())
     return;
-  json line{{"op", "set"}, {"edits", json::array()}};
+  json line{{"op", word_of(LineOf::set)}, {"edits", json::array()}};
   for (const Edit &edit : edits)
     line["edits"].push_back({{"id", edit.id}, {"key", edit.key}, {"toml", edit.toml}});
   const std::lock_guard lock(state_->access);
@@ -224,32 +241,32 @@ void Document::set(const std::vector<Edit> &edits)
 void Document::undo()
 {
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", "undo"}});
+  state_->change({{"op", word_of(LineOf::undo)}});
 }
 
 void Document::redo()
 {
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", "redo"}});
+  state_->change({{"op", word_of(LineOf::redo)}});
 }
 
 void Document::replace(const std::string &text)
 {
   read_case_text("the text", text);
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", "text"}, {"text", text}});
+  state_->change({{"op", word_of(LineOf::text)}, {"text", text}});
 }
 
 void Document::save()
 {
   const std::lock_guard lock(state_->access);
   State &s           = *state_;
-  const auto on_disk = text_on_disk(s.path);
-  if (on_disk.value_or("") != s.history.on_disk && on_disk.value_or("") != s.history.text)
+  const auto on_disk = text_on_disk(s.path).value_or("");
+  if (on_disk != s.history.on_disk && on_disk != s.history.text)
     throw InputError(s.path + " was changed outside of the studio since it was read; save it under another name "
                               "there, or take it back, and save again");
   write_atomically(s.path, s.history.text);
-  s.change({{"op", "saved"}});
+  s.change({{"op", word_of(LineOf::saved)}});
 }
 
 void Document::pin(const std::string &name)
@@ -259,13 +276,13 @@ void Document::pin(const std::string &name)
   const std::lock_guard lock(state_->access);
   if (state_->history.pins.size() >= most_pins && !state_->history.pin_named(name))
     throw InputError(fmt::format("{} states are pinned already; take one away first", most_pins));
-  state_->change({{"op", "pin"}, {"name", name}});
+  state_->change({{"op", word_of(LineOf::pin)}, {"name", name}});
 }
 
 void Document::unpin(const std::string &name)
 {
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", "unpin"}, {"name", name}});
+  state_->change({{"op", word_of(LineOf::unpin)}, {"name", name}});
 }
 
 void Document::back_to(const std::string &name)
@@ -274,12 +291,12 @@ void Document::back_to(const std::string &name)
   const Pin *pin = state_->history.pin_named(name);
   if (!pin)
     throw InputError("no state is pinned under this name");
-  state_->change({{"op", "text"}, {"text", std::string(pin->text)}});
+  state_->change({{"op", word_of(LineOf::text)}, {"text", std::string(pin->text)}});
 }
 
 void Document::add_run(const StoredRun &run)
 {
   const std::lock_guard lock(state_->access);
-  state_->change({{"op", "run"}, {"id", run.id}, {"text", run.text}});
+  state_->change({{"op", word_of(LineOf::run)}, {"id", run.id}, {"text", run.text}});
 }
 }  // namespace mill::studio

@@ -128,8 +128,10 @@ struct Jobs::State {
     {
       const std::lock_guard lock(access);
       job.seconds = now() - begin;
-      job.status  = to_be_ended ? "cancelled" : WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "done" : "failed";
-      if (job.status == "done")
+      job.status  = to_be_ended                                     ? JobStatus::cancelled
+                    : WIFEXITED(status) && WEXITSTATUS(status) == 0 ? JobStatus::done
+                                                                    : JobStatus::failed;
+      if (job.status == JobStatus::done)
         job.percent = 100;
       process = 0;
     }
@@ -176,7 +178,7 @@ void Jobs::start(const std::string &id, const std::string &program, const std::v
     s.job         = {};
     s.job.id      = id;
     s.job.file    = file;
-    s.job.status  = "running";
+    s.job.status  = JobStatus::running;
     s.job.stage   = "begins";
     s.begin       = now();
     s.to_be_ended = false;

@@ -1,14 +1,22 @@
 #pragma once
+#include "core/base/choice.h"
 #include <functional>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 namespace mill::studio {
+enum class JobStatus { running, done, failed, cancelled };
+constexpr auto words_of(JobStatus)
+{
+  return choice_words<JobStatus>("running", "done", "failed", "cancelled");
+}
+
 /// Progress of the work that runs, or how the last one ended.
 struct JobState {
-  std::string id;      ///< "run-3"; empty: none yet
-  std::string status;  ///< "running", "done", "failed", "cancelled"
+  std::string id;                   ///< "run-3"; empty: none yet
+  std::optional<JobStatus> status;  ///< nothing: none yet
   std::string stage;
   int percent    = 0;
   double seconds = 0;   ///< since its begin

@@ -1,5 +1,6 @@
 #include "app/study/openturns/chaos.h"
 #include "app/study/openturns/drawn_design.h"
+#include "app/study/study_task.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/model/material.h"
@@ -124,10 +125,15 @@ json chaos(const json &request, const std::string &folder)
 
 json answer_to(const json &request, const std::string &folder)
 {
-  const std::string task = request["task"];
-  return task == "draw"    ? drawn(request, folder)
-         : task == "chaos" ? chaos(request, folder)
-                           : indices(request, folder);
+  switch (choice_named<StudyTask>(request["task"].get<std::string>()).value()) {
+  case StudyTask::draw:
+    return drawn(request, folder);
+  case StudyTask::indices:
+    break;
+  case StudyTask::chaos:
+    return chaos(request, folder);
+  }
+  return indices(request, folder);
 }
 
 void carry_out(const std::string &folder)

@@ -1,6 +1,7 @@
 #include "app/study/store/row_files.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include <algorithm>
 #include <cstdio>
 #include <fcntl.h>
@@ -123,8 +124,7 @@ std::vector<std::string> row_files(const std::string &folder, const std::string 
   std::vector<std::string> files;
   std::error_code none;
   for (const std::string &name : names_in(folder + "/rows", none))
-    if (name.size() > 3 && name.compare(name.size() - 3, 3, ".db") == 0 &&
-        (shard.empty() || name.rfind(shard + "-", 0) == 0))
+    if (name.size() > 3 && text_ends_with(name, ".db") && (shard.empty() || name.rfind(shard + "-", 0) == 0))
       files.push_back(folder + "/rows/" + name);
   return files;
 }

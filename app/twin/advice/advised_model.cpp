@@ -2,6 +2,7 @@
 #include "app/stages/response/detailed_model_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/closed_form_parts.h"
+#include "app/twin/advice/asked_choices.h"
 #include "app/twin/calibrate/stated_errors.h"
 #include "app/twin/stand/case_chain.h"
 #include "app/twin/stand/chatter_model.h"
@@ -160,7 +161,7 @@ std::vector<std::string> asked_places(const StandAdvice &asked)
   for (const TunedDamperProposal &tuned : asked.tuned)
     names.push_back(tuned.at);
   names.erase(std::remove_if(names.begin(), names.end(),
-                             [](const std::string &name) { return name.empty() || name == "ground"; }),
+                             [](const std::string &name) { return name.empty() || is_ground(name); }),
               names.end());
   return names;
 }

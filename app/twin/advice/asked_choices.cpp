@@ -34,7 +34,7 @@ std::vector<twin::DamperChoice> damper_choices(const twin::VibratingStand &stand
   for (std::size_t i = 0; i < asked.dampers.size(); ++i) {
     const DamperProposal &one = asked.dampers[i];
     const auto end            = [&](const char *key, const std::string &name) {
-      return name == "ground" ? -1 : place_in(stand, the_case, fmt::format("advice.damper.{}.{}", i, key), name);
+      return is_ground(name) ? -1 : place_in(stand, the_case, fmt::format("advice.damper.{}.{}", i, key), name);
     };
     twin::Attachment damper;
     damper.from   = end("from", one.from);

@@ -10,6 +10,12 @@
 namespace mill {
 struct Case;
 
+/// The foundation, as the end of a damper.
+inline bool is_ground(const std::string &place)
+{
+  return place == "ground";
+}
+
 /// Where the case has a key; else the case.
 Place place_of_key(const Case &the_case, const std::string &key);
 

@@ -37,6 +37,11 @@ Asked asked_pass(const Case &the_case, const ClusterStand &stand)
   throw *refused;
 }
 
+bool is_loss_factor(const std::string &key)
+{
+  return key == "response.loss_factor";
+}
+
 // The stand with several of its numbers changed at once.
 twin::NumberedStructure changed_stand(const ClusterStand &stand, const ClusterChatter &chatter,
                                       const twin::StructureChanges &changes)
@@ -44,7 +49,7 @@ twin::NumberedStructure changed_stand(const ClusterStand &stand, const ClusterCh
   cluster::GapStand gap = chatter.gap;
   double damping        = 1;
   for (const auto &[key, factor] : changes)
-    if (key == "response.loss_factor")
+    if (is_loss_factor(key))
       damping *= factor;
     else
       for (const StiffnessGroup &group : stiffness_groups(stand))
@@ -53,7 +58,7 @@ twin::NumberedStructure changed_stand(const ClusterStand &stand, const ClusterCh
   twin::NumberedStructure all{structure_of(stand, chatter.stack, gap), cluster_numbers(stand, chatter.stack, gap)};
   all.structure.C *= damping;
   for (dynamics::StructureNumber &number : all.numbers)
-    if (number.key == "response.loss_factor") {
+    if (is_loss_factor(number.key)) {
       number.value *= damping;
       number.C_by *= damping;
     }

@@ -39,12 +39,13 @@ std::size_t asked_condition(const ChatterCase &spec)
 void scale(ChatterCase &spec, const std::string &key, const double factor)
 {
   for (std::size_t i = 0; i < 6; ++i) {
-    const std::string number = fmt::format("[{}]", i);
-    if (key == "stand.stiffnesses" + number) {
+    const std::string stiffness = fmt::format("stand.stiffnesses[{}]", i),
+                      damping   = fmt::format("stand.dampings[{}]", i);
+    if (key == stiffness) {
       spec.stand.stiffnesses[i] *= factor;
       if (spec.model)
         spec.model->K[i < 3 ? i : i + 1].value *= factor;  // K4 is the bite's
-    } else if (key == "stand.dampings" + number)
+    } else if (key == damping)
       spec.stand.dampings[i] *= factor;
   }
   if (spec.model)

@@ -156,8 +156,8 @@ bool asks_critical_speed(const Case &the_case, const RolledAdvice &rolled, const
     return false;
   const std::string missing = missing_for_speed(the_case, *stand);
   if (!rolled.goal)
-    return missing.empty() && measured.empty() && the_case.places.count("advice.place") == 0 &&
-           the_case.places.count("advice.band") == 0;
+    return missing.empty() && measured.empty() && !the_case.places.count("advice.place") &&
+           !the_case.places.count("advice.band");
   if (!missing.empty())
     throw InputError(place_of_key(the_case, "advice.goal"),
                      "advice.goal = \"critical-speed\" needs " + missing + "; give what is missing");

@@ -5,6 +5,7 @@
 #include "app/twin/advice/speed_record.h"
 #include "core/case/fields.h"
 #include "core/model/case.h"
+#include "core/records/chain_number.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -38,10 +39,10 @@ std::vector<twin::SpringChoice> spring_choices(const twin::AdvisedStand &advised
     if (named && !(spring.stiffness > 0))
       throw InputError(place_of_key(the_case, "advice.springs"),
                        fmt::format("advice.springs names {}, which is zero here{}; leave it out", spring.name,
-                                   spring.name == "K4"
+                                   spring.name == word_of(ChainNumber::K4)
                                        ? " (dynamics.force_meaning = \"measured\" holds it in the force)"
                                        : ""));
-    if (named || (asked.springs.empty() && spring.stiffness > 0 && spring.name != "K4"))
+    if (named || (asked.springs.empty() && spring.stiffness > 0 && spring.name != word_of(ChainNumber::K4)))
       choices.push_back({spring.name, asked.stiffness[0], asked.stiffness[1], twin::means_of_spring(spring.name)});
   }
   return choices;

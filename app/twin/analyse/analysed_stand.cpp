@@ -4,6 +4,7 @@
 #include "app/twin/stand/mode_errors.h"
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
+#include "core/records/chain_number.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
 #include "reduce/bearing/pass_frequencies.h"
@@ -67,7 +68,7 @@ void add_beams(twin::CaseModel &stand, const reduce::StandWithModes &beams, cons
     const std::string &name = connections[std::size_t(j)].name;
     double error            = connections[std::size_t(j)].error_estimate;
     for (std::size_t k = 0; k < chain.K.size() && std::isnan(error); ++k)
-      if (name == "K" + std::to_string(k + 1))
+      if (name == word_of(ChainNumber(std::size_t(ChainNumber::K1) + k)))
         error = chain.K[k].error_estimate;
     stand.springs.push_back(name);
     stand.spring_error[j] = error;

@@ -37,17 +37,18 @@ std::string channel_line(const twin::ChannelAnalysis &seen)
 
 int urgency(const twin::Finding &finding)
 {
-  if (finding.kind == "alarm" || finding.kind == "near instability" || finding.kind == "bearing fault")
+  if (is_urgent(finding.kind))
     return 0;
-  if (finding.kind == "lost samples" || finding.kind == "bearing" || finding.kind == "severity")
+  if (finding.kind == FindingKind::lost_samples || finding.kind == FindingKind::bearing ||
+      finding.kind == FindingKind::severity)
     return 1;
-  return finding.kind == "resonance" ? 3 : 2;
+  return finding.kind == FindingKind::resonance ? 3 : 2;
 }
 
 std::string finding_line(const twin::Finding &finding)
 {
   const bool has_frequency = std::isfinite(finding.frequency);
-  return fmt::format("{:<17} {:>11}  {:<20} {}", finding.kind,
+  return fmt::format("{:<17} {:>11}  {:<20} {}", word_of(finding.kind),
                      has_frequency ? frequency_text(finding.frequency, (finding.high - finding.low) / 3.92) : "",
                      visible(finding.channel, true), visible(finding.owner, true));
 }

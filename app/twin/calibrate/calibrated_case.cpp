@@ -5,6 +5,7 @@
 #include "core/case/lumped_model_toml.h"
 #include "core/model/assumed_error.h"
 #include "core/model/case.h"
+#include "core/records/chain_number.h"
 #include "twin/calibration/words.h"
 #include <algorithm>
 #include <cmath>
@@ -41,7 +42,7 @@ std::string calibration_comment(const Case &origin, const twin::Calibration &res
 
 double prior_of_spring(const std::string &name, const double error, const bool computed)
 {
-  const bool contact = computed && (name == "K3" || name == "K5");
+  const bool contact = computed && is_roll_contact(name);
   if (!std::isfinite(error))
     return contact ? contact_sd : assumed_spring_error;
   return std::max(error, contact ? contact_sd : least_sd);

@@ -1,4 +1,5 @@
 #include "app/twin/calibrate/freed_unknowns.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/case/fields.h"
 #include <algorithm>
@@ -43,26 +44,33 @@ std::vector<std::string> frame_groups(const PriorChain &prior)
   return groups;
 }
 
+// Words of --free that stand for several unknowns.
+enum class FreedGroup { springs, masses, ratios, frame };
+constexpr auto words_of(FreedGroup)
+{
+  return choice_words<FreedGroup>("springs", "masses", "ratios", "frame");
+}
+
 std::vector<std::string> names_of(const PriorChain &prior, const std::string &word)
 {
-  std::vector<std::string> names;
-  if (word == "springs" || word == "masses") {
-    for (const twin::Unknown &unknown : word == "springs" ? prior.springs : prior.masses)
-      if (twin::moves(unknown) == twin::Moves::parts)
-        names.push_back(unknown.name);
-    return names;
-  }
-  if (word == "ratios")
+  const auto group = choice_named<FreedGroup>(word);
+  if (!group)
+    return {word};
+  if (*group == FreedGroup::ratios)
     return ratio_names(prior);
-  if (word == "frame")
+  if (*group == FreedGroup::frame)
     return frame_groups(prior);
-  return {word};
+  std::vector<std::string> names;
+  for (const twin::Unknown &unknown : *group == FreedGroup::springs ? prior.springs : prior.masses)
+    if (twin::moves(unknown) == twin::Moves::parts)
+      names.push_back(unknown.name);
+  return names;
 }
 
 /// Names that --free knows, for a suggestion.
 std::vector<std::string> known_names(const PriorChain &prior)
 {
-  std::vector<std::string> known{"springs", "masses", "ratios", "frame"};
+  std::vector<std::string> known = word_list<FreedGroup>();
   for (const auto *all : {&prior.springs, &prior.masses})
     for (const twin::Unknown &unknown : *all)
       known.push_back(unknown.name);

@@ -1,5 +1,6 @@
 #include "app/twin/calibrate/levels_text.h"
 #include "core/case/fields.h"
+#include "core/records/chain_number.h"
 #include "twin/calibration/plan.h"
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ std::string levels_text(const PriorChain &chain, const RecordSet &set)
   std::vector<std::string> contacts;
   std::vector<twin::Unknown> unknowns{{twin::ratios_name, factor_2, 0}, {"bandwidth", factor_2, 0}};
   for (const twin::Unknown &spring : chain.springs)
-    if (spring.name == "K3" || spring.name == "K5") {
+    if (is_roll_contact(spring.name)) {
       contacts.push_back(spring.name);
       unknowns.push_back(spring);
     }

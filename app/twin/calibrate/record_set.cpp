@@ -3,6 +3,7 @@
 #include "core/base/valid_text.h"
 #include "core/case/fields.h"
 #include "core/case/record_set_rows.h"
+#include "twin/records/known_channel.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -200,8 +201,8 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
     records.push_back(twin::clean_record(twin::read_record(entry.file, sheet_options)));
     const twin::CleanRecord &record = records.back();
     for (const twin::CleanChannel &channel : record.channels)
-      if (channel.clipped > 0 &&
-          (channel.name == "force" || std::find(places.begin(), places.end(), channel.name) != places.end()))
+      if (channel.clipped > 0 && (twin::is_driving_force(channel.name) ||
+                                  std::find(places.begin(), places.end(), channel.name) != places.end()))
         result.clipped.push_back(valid_text(fs::path(entry.file).filename().string()) + ": " + channel.name);
     if (std::abs(record.rate / records.front().rate - 1) > 1e-3)
       throw InputError(fmt::format("{} has {:.6g} samples per second, {} {:.6g}; calibrate them one after the "

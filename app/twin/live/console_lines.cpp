@@ -1,9 +1,11 @@
 #include "app/twin/live/console_lines.h"
+#include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
 #include "dynamics/response/mill_model.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <set>
 
 namespace mill {
 void ConsoleLines::begin(const live::LiveSource &source)
@@ -43,11 +45,11 @@ std::string ConsoleLines::line(const live::LiveBlock &block)
                      (block.driven ? fmt::format("  force {:.1f} kN", force_ / double(n_) / 1e3) : "");
   for (std::size_t p = 0; p < source_.places.size(); ++p) {
     const auto channel       = std::find_if(source_.channels.begin(), source_.channels.end(), [&](const auto &c) {
-      return c.name == source_.places[p] && c.unit == "m/s2";
+      return c.name == source_.places[p] && is_in(c.unit, SiUnit::acceleration);
     });
     const std::string &place = source_.places[p];
-    const bool shown =
-        channel != source_.channels.end() || place == "upper_work_roll" || place == "lower_work_roll";
+    static const std::set<std::string> always{"upper_work_roll", "lower_work_roll"};
+    const bool shown = channel != source_.channels.end() || always.count(place);
     if (!shown)
       continue;
     const double g = dynamics::standard_gravity;

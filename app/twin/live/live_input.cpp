@@ -4,6 +4,8 @@
 #include "core/base/visible_text.h"
 #include <fmt/format.h>
 #include <limits>
+#include <set>
+#include <utility>
 
 namespace mill {
 LiveInput live_input(const std::string &text)
@@ -12,19 +14,18 @@ LiveInput live_input(const std::string &text)
     return {};
   if (text == "-")
     return {LiveInput::Kind::lines, ""};
-  const auto colon       = text.find(':');
-  const std::string kind = colon == std::string::npos ? "" : text.substr(0, colon);
-  const std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
-  if (kind == "tail" && !rest.empty())
-    return {LiveInput::Kind::tail, rest};
-  if (kind == "tcp")
-    return {LiveInput::Kind::tcp, rest};
-  if (kind == "mqtt")
-    return {LiveInput::Kind::mqtt, rest};
+  const auto colon        = text.find(':');
+  const std::string begin = colon == std::string::npos ? "" : text.substr(0, colon);
+  const std::string rest  = colon == std::string::npos ? "" : text.substr(colon + 1);
+  for (const auto &[word, kind] :
+       {std::pair("tail", LiveInput::Kind::tail), std::pair("tcp", LiveInput::Kind::tcp),
+        std::pair("mqtt", LiveInput::Kind::mqtt)})
+    if (begin == word && (kind != LiveInput::Kind::tail || !rest.empty()))
+      return {kind, rest};
   const auto dot           = text.rfind('.');
   const std::string ending = dot == std::string::npos ? "" : text.substr(dot);
-  if (kind.empty() &&
-      (ending == ".csv" || ending == ".txt" || ending == ".tsv" || ending == ".asc" || ending == ".dat"))
+  static const std::set<std::string> of_records{".csv", ".txt", ".tsv", ".asc", ".dat"};
+  if (begin.empty() && of_records.count(ending))
     return {LiveInput::Kind::replay, text};
   throw InputError(
       fmt::format("--input \"{}\": a record (FILE.csv), a growing one (tail:FILE.csv), - for lines on "

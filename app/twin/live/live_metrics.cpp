@@ -5,13 +5,19 @@
 
 namespace mill {
 namespace {
+enum class Metric { counter, gauge };
+constexpr auto words_of(Metric)
+{
+  return choice_words<Metric>("counter", "gauge");
+}
+
 // A family of one kind; rows of it follow each other, as the format wants it.
 class Family {
 public:
-  Family(std::string &text, std::string name, const std::string &kind)
-      : text_(text), name_(std::move(name)), counter_(kind == "counter")
+  Family(std::string &text, std::string name, const Metric kind)
+      : text_(text), name_(std::move(name)), counter_(kind == Metric::counter)
   {
-    text_ += fmt::format("# TYPE millstand_{} {}\n", name_, kind);
+    text_ += fmt::format("# TYPE millstand_{} {}\n", name_, word_of(kind));
   }
   template <class Value> void row(const std::string &labels, const Value &value)
   {
@@ -36,7 +42,7 @@ std::string label(const std::string &name, const std::string &value)
 void add_account(std::string &text, const MetricsInput &input)
 {
   const auto family = [&](const char *name, std::int64_t live::ChannelAccount::*member) {
-    Family rows(text, name, "counter");
+    Family rows(text, name, Metric::counter);
     for (std::size_t c = 0; c < input.source->channels.size(); ++c)
       rows.row(label("channel", input.source->channels[c].name), input.book->channels()[c].*member);
   };
@@ -47,18 +53,18 @@ void add_account(std::string &text, const MetricsInput &input)
     family("samples_rejected", &live::ChannelAccount::rejected);
     family("samples_overrun", &live::ChannelAccount::overrun);
   }
-  Family(text, "samples_doubled", "counter").row("", input.book ? input.book->doubled() : 0);
-  Family(text, "gaps", "counter").row("", input.book ? input.book->gaps() : 0);
-  Family(text, "lines_refused", "counter").row("", input.refused_lines);
-  Family(text, "queue_samples", "gauge").row("", input.queued);
-  Family(text, "states_written", "counter").row("", input.states);
+  Family(text, "samples_doubled", Metric::counter).row("", input.book ? input.book->doubled() : 0);
+  Family(text, "gaps", Metric::counter).row("", input.book ? input.book->gaps() : 0);
+  Family(text, "lines_refused", Metric::counter).row("", input.refused_lines);
+  Family(text, "queue_samples", Metric::gauge).row("", input.queued);
+  Family(text, "states_written", Metric::counter).row("", input.states);
   if (std::isfinite(input.arrival_rate))
-    Family(text, "arrival_rate_hertz", "gauge").row("", fmt::format("{:.6g}", input.arrival_rate));
+    Family(text, "arrival_rate_hertz", Metric::gauge).row("", fmt::format("{:.6g}", input.arrival_rate));
 }
 
 void add_alarms(std::string &text, std::vector<live::PageAlarm> open)
 {
-  Family rows(text, "alarms_open", "gauge");
+  Family rows(text, "alarms_open", Metric::gauge);
   for (const std::string level : {"alarm", "warning"})
     for (const std::string kind : {"chatter", "drift", "gap", "recording", "source"})
       rows.row(label("level", level) + "," + label("kind", kind),
@@ -73,7 +79,7 @@ void add_comparison(std::string &text, const live::Comparison &comparison)
   const auto number  = [](const double value) { return fmt::format("{:.6g}", value); };
   const auto &rule   = twin::CusumRule{};
   {
-    Family rows(text, "mode_drift_share", "gauge");  // of the sum at which it is an alarm
+    Family rows(text, "mode_drift_share", Metric::gauge);  // of the sum at which it is an alarm
     for (std::size_t m = 0; m < tracked.modes.size(); ++m) {
       const auto &sums = tracked.modes[m].watch.sums;
       rows.row(label("mode", std::to_string(m + 1)), number(std::max(sums.up, sums.down) / rule.threshold));
@@ -81,7 +87,7 @@ void add_comparison(std::string &text, const live::Comparison &comparison)
   }
   const auto bands  = comparison.bands();
   const auto family = [&](const char *name, double live::ChatterBand::*member) {
-    Family rows(text, name, "gauge");
+    Family rows(text, name, Metric::gauge);
     for (const live::ChatterBand &band : bands)
       if (std::isfinite(band.*member))
         rows.row(label("band", fmt::format("{} {:.1f} Hz", band.name, band.frequency)), number(band.*member));
@@ -91,10 +97,11 @@ void add_comparison(std::string &text, const live::Comparison &comparison)
   family("band_growth_per_second", &live::ChatterBand::growth);
   family("band_growth_high_per_second", &live::ChatterBand::growth_high);
   const auto &proposals = comparison.proposals();
-  Family rows(text, "proposals", "gauge");
-  for (const std::string state : {"open", "adopted", "refused", "out of date"})
-    rows.row(label("state", state), std::count_if(proposals.begin(), proposals.end(),
-                                                  [&](const live::Proposal &p) { return p.state == state; }));
+  Family rows(text, "proposals", Metric::gauge);
+  for (const live::ProposalState state : every<live::ProposalState>())
+    rows.row(label("state", word_of(state)),
+             std::count_if(proposals.begin(), proposals.end(),
+                           [&](const live::Proposal &p) { return p.state == state; }));
 }
 }  // namespace
 
@@ -111,8 +118,8 @@ std::string metrics_text(const MetricsInput &input)
   if (input.comparison)
     add_comparison(text, *input.comparison);
   if (input.limit)
-    Family(text, "limit_metres_per_second_squared", "gauge").row("", fmt::format("{:.6g}", *input.limit));
-  Family(text, "springs_adopted", "gauge")
+    Family(text, "limit_metres_per_second_squared", Metric::gauge).row("", fmt::format("{:.6g}", *input.limit));
+  Family(text, "springs_adopted", Metric::gauge)
       .row(input.adopted.empty() ? "" : label("file", input.adopted), input.adopted.empty() ? 0 : 1);
   return text;
 }

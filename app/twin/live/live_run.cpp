@@ -13,6 +13,7 @@
 #include "core/model/case.h"
 #include "twin/live/engine/engine_loop.h"
 #include "twin/live/steady_clock.h"
+#include "twin/records/known_channel.h"
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
@@ -223,7 +224,7 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
   setup.limit    = limit_;
   setup.unknowns = fitted_springs(model_);
   // a record that is played faster than real time waits for every result, so that it gives the same twice
-  setup.wait     = command_.live.speed == "max";
+  setup.wait     = std::isinf(replay_speed(command_.live.speed));
   setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
   if (model_.detailed) {
     setup.mode_names   = model_.detailed->mode_names;
@@ -233,8 +234,11 @@ void LiveRun::begin_comparison(const live::LiveSource &source)
     };
   }
   if (auto chatter = live_chatter(the_case_, model_)) {
-    const auto is_speed = [](const live::LiveChannel &c) { return c.name == "speed" || c.name == "exit_speed"; };
-    const bool used     = std::any_of(source.channels.begin(), source.channels.end(), is_speed);
+    const auto is_speed = [](const live::LiveChannel &c) {
+      const auto known = choice_named<twin::KnownChannel>(c.name);
+      return known == twin::KnownChannel::speed || known == twin::KnownChannel::exit_speed;
+    };
+    const bool used = std::any_of(source.channels.begin(), source.channels.end(), is_speed);
     for (const std::string &note : used ? chatter->notes : std::vector<std::string>{})
       print("note: " + visible(note, true) + "\n");
     setup.chatter = std::move(chatter->setup);

@@ -4,7 +4,9 @@
 #include "app/twin/live/live_metrics.h"
 #include "app/twin/live/live_run.h"
 #include "app/twin/live/live_stand.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
+#include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
 #include "core/model/case.h"
 #include "twin/web/server/listen_address.h"
@@ -18,6 +20,13 @@
 // What of a live run is shown: page, account, alarms, console.
 namespace mill {
 namespace {
+// Notes of the source and of the recorder that raise an alarm.
+enum class AlarmingNote { recording, loss, gap, overrun, rate, clock };
+constexpr auto words_of(AlarmingNote)
+{
+  return choice_words<AlarmingNote>("recording", "loss", "gap", "overrun", "rate", "clock");
+}
+
 constexpr std::int64_t shown_of_a_kind = 20;  // refusals and the like, on the console
 }  // namespace
 
@@ -57,7 +66,7 @@ void LiveRun::show_source(const live::LiveSource &source)
   stand.rate            = source.rate;
   for (live::StandPlace &place : stand.places)
     place.measured = std::any_of(source.channels.begin(), source.channels.end(), [&](const live::LiveChannel &c) {
-      return c.name == place.place && c.unit == "m/s2";
+      return c.name == place.place && is_in(c.unit, SiUnit::acceleration);
     });
   page_->set_stand(live::stand_text(stand));
   publish_parameters();
@@ -193,20 +202,21 @@ void LiveRun::say(const std::string &kind, const std::string &text)
     const std::lock_guard lock(console_);
     times = ++said_[kind];
   }
-  if (kind == "recording" || kind == "loss" || kind == "gap" || kind == "overrun" || kind == "rate" ||
-      kind == "clock") {
+  const auto alarm = choice_named<AlarmingNote>(kind);
+  const bool stops = alarm == AlarmingNote::recording;
+  if (alarm) {
     const std::lock_guard lock(alarm_lock_);
     alarms_.raise(kind, utc_now(),
-                  kind == "recording" ? "recording"
-                  : kind == "gap"     ? "gap"
-                                      : "source",
-                  kind == "recording" ? "alarm" : "warning", shown);
+                  stops                         ? "recording"
+                  : *alarm == AlarmingNote::gap ? "gap"
+                                                : "source",
+                  stops ? "alarm" : "warning", shown);
   }
   if (times == shown_of_a_kind + 1)
     print(fmt::format("{}: further ones are counted and not shown\n", kind));
   if (times > shown_of_a_kind)
     return;
-  if (kind == "recording") {
+  if (stops) {
     const std::lock_guard lock(console_);
     console::say("alarm: " + shown + "\n");
   } else

@@ -89,7 +89,7 @@ twin::ReadOptions read_options(const CommandLine &command, const Monitoring &mon
   for (const auto &[column, unit] : options.units)
     options.asked.push_back(column);
   read_scales(command, options);
-  options.several = command.verb != "analyse" || command.names.size() > 1;
+  options.several = command.verb != Verb::analyse || command.names.size() > 1;
   options.command = typed_command(command);
   return options;
 }

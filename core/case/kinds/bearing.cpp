@@ -8,7 +8,7 @@ const CaseKind &case_kind(const BearingCase *)
   static const CaseKind kind = [] {
     CaseKind k;
     using Repeat = SectionRows::Repeat;
-    k.name       = "bearing";
+    k.name       = word_of(KindOfCase::bearing);
     k.title      = "four-row tapered roller bearing";
     k.read       = [](const Node &root, Reading &reading) -> CaseSpec { return read_bearing_case(root, reading); };
     k.sections   = {head_section(),

@@ -8,7 +8,7 @@ const CaseKind &case_kind(const BiteCase *)
   static const CaseKind kind = [] {
     CaseKind k;
     using Repeat = SectionRows::Repeat;
-    k.name       = "bite";
+    k.name       = word_of(KindOfCase::bite);
     k.title      = "roll bite";
     k.read       = [](const Node &root, Reading &reading) -> CaseSpec { return read_bite_case(root, reading); };
     k.sections   = {head_section(),

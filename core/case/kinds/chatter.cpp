@@ -44,7 +44,7 @@ const CaseKind &case_kind(const ChatterCase *)
 {
   static const CaseKind kind = [] {
     CaseKind k;
-    k.name     = "chatter";
+    k.name     = word_of(KindOfCase::chatter);
     k.title    = "chatter of a stand";
     k.read     = [](const Node &root, Reading &reading) -> CaseSpec { return read_chatter(root, reading); };
     k.sections = chatter_sections();

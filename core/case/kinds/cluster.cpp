@@ -75,7 +75,7 @@ const CaseKind &case_kind(const ClusterCase *)
   static const CaseKind kind = [] {
     CaseKind k;
     using Repeat = SectionRows::Repeat;
-    k.name       = "cluster";
+    k.name       = word_of(KindOfCase::cluster);
     k.title      = "stack of rolls";
     k.read       = [](const Node &root, Reading &reading) -> CaseSpec { return read_cluster(root, reading); };
     k.sections   = {

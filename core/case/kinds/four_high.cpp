@@ -262,7 +262,7 @@ const CaseKind &case_kind(const FourHigh *)
 {
   static const CaseKind kind = [] {
     CaseKind k;
-    k.name     = "four-high";
+    k.name     = word_of(KindOfCase::four_high);
     k.title    = "four-high stand";
     k.read     = [](const Node &root, Reading &reading) -> CaseSpec { return read_four_high(root, reading); };
     k.sections = four_high_sections();

@@ -118,7 +118,7 @@ const CaseKind &case_kind(const Lumped *)
 {
   static const CaseKind kind = [] {
     CaseKind k;
-    k.name     = "lumped";
+    k.name     = word_of(KindOfCase::lumped);
     k.title    = "lumped model";
     k.read     = [](const Node &root, Reading &reading) -> CaseSpec { return read_lumped(root, reading); };
     k.sections = {head_section(),

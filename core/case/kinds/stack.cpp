@@ -36,7 +36,7 @@ const CaseKind &case_kind(const StackCase *)
   static const CaseKind kind = [] {
     CaseKind k;
     using Repeat = SectionRows::Repeat;
-    k.name       = "stack";
+    k.name       = word_of(KindOfCase::stack);
     k.title      = "stack of rolls that bend, with the profile of the strip";
     k.read       = [](const Node &root, Reading &reading) -> CaseSpec { return read_stack(root, reading); };
     k.sections   = {

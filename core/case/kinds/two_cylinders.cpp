@@ -53,7 +53,7 @@ const CaseKind &case_kind(const TwoCylinders *)
   static const CaseKind kind = [] {
     CaseKind k;
     using Repeat = SectionRows::Repeat;
-    k.name       = "two-cylinders";
+    k.name       = word_of(KindOfCase::two_cylinders);
     k.title      = "two cylinders";
     k.read     = [](const Node &root, Reading &reading) -> CaseSpec { return read_two_cylinders(root, reading); };
     k.sections = {

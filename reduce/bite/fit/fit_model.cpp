@@ -86,10 +86,10 @@ Eigen::Vector3d by_factors(const RollBite &bite, const double radius, const Circ
 
 FitUnknown fit_unknown(const std::string &name)
 {
-  if (name == "friction")
-    return {Role::friction, name, nullptr};
-  if (name == "flow_stress")
-    return {Role::flow_stress, name, nullptr};
+  for (const auto &[role, word] :
+       {std::pair(Role::friction, "friction"), std::pair(Role::flow_stress, "flow_stress")})
+    if (name == word)
+      return {role, name, nullptr};
   for (const FrictionConstant &constant : friction_constants())
     if (name == constant.key)
       return {Role::constant, name, constant.member};

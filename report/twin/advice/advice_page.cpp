@@ -1,5 +1,6 @@
 #include "report/twin/advice/advice_page.h"
 #include "core/base/files.h"
+#include "core/base/si_unit.h"
 #include "report/front/html.h"
 #include "report/page/page.h"
 #include "report/plot/number.h"
@@ -45,10 +46,11 @@ std::string effects_of(const json &action)
   for (const json &effect : action["effects"]) {
     const double value     = number_in(effect["value"]);
     const std::string unit = effect["unit"];
-    if (!std::isfinite(value) || (unit == "1" && std::abs(value) < 5e-4))
+    if (!std::isfinite(value) || (is_in(unit, SiUnit::one) && std::abs(value) < 5e-4))
       continue;
-    text += (text.empty() ? "" : "; ") + text_of(effect["name"]) + "\u00a0" +
-            (unit == "1" ? percent(value) : significant(value, 4) + "\u00a0" + escaped(unit_sign(unit)));
+    text +=
+        (text.empty() ? "" : "; ") + text_of(effect["name"]) + "\u00a0" +
+        (is_in(unit, SiUnit::one) ? percent(value) : significant(value, 4) + "\u00a0" + escaped(unit_sign(unit)));
   }
   if (text.empty())
     text = "none above 0.05 %";

@@ -1,6 +1,7 @@
 #include "report/twin/analysis/analysis_comparison.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/si_unit.h"
 #include "core/records/compared_bands.h"
 #include "report/front/html.h"
 #include "report/page/page.h"
@@ -57,7 +58,7 @@ double band_velocity(const ComparedAnalysis &one, const std::string &channel, co
 {
   const Eigen::VectorXd *density = density_of(one, channel);
   const std::string unit         = unit_of_channel(one, channel);
-  if (!density || (unit != "m/s2" && unit != "m/s"))
+  if (!density || (!is_in(unit, SiUnit::acceleration) && !is_in(unit, SiUnit::speed)))
     return std::nan("");
   const Eigen::VectorXd &f = one.spectrum->columns[0];
   if (f.size() < 3 || f[f.size() - 1] < band.high)
@@ -65,7 +66,7 @@ double band_velocity(const ComparedAnalysis &one, const std::string &channel, co
   double square = 0;
   for (Eigen::Index k = 1; k < f.size(); ++k)
     if (f[k] >= band.low && f[k] <= band.high) {
-      const double w = unit == "m/s2" ? 2 * M_PI * f[k] : 1;
+      const double w = is_in(unit, SiUnit::acceleration) ? 2 * M_PI * f[k] : 1;
       square += (*density)[k] * (f[1] - f[0]) / (w * w);
     }
   return std::sqrt(square);
@@ -158,10 +159,16 @@ std::string band_table(const std::vector<ComparedAnalysis> &all, const std::vect
                             "<th>change, 95 %</th></tr></thead>\n<tbody>\n" + rows + "</tbody></table>\n";
 }
 
+bool is_line(const json &finding)
+{
+  const auto kind = kind_of(finding);
+  return kind == FindingKind::line || kind == FindingKind::family;
+}
+
 bool is_compared(const json &finding)
 {
-  const std::string kind = finding["kind"];
-  return (kind == "mode" || kind == "line" || kind == "resonance" || kind == "family") &&
+  const auto kind = kind_of(finding);
+  return (kind == FindingKind::mode || kind == FindingKind::resonance || is_line(finding)) &&
          std::isfinite(number_in(finding["frequency"]));
 }
 
@@ -177,8 +184,7 @@ const json *partner_of(const json &finding, const json &others)
   const double f      = number_in(finding["frequency"]);
   const json *nearest = nullptr;
   for (const json &other : others) {
-    const bool line = finding["kind"] == "line" || finding["kind"] == "family";
-    if (!is_compared(other) || line != (other["kind"] == "line" || other["kind"] == "family"))
+    if (!is_compared(other) || is_line(finding) != is_line(other))
       continue;
     const double away = std::abs(number_in(other["frequency"]) - f);
     if (away <= std::max(half_interval(finding) + half_interval(other), 0.02 * f) &&

@@ -105,6 +105,14 @@ std::string value_table(const json &values)
          rows + "</tbody></table>\n";
 }
 
+// What is marked in the spectrum: not an event, not what an envelope shows.
+bool is_at_a_peak(const json &finding)
+{
+  const auto kind = kind_of(finding);
+  return kind != FindingKind::alarm && kind != FindingKind::bearing && kind != FindingKind::bearing_fault &&
+         kind != FindingKind::lost_samples;
+}
+
 std::string spectrum_drawing(const Table &table, const std::size_t column, const json &findings, const bool length)
 {
   Plot plot;
@@ -123,8 +131,7 @@ std::string spectrum_drawing(const Table &table, const std::size_t column, const
     std::vector<double> marked;
     for (const json &f : findings)
       if (const double frequency = number_in(f["frequency"]);
-          std::isfinite(frequency) && f["kind"] != "alarm" && f["kind"] != "bearing" &&
-          f["kind"] != "bearing fault" && f["kind"] != "lost samples" && marked.size() < 12 &&
+          std::isfinite(frequency) && is_at_a_peak(f) && marked.size() < 12 &&
           std::none_of(marked.begin(), marked.end(),
                        [&](const double m) { return std::abs(m / frequency - 1) < 0.03; })) {
         plot.marks.push_back({frequency, fixed(frequency, 1)});
@@ -209,8 +216,9 @@ std::string verdict(const json &document)
 {
   std::size_t urgent = 0, unowned = 0;
   for (const json &f : document["findings"]) {
-    const std::string kind = f["kind"], owner = f["owner"];
-    urgent += kind == "alarm" || kind == "near instability" || kind == "bearing fault";
+    const auto kind         = kind_of(f);
+    const std::string owner = f["owner"];
+    urgent += kind && is_urgent(*kind);
     unowned += owner.rfind("source not identified", 0) == 0;
   }
   const std::size_t n = document["findings"].size();

@@ -29,6 +29,11 @@ Run run_of(const std::string &directory, const json &document)
   return run;
 }
 
+std::optional<FindingKind> kind_of(const json &finding)
+{
+  return choice_named<FindingKind>(finding["kind"].get<std::string>());
+}
+
 double number_in(const json &value)
 {
   return value.is_number() ? value.get<double>() : std::nan("");

@@ -1,7 +1,9 @@
 #pragma once
+#include "core/records/finding_kind.h"
 #include "report/page/run.h"
 #include <map>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,6 +19,9 @@ nlohmann::json written_document(const std::string &directory, const std::string 
 
 /// Folder and case of a document, for the frame of its page.
 Run run_of(const std::string &directory, const nlohmann::json &document);
+
+/// Of a finding of analyse; nothing where this version does not know its kind.
+std::optional<FindingKind> kind_of(const nlohmann::json &finding);
 
 /// NaN where it is not a number.
 double number_in(const nlohmann::json &value);

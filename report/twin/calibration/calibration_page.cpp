@@ -1,5 +1,6 @@
 #include "report/twin/calibration/calibration_page.h"
 #include "core/base/files.h"
+#include "core/records/calibration_status.h"
 #include "report/front/html.h"
 #include "report/page/page.h"
 #include "report/plot/number.h"
@@ -143,22 +144,22 @@ std::string head_of(const json &document)
       significant(number_in(document["seconds"][1]), 3) + " s held back as a check; " +
       fixed(number_in(document["band"][0]), 0) + " to " + fixed(number_in(document["band"][1]), 0) + " Hz</p>\n" +
       (force_recorded(document) ? "" : "<p>" + escaped(document["without_force"].get<std::string>()) + ".</p>\n");
-  const std::string status = document["status"];
-  int identified           = 0;
+  const auto status = choice_named<CalibrationStatus>(document["status"].get<std::string>());
+  int identified    = 0;
   for (const json &u : document["unknowns"])
     identified += u["told"].get<bool>();
   const std::string count =
       fmt::format("{} of {} unknowns are identified by these records", identified, document["unknowns"].size());
-  if (status == "ok")
+  if (status == CalibrationStatus::ok)
     return text + "<div class=\"verdict ok\"><p>" + count +
            "; the calibrated stand explains the check records within the noise and a model error of " +
            fmt::format("{:.3g}", 100 * document.value("model_error", 0.05)) + " % per third octave.</p></div>\n";
-  if (status == "agrees")
+  if (status == CalibrationStatus::agrees)
     return text + "<div class=\"verdict ok\"><p>The case agrees with these records already. No "
                   "calibrated case was written.</p></div>\n";
   return text + "<div class=\"verdict warnings\"><p>" +
-         (status == "accepted" ? "Refused, but written because of <code>--accept</code>: "
-                               : "Refused, no calibrated case was written: ") +
+         (status == CalibrationStatus::accepted ? "Refused, but written because of <code>--accept</code>: "
+                                                : "Refused, no calibrated case was written: ") +
          "the reasons are below. The parameters are not valid for this stand.</p></div>\n";
 }
 

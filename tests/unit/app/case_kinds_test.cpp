@@ -20,14 +20,15 @@ Case case_of(const std::string &kind)
 
 TEST(CaseKinds, EveryKindHasARowInTheTableOfRuns)
 {
-  const std::vector<std::string> verbs{"run", "stiffness", "masses", "modes", "chatter", "simulate"};
+  const std::vector<Verb> verbs{Verb::run,   Verb::stiffness, Verb::masses,
+                                Verb::modes, Verb::chatter,   Verb::simulate};
   for (const CaseKind *kind : all_kinds()) {
     const Case the_case = case_of(kind->name);
     const RunKind &row  = run_kind(the_case);
     EXPECT_EQ(&kind_of(the_case), kind) << kind->name;
-    EXPECT_EQ(row.verbs.at(0), "run") << kind->name;
-    for (const std::string &verb : row.verbs)
-      EXPECT_EQ(std::count(verbs.begin(), verbs.end(), verb), 1) << kind->name << " " << verb;
+    EXPECT_EQ(row.verbs.at(0), Verb::run) << kind->name;
+    for (const Verb verb : row.verbs)
+      EXPECT_EQ(std::count(verbs.begin(), verbs.end(), verb), 1) << kind->name << " " << word_of(verb);
     EXPECT_TRUE(row.stages && row.run && row.describe && row.inputs && row.trace) << kind->name;
     EXPECT_FALSE(row.stages(the_case).empty()) << kind->name;
   }

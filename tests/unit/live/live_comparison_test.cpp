@@ -189,7 +189,7 @@ TEST(LiveComparison, ProposesASofterContact)
   EXPECT_TRUE(later.proposals.empty());
   EXPECT_TRUE(near(later.modes.back().modes.at(5).twin_frequency, stand.chain(1).frequency[5],
                    within_absolute(1e-9, "the twin is as it was, rounding")));
-  EXPECT_EQ(comparison.proposals().at(0).state, "open");
+  EXPECT_EQ(comparison.proposals().at(0).state, ProposalState::open);
   EXPECT_TRUE(comparison.proposals().at(0).file.empty());
 }
 
@@ -278,10 +278,10 @@ TEST(LiveComparison, AdoptedProposalIsACase)
   EXPECT_FALSE(proposals.adopt(7, 1.7e9 + 6, folder, text)) << "no such number";
   proposals.add(proposal);
   proposals.add(proposal);
-  EXPECT_EQ(proposals.find(1)->state, "adopted");
-  EXPECT_EQ(proposals.find(2)->state, "out of date");
+  EXPECT_EQ(proposals.find(1)->state, ProposalState::adopted);
+  EXPECT_EQ(proposals.find(2)->state, ProposalState::out_of_date);
   EXPECT_THROW(proposals.adopt(3, 1.7e9 + 5, folder + "/nowhere", text), std::exception);
-  EXPECT_EQ(proposals.find(3)->state, "open") << "what could not be written is not adopted";
+  EXPECT_EQ(proposals.find(3)->state, ProposalState::open) << "what could not be written is not adopted";
   ASSERT_TRUE(proposals.adopt(3, 1.7e9 + 5, folder, text));
   EXPECT_EQ(fs::path(proposals.find(3)->file).filename(), "calibrated-20231114T221325Z-2.toml")
       << "nothing is overwritten";

@@ -34,7 +34,7 @@ Run four_high()
   Run run;
   run.case_name     = "stand";
   run.status        = "ok";
-  run.manifest.kind = "four-high";
+  run.manifest.kind = KindOfCase::four_high;
   run.results       = {result("M1", 9000, "kg"),
                        result("stand.modulus.tangent", 4.5e9, "N/m", mill::operating_point_of("10 MN")),
                        result("stand.modulus.kiss", 5.0e9, "N/m", mill::operating_point_of("10 MN")),

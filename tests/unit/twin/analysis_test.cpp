@@ -80,12 +80,12 @@ TEST(Analysis, AKnownStandHasItsModesAndNothingElse)
       const auto clean    = record(truth, 1000, with_force ? 40 : 20, with_force, 77 + 50 * std::uint64_t(run));
       const auto analysis = analyse(clean, &stand, {}, {});
       for (const Finding &finding : analysis.findings) {
-        EXPECT_TRUE(finding.kind == "mode" || finding.kind == "resonance")
-            << finding.kind << " " << finding.frequency;
-        modes += finding.kind == "mode";
+        EXPECT_TRUE(finding.kind == FindingKind::mode || finding.kind == FindingKind::resonance)
+            << word_of(finding.kind) << " " << finding.frequency;
+        modes += finding.kind == FindingKind::mode;
         Eigen::Index nearest = 0;
         const double away    = (truth.frequency.array() / finding.frequency).log().abs().minCoeff(&nearest);
-        EXPECT_LT(away, 0.02) << finding.kind << " " << finding.frequency << " Hz, run " << run;
+        EXPECT_LT(away, 0.02) << word_of(finding.kind) << " " << finding.frequency << " Hz, run " << run;
         const std::string right = "mode " + std::to_string(nearest + 1) + " of the case";
         ambiguous += finding.owner.rfind("ambiguous", 0) == 0;
         none += finding.owner.rfind("source not identified", 0) == 0;
@@ -123,12 +123,12 @@ TEST(Analysis, TheEdgeOfAForceBandIsNamed)
   int edges           = 0;
   for (const Finding &finding : analysis.findings) {
     if (finding.frequency > 280 && finding.frequency < 310) {
-      EXPECT_EQ(finding.owner, "edge of the force band") << finding.kind << " " << finding.frequency;
+      EXPECT_EQ(finding.owner, "edge of the force band") << word_of(finding.kind) << " " << finding.frequency;
       EXPECT_TRUE(near(finding.frequency, 298,
                        within_absolute(3, "TW-13: the pole lies between 295 and 301 Hz, where the band ends")));
       ++edges;
     } else
-      EXPECT_NE(finding.kind, "edge") << finding.frequency;
+      EXPECT_NE(finding.kind, FindingKind::edge) << finding.frequency;
   }
   EXPECT_EQ(edges, 1) << "TW-13, asked for";
 }
@@ -158,21 +158,21 @@ TEST(Analysis, ABearingIsHeldAgainstItsBaseline)
     const auto analysis = analyse(clean, &stand, settings, {});
     EXPECT_EQ(analysis.bearings.size(), 4u) << "all families, for later records";
     for (const Finding &finding : analysis.findings)
-      if (finding.kind.rfind("bearing", 0) == 0)
+      if (finding.kind == FindingKind::bearing || finding.kind == FindingKind::bearing_fault)
         return finding;
     return Finding{};
   };
   const Finding alone = bearing();
-  EXPECT_EQ(alone.kind, "bearing");
+  EXPECT_EQ(alone.kind, FindingKind::bearing);
   EXPECT_EQ(alone.owner.rfind("BPFO of bearing trb at the work_roll: ", 0), 0u) << alone.owner;
   EXPECT_NE(alone.evidence.back().find("no baseline is named"), std::string::npos);
   settings.baseline         = Baseline{};
   settings.baseline->folder = "before";
   EXPECT_NE(bearing().evidence.back().find("whether it grows is not known"), std::string::npos);
   settings.baseline->score[{"upper_work_roll", "trb", "BPFO"}] = 2.5;
-  EXPECT_EQ(bearing().kind, "bearing fault");
+  EXPECT_EQ(bearing().kind, FindingKind::bearing_fault);
   settings.baseline->score[{"upper_work_roll", "trb", "BPFO"}] = 100;
-  EXPECT_EQ(bearing().kind, "bearing");
+  EXPECT_EQ(bearing().kind, FindingKind::bearing);
   EXPECT_NE(bearing().evidence.back().find("it does not grow, no fault"), std::string::npos);
 }
 
@@ -262,9 +262,8 @@ TEST(Analysis, AShiftedLineOfARunUpIsFoundOverLength)
   const auto analysis = analyse(clean_record(std::move(raw)), &stand, {}, {});
   int locked = 0, lines = 0;
   for (const Finding &finding : analysis.findings) {
-    locked +=
-        finding.kind == "locked to the speed" && finding.owner.find("20 waves per turn of the work_roll") == 0;
-    lines += finding.kind == "line" && finding.owner == "mains, 2 x 50 Hz";
+    locked += finding.kind == FindingKind::locked && finding.owner.find("20 waves per turn of the work_roll") == 0;
+    lines += finding.kind == FindingKind::line && finding.owner == "mains, 2 x 50 Hz";
   }
   EXPECT_EQ(locked, 1);
   EXPECT_EQ(lines, 1);

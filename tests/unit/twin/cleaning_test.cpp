@@ -68,7 +68,7 @@ TEST(Cleaning, FactsOfTheRecordOfLines)
   EXPECT_TRUE(near(channel.drift, facts["drift"], within(0.02, "asked for")));
   EXPECT_TRUE(clean.interpolated);
   ASSERT_FALSE(clean.events.empty());
-  EXPECT_EQ(clean.events[0].fault, "gap");
+  EXPECT_EQ(clean.events[0].fault, CleaningFault::gap);
   EXPECT_EQ(clean.events[0].count, facts["gap_samples"].get<int>());
   EXPECT_TRUE(near(clean.events[0].from, facts["gap_start"].get<double>(),
                    within_absolute(1e-6, "half of the jitter of the times")));

@@ -72,7 +72,7 @@ TEST(GrowthRate, IsThatOfOneModeWhereTheBandHoldsNoOther)
     raw.rate = rate;
     raw.channels.push_back({"chock", "chock", "m/s2", Quantity::acceleration, true, {}, both});
     for (const Finding &finding : analyse(clean_record(std::move(raw)), nullptr, {}, {}).findings)
-      EXPECT_NE(finding.kind, "near instability") << seed << ": " << finding.evidence.front();
+      EXPECT_NE(finding.kind, FindingKind::near_instability) << seed << ": " << finding.evidence.front();
   }
 }
 

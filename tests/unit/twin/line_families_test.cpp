@@ -102,7 +102,7 @@ TEST(LineFamilies, HarmonicsOfAShaftAreOneFinding)
   const auto analysis = analysis_of_one(sum_of_lines(lines, 0.02, 3, 4000, 40000), 4000);
   ASSERT_EQ(analysis.findings.size(), 1u);
   const Finding &family = analysis.findings[0];
-  EXPECT_EQ(family.kind, "family");
+  EXPECT_EQ(family.kind, FindingKind::family);
   EXPECT_TRUE(near(family.frequency, 24.37,
                    within_absolute(0.005, "hertz; sixty harmonics, each known to a part of a bin")));
   EXPECT_EQ(family.members.size(), 60u);
@@ -119,8 +119,9 @@ TEST(LostSamplesOfARecorder, AreNamedAsOneComb)
     for (Eigen::Index k = 0; k < x.size(); ++k)
       x[k] += std::sin(2 * M_PI * 137 * double(k + lost * (k / block)) / rate);
     const auto analysis = analysis_of_one(x, rate);
-    const auto comb     = std::find_if(analysis.findings.begin(), analysis.findings.end(),
-                                       [](const Finding &finding) { return finding.kind == "lost samples"; });
+    const auto comb = std::find_if(analysis.findings.begin(), analysis.findings.end(), [](const Finding &finding) {
+      return finding.kind == FindingKind::lost_samples;
+    });
     ASSERT_NE(comb, analysis.findings.end()) << block;
     EXPECT_NE(comb->owner.find("blocks of " + std::to_string(block) + " samples"), std::string::npos)
         << comb->owner;
@@ -141,7 +142,7 @@ TEST(LostSamplesOfARecorder, ModulationAtAWholePartOfTheRateIsNone)
         (1 + 0.5 * std::sin(2 * M_PI * 25 * t) + 0.3 * std::sin(2 * M_PI * 50 * t)) * std::sin(2 * M_PI * 411 * t);
   }
   for (const Finding &finding : analysis_of_one(x, rate).findings)
-    EXPECT_NE(finding.kind, "lost samples") << finding.owner;
+    EXPECT_NE(finding.kind, FindingKind::lost_samples) << finding.owner;
 }
 
 TEST(Images, AreNamedOnlyWhereChanceDoesNotMakeThem)

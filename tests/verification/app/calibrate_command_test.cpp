@@ -290,7 +290,7 @@ namespace {
 CommandLine line_of(const Stand &stand)
 {
   CommandLine line;
-  line.verb   = "calibrate";
+  line.verb   = mill::Verb::calibrate;
   line.target = stand.folder + "/stand.toml";
   line.output = stand.folder + "/refused";
   line.quiet  = true;

@@ -48,7 +48,7 @@ TEST(StackOptimise, BendingReachesACrown)
 {
   const Mill four("four");
   const StackOptimum optimum =
-      four.optimum({four.actuator("W.bending_force", -100 * kN, 400 * kN)}, {{"crown", 10 * um, 0, 0}});
+      four.optimum({four.actuator("W.bending_force", -100 * kN, 400 * kN)}, {{StackGoal::crown, 10 * um, 0, 0}});
   EXPECT_TRUE(
       near(four.at(optimum).crown, 10 * um, within_absolute(1e-10, "weight of the smallest move, metres")));
   EXPECT_EQ(optimum.actuators[0].bound, "");
@@ -59,7 +59,7 @@ TEST(StackOptimise, AnActuatorThatIsTooWeakStopsAtItsBound)
 {
   const Mill four("four");
   const StackOptimum optimum =
-      four.optimum({four.actuator("W.bending_force", -100 * kN, 50 * kN)}, {{"crown", 0, 0, 0}});
+      four.optimum({four.actuator("W.bending_force", -100 * kN, 50 * kN)}, {{StackGoal::crown, 0, 0, 0}});
   EXPECT_EQ(optimum.actuators[0].bound, "upper");
   EXPECT_DOUBLE_EQ(optimum.actuators[0].optimum, 50 * kN);
   EXPECT_GT(optimum.targets[0].reached, 5 * um);
@@ -72,7 +72,8 @@ TEST(StackOptimise, FourActuatorsReachCrownAndEdgeDrop)
   const std::vector<StackActuator> actuators{six.actuator("W.bending_force", -200 * kN, 500 * kN),
                                              six.actuator("I.bending_force", -200 * kN, 500 * kN),
                                              six.actuator("I.shift", 0, 200 * mm)};
-  const StackOptimum optimum = six.optimum(actuators, {{"crown", 20 * um, 0, 0}, {"edge_drop", 14 * um, 0, 0}});
+  const StackOptimum optimum =
+      six.optimum(actuators, {{StackGoal::crown, 20 * um, 0, 0}, {StackGoal::edge_drop, 14 * um, 0, 0}});
   const reduce::StripState strip = six.at(optimum);
   EXPECT_TRUE(near(strip.crown, 20 * um, within_absolute(1e-9, "weight of the smallest move, metres")));
   EXPECT_TRUE(near(strip.edge_drop, 14 * um, within_absolute(1e-9, "weight of the smallest move, metres")));
@@ -95,7 +96,7 @@ TEST(StackOptimise, ContactsChangeOnTheWay)
   StackActuator bending      = four.actuator("W.bending_force", -300 * kN, 300 * kN);
   const double before        = solve_stack(four.input, crowned, beams_of(four.input, elements)).state.strip.crown;
   const StackOptimum optimum = optimise_stack(four.input, crowned, beams_of(four.input, elements), {bending},
-                                              {{"crown", before + 30 * um, 0, 0}});
+                                              {{StackGoal::crown, before + 30 * um, 0, 0}});
   EXPECT_TRUE(
       near(optimum.targets[0].reached, before + 30 * um, within_absolute(1e-9, "weight of the smallest move")));
   const Stack there = with_actuator(four.input, crowned, optimum.actuators[0], optimum.actuators[0].optimum);

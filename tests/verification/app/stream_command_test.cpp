@@ -137,7 +137,7 @@ TEST(StreamCommand, SaysWhatItCannotDo)
   const std::string folder = stream_folder() + "/";
   const Case the_case      = read_case(folder + "stand.toml");
   CommandLine command;
-  command.verb       = "simulate";
+  command.verb       = mill::Verb::simulate;
   command.quiet      = true;
   command.output     = folder + "refused";
   const auto refused = [&] { return refusal([&] { stream_command(command, the_case); }); };

@@ -1,5 +1,6 @@
 #include "twin/live/compare/comparison.h"
 #include "core/base/errors.h"
+#include "core/base/si_unit.h"
 #include "core/model/assumed_error.h"
 #include "core/model/case.h"
 #include <algorithm>
@@ -16,7 +17,7 @@ std::vector<std::string> compared_places(const ComparisonSetup &setup)
 {
   std::vector<std::string> names;
   for (const LiveChannel &channel : setup.channels)
-    if (channel.unit == "m/s2" &&
+    if (is_in(channel.unit, SiUnit::acceleration) &&
         std::find(setup.places.begin(), setup.places.end(), channel.name) != setup.places.end())
       names.push_back(channel.name);
   return names;
@@ -27,7 +28,7 @@ std::vector<std::string> watched_channels(const ComparisonSetup &setup)
 {
   std::vector<std::string> names;
   for (const LiveChannel &channel : setup.channels)
-    if (channel.unit == "m/s2")
+    if (is_in(channel.unit, SiUnit::acceleration))
       names.push_back(channel.name);
   return names;
 }
@@ -95,12 +96,12 @@ Comparison::Comparison(ComparisonSetup setup)
 {
   for (std::size_t c = 0; c < setup_.channels.size(); ++c) {
     const LiveChannel &channel = setup_.channels[c];
-    if (channel.unit == "m/s2")
+    if (is_in(channel.unit, SiUnit::acceleration))
       watched.push_back(Eigen::Index(c));
     const auto place = std::find(setup_.places.begin(), setup_.places.end(), channel.name);
     if (place == setup_.places.end())
       continue;
-    if (channel.unit == "m/s2")
+    if (is_in(channel.unit, SiUnit::acceleration))
       pairs.push_back({Eigen::Index(c), place - setup_.places.begin(), channel.name});
     else
       said.push_back(

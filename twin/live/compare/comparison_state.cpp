@@ -162,7 +162,7 @@ Json proposal_json(const Proposal &p)
           {"from", p.from},
           {"to", p.to},
           {"reason", p.reason},
-          {"state", p.state},
+          {"state", word_of(p.state)},
           {"file", p.file},
           {"seconds", p.found.seconds},
           {"misfit_before", p.found.misfit_before},
@@ -177,12 +177,15 @@ Json proposal_json(const Proposal &p)
 Proposal stored_proposal(const StoredObject &stored, const LumpedModel &chain)
 {
   Proposal p;
-  p.id                  = stored.count("id", 1, largest_number);
-  p.utc                 = stored.number("utc", earliest_time, latest_time);
-  p.from                = stored.number("from", earliest_time, latest_time);
-  p.to                  = stored.number("to", earliest_time, latest_time);
-  p.reason              = stored.text("reason");
-  p.state               = stored.text("state");
+  p.id             = stored.count("id", 1, largest_number);
+  p.utc            = stored.number("utc", earliest_time, latest_time);
+  p.from           = stored.number("from", earliest_time, latest_time);
+  p.to             = stored.number("to", earliest_time, latest_time);
+  p.reason         = stored.text("reason");
+  const auto state = choice_named<ProposalState>(stored.text("state"));
+  if (!state)
+    stored.refuse("has a proposal of an unknown state");
+  p.state               = *state;
   p.file                = stored.text("file");
   p.found.seconds       = stored.number("seconds", 0, any_size);
   p.found.misfit_before = stored.number("misfit_before", 0, any_size);

@@ -108,8 +108,8 @@ std::string calibrated_case(const Proposal &p, const Case &origin, const std::st
 const Proposal &Proposals::add(Proposal proposal)
 {
   for (std::size_t i = 0; i < list.size(); ++i)
-    if (list[i].state == "open") {
-      list[i].state = "out of date";
+    if (list[i].state == ProposalState::open) {
+      list[i].state = ProposalState::out_of_date;
       changed.push_back(i);
     }
   proposal.id = list.empty() ? 1 : list.back().id + 1;
@@ -146,7 +146,7 @@ Proposals::adopt(const std::int64_t id, const double utc, const std::string &fol
                  const std::function<std::string(const Proposal &, const std::string &folder)> &text)
 {
   Proposal *open = known(id);
-  if (!open || open->state != "open")
+  if (!open || open->state != ProposalState::open)
     return {};
   Proposal adopted = *open;
   adopted.file     = free_name(folder, utc);
@@ -155,7 +155,7 @@ Proposals::adopt(const std::int64_t id, const double utc, const std::string &fol
                                        std::filesystem::path(adopted.file).filename().string(), adopted.reason);
   const std::string log  = folder + "/adopted.log";
   write_atomically(log, text_if_readable(log).value_or("") + line);
-  adopted.state = "adopted";
+  adopted.state = ProposalState::adopted;
   *open         = adopted;
   changed.push_back(std::size_t(open - list.data()));
   return adopted;
@@ -164,9 +164,9 @@ Proposals::adopt(const std::int64_t id, const double utc, const std::string &fol
 bool Proposals::refuse(const std::int64_t id)
 {
   Proposal *open = known(id);
-  if (!open || open->state != "open")
+  if (!open || open->state != ProposalState::open)
     return false;
-  open->state = "refused";
+  open->state = ProposalState::refused;
   changed.push_back(std::size_t(open - list.data()));
   return true;
 }
@@ -184,12 +184,12 @@ PageProposal page_proposal(const Proposal &p)
   PageProposal page;
   page.id    = p.id;
   page.utc   = p.utc;
-  page.state = p.state;
+  page.state = word_of(p.state);
   page.file  = p.file.empty() ? "" : std::filesystem::path(p.file).filename().string();
   page.text =
       fmt::format("{} On {:.0f} s from {} to {} the misfit falls from {:.3f} to {:.3f}.", p.reason,
                   p.found.seconds, utc_text(p.from), utc_text(p.to), p.found.misfit_before, p.found.misfit_after);
-  if (p.state == "open")
+  if (p.state == ProposalState::open)
     page.text += " Nothing is changed until it is adopted.";
   for (const twin::RecalibratedValue &value : p.found.values) {
     ProposedValue row;

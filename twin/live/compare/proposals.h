@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/model/lumped_model.h"
 #include "twin/drift/recalibration.h"
 #include "twin/live/page/event_text.h"
@@ -13,6 +14,12 @@ struct Case;
 }
 
 namespace mill::live {
+enum class ProposalState { open, adopted, refused, out_of_date };
+constexpr auto words_of(ProposalState)
+{
+  return choice_words<ProposalState>("open", "adopted", "refused", "out of date");
+}
+
 /// A re-calibration that a user may adopt.  The twin changes only then.
 struct Proposal {
   std::int64_t id = 0;
@@ -22,8 +29,8 @@ struct Proposal {
   twin::Recalibration found;
   LumpedModel before, chain;               ///< the twin's, and the same with the identified values replaced
   double damping_before = 0, damping = 0;  ///< -, modal damping ratio
-  std::string state = "open";              ///< open, adopted, refused, out of date
-  std::string file;                        ///< where it was written
+  ProposalState state = ProposalState::open;
+  std::string file;  ///< where it was written
 };
 
 /// Chain with the identified springs of a re-calibration.

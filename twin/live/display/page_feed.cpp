@@ -1,5 +1,7 @@
 #include "twin/live/display/page_feed.h"
+#include "core/base/si_unit.h"
 #include "twin/live/steady_clock.h"
+#include "twin/records/known_channel.h"
 #include <algorithm>
 #include <cmath>
 
@@ -24,9 +26,9 @@ void PageFeed::begin(const LiveSource &source)
   channel_of_place_.assign(source.places.size(), -1);
   for (std::size_t c = 0; c < source.channels.size(); ++c) {
     const auto place = std::find(source.places.begin(), source.places.end(), source.channels[c].name);
-    if (place != source.places.end() && source.channels[c].unit == "m/s2")
+    if (place != source.places.end() && is_in(source.channels[c].unit, SiUnit::acceleration))
       channel_of_place_[std::size_t(place - source.places.begin())] = Eigen::Index(c);
-    if (source.channels[c].name == "speed")
+    if (source.channels[c].name == word_of(twin::KnownChannel::speed))
       speed_ = Eigen::Index(c);
   }
   measured_.assign(source.places.size(), {});

@@ -1,4 +1,5 @@
 #include "twin/live/display/place_spectrum.h"
+#include "core/base/si_unit.h"
 #include <algorithm>
 #include <cmath>
 
@@ -59,7 +60,7 @@ void PlaceSpectrum::begin(const LiveSource &source)
   for (const std::string &name : source.places) {
     Place place{name, -1, {}, std::vector<double>(length_, 0)};
     for (std::size_t c = 0; c < source.channels.size(); ++c)
-      if (source.channels[c].name == name && source.channels[c].unit == "m/s2")
+      if (source.channels[c].name == name && is_in(source.channels[c].unit, SiUnit::acceleration))
         place.channel = Eigen::Index(c);
     if (place.channel >= 0)
       place.measured.assign(length_, 0);

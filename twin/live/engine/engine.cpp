@@ -1,5 +1,6 @@
 #include "twin/live/engine/engine.h"
 #include "core/base/errors.h"
+#include "twin/records/known_channel.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -99,7 +100,7 @@ void Engine::begin_source(const SourceHead &head)
   may_restart_  = false;
   force_column_ = -1;
   for (std::size_t c = 0; c < head.channels.size(); ++c)
-    if (head.channels[c].name == "force")
+    if (twin::is_driving_force(head.channels[c].name))
       force_column_ = Eigen::Index(c);
   if (!same_account)
     book_.emplace(Eigen::Index(head.channels.size()));

@@ -1,5 +1,6 @@
 #include "twin/live/compare/stored_object.h"
 #include "twin/live/engine/engine.h"
+#include "twin/records/known_channel.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -157,7 +158,7 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
     source.channels.push_back({channel.text("name"), channel.text("unit")});
     source.factor.push_back(channel.number("factor", -any_size, any_size));
     accounts.push_back(stored_account(channel));
-    forces += source.channels.back().name == "force";
+    forces += twin::is_driving_force(source.channels.back().name);
   }
   if (forces != 1)
     state.refuse("has channels without one force");
@@ -209,7 +210,7 @@ void Engine::take_stored(Stored stored)
   resumed_at_    = book_->next();
   forget_        = -std::expm1(-1 / (source_->rate * mean_over));
   for (std::size_t c = 0; c < source_->channels.size(); ++c)
-    if (source_->channels[c].name == "force")
+    if (twin::is_driving_force(source_->channels[c].name))
       force_column_ = Eigen::Index(c);
   // rows whose force was not known yet when this was stored: their numbers come again as missing
   const std::int64_t open = book_->next() - stepped_;
@@ -228,7 +229,7 @@ std::string Engine::resume(const nlohmann::json &state)
     const StoredObject head(state, "it");
     if (head.count("format", 0, 1 << 20) != state_format)
       return "the stored state is of another version of this program; the twin starts without it";
-    if (head.text("case_hash") != model_.hash)
+    if (const std::string hash = head.text("case_hash"); hash != model_.hash)
       return "the stored state belongs to another case, or to other values of this one; the twin starts without "
              "it";
     // a state without the name is of a program that knew six masses alone

@@ -1,4 +1,5 @@
 #include "core/base/errors.h"
+#include "core/base/text.h"
 #include "twin/live/source/csv_feed.h"
 #include "twin/live/source/file_sources.h"
 #include <cerrno>
@@ -96,8 +97,8 @@ private:
     if (!first_read_)
       first_read_ = Clock::now();
     cutter_.add({bytes, std::size_t(n)}, [&](std::string_view line) {
-      if (++number_ == 1 && line.substr(0, 3) == "\xef\xbb\xbf")
-        line.remove_prefix(3);
+      if (++number_ == 1 && line.rfind(utf8_mark, 0) == 0)
+        line.remove_prefix(utf8_mark.size());
       feed_.line(line, number_);
     });
     pass_on();

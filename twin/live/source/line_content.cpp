@@ -1,5 +1,6 @@
 #include "twin/live/source/line_content.h"
 #include "core/base/visible_text.h"
+#include "twin/live/source/line_word.h"
 #include "twin/live/source/quick_line.h"
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ public:
       return false;
     if (inside == Inside::nothing)
       inside = Inside::line;
-    else if (inside == Inside::line && name == "units")
+    else if (inside == Inside::line && choice_named<LineWord>(name) == LineWord::units)
       inside = Inside::units;
     else
       return refuse(fmt::format("\"{}\" is an object; only \"units\" is one", shown(name)));
@@ -94,7 +95,7 @@ public:
     name = value;
     if (name.empty() || name.size() > longest_name)
       return refuse(fmt::format("a name has {} bytes; 1 to {} are allowed", name.size(), longest_name));
-    if (inside == Inside::line && name == "millstand")
+    if (inside == Inside::line && choice_named<LineWord>(name) == LineWord::head)
       content.is_head = true;
     return true;
   }

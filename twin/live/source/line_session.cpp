@@ -1,9 +1,12 @@
 #include "twin/live/source/line_session.h"
 #include "core/base/errors.h"
+#include "core/base/si_unit.h"
+#include "core/base/text.h"
 #include "core/base/visible_text.h"
 #include "twin/live/source/row_times.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/channel_scale.h"
+#include "twin/records/known_channel.h"
 #include "twin/records/record_clock.h"
 #include "twin/web/server/page_rules.h"
 #include <algorithm>
@@ -37,9 +40,12 @@ KnownChannels known_channels(const std::vector<NamedUnit> &sent, const SourceRul
     if (const auto scale = twin::scale_of(channel.name, column_unit, rules.reading))
       column_unit = *scale;
     const std::string spoken = unit.empty() ? "no unit" : fmt::format("the unit \"{}\"", one_line(unit));
-    const bool is_force      = name == "force" || name == "load_cell";
-    const bool is_speed      = name == "speed" || name == "exit_speed" || name == "entry_speed";
-    const bool is_place      = std::find(rules.places.begin(), rules.places.end(), name) != rules.places.end();
+    using twin::KnownChannel;
+    const auto known_name = choice_named<KnownChannel>(name);
+    const bool is_force   = known_name == KnownChannel::force || known_name == KnownChannel::load_cell;
+    const bool is_speed   = known_name == KnownChannel::speed || known_name == KnownChannel::exit_speed ||
+                          known_name == KnownChannel::entry_speed;
+    const bool is_place = std::find(rules.places.begin(), rules.places.end(), name) != rules.places.end();
     if ((is_force && column_unit.quantity != twin::Quantity::force) ||
         (is_speed && column_unit.quantity != twin::Quantity::speed) || (is_place && !column_unit.known))
       throw InputError(fmt::format("channel \"{}\" has {}; {} is needed", one_line(name), spoken,
@@ -52,8 +58,9 @@ KnownChannels known_channels(const std::vector<NamedUnit> &sent, const SourceRul
     known.channels.push_back({name, column_unit.known ? column_unit.si : unit});
     known.factor.push_back(column_unit.known ? column_unit.factor : 1);
   }
-  if (std::none_of(known.channels.begin(), known.channels.end(),
-                   [](const LiveChannel &c) { return c.name == "force" || c.unit == "m/s2"; }))
+  if (std::none_of(known.channels.begin(), known.channels.end(), [](const LiveChannel &c) {
+        return twin::is_driving_force(c.name) || is_in(c.unit, SiUnit::acceleration);
+      }))
     throw InputError("no channel \"force\", which drives the twin, and no acceleration; name the column of the "
                      "rolling force with --channel NAME=force, or give the unit of an acceleration with --unit "
                      "NAME=g");
@@ -81,7 +88,7 @@ LineSession::Answer LineSession::refuse(std::string reason, const std::int64_t f
 LineSession::Answer LineSession::take(const std::string_view line)
 {
   ++lines_;
-  if (line.find_first_not_of(" \t") == std::string_view::npos)
+  if (is_blank(line))
     return {};
   LineContent content;
   std::string problem;

@@ -1,4 +1,5 @@
 #include "twin/live/source/quick_line.h"
+#include "twin/live/source/line_word.h"
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -32,7 +33,8 @@ public:
       std::string_view name;
       if (!read_name(name) || !take(':'))
         return false;
-      if (name == "s" ? !read_first(content) : !read_list(name, content))
+      if (choice_named<LineWord>(name) == LineWord::first_sample ? !read_first(content)
+                                                                 : !read_list(name, content))
         return false;
     } while (take(','));
     if (!take('}'))
@@ -67,7 +69,7 @@ private:
     if (at_ == end_ || *at_ != '"')
       return false;
     ++at_;
-    return !name.empty() && name.size() <= longest_plain_name && name != "millstand";
+    return !name.empty() && name.size() <= longest_plain_name && choice_named<LineWord>(name) != LineWord::head;
   }
 
   bool read_first(LineContent &content)

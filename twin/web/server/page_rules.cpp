@@ -22,7 +22,7 @@ RequestVerdict refused(const int status, const char *error)
 std::string token_of_query(const std::string &query)
 {
   const std::string name = "token=";
-  return query.compare(0, name.size(), name) == 0 ? query.substr(name.size()) : "";
+  return query.rfind(name, 0) == 0 ? query.substr(name.size()) : "";
 }
 
 bool is_json(const std::string &content_type)
@@ -36,7 +36,7 @@ bool is_json(const std::string &content_type)
 const PageRoute *route_of(const PageTable &table, const std::string &path)
 {
   const auto row = std::find_if(table.routes.begin(), table.routes.end(), [&](const PageRoute &r) {
-    return path == r.path || (r.below && path.compare(0, r.path.size() + 1, r.path + "/") == 0);
+    return path == r.path || (r.below && path.rfind(r.path + "/", 0) == 0);
   });
   return row == table.routes.end() ? nullptr : &*row;
 }
@@ -85,7 +85,8 @@ RequestVerdict judge(const RequestHead &head, const RequestRules &rules, const P
     return refused(403, "this Host is not in the list of names of this program");
   for (const std::string &line : head.origin) {
     const std::string origin = lower_case(line);
-    if (origin != "http://" + host && origin != "https://" + host)
+    const std::string plain = "http://" + host, secure = "https://" + host;
+    if (origin != plain && origin != secure)
       return refused(403, "requests from pages of another origin are refused");
   }
   return judge_route(head, rules, table);
