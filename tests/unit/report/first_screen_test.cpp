@@ -34,7 +34,7 @@ Run four_high()
   Run run;
   run.case_name     = "stand";
   run.status        = "ok";
-  run.manifest.kind = KindOfCase::four_high;
+  run.manifest.kind = mill::KindOfCase::four_high;
   run.results       = {result("M1", 9000, "kg"),
                        result("stand.modulus.tangent", 4.5e9, "N/m", mill::operating_point_of("10 MN")),
                        result("stand.modulus.kiss", 5.0e9, "N/m", mill::operating_point_of("10 MN")),
@@ -126,7 +126,7 @@ TEST(FirstScreen, StatesTheRangeThatHasNoCriticalSpeed)
 TEST(FirstScreen, BeginsAWarningWithACapitalAndLeavesKeysAsTheyAre)
 {
   mill::report::Run run  = four_high();
-  run.manifest.passes    = {PassInfo{"p", "p", not_given, true, "measured"}};
+  run.manifest.passes    = {PassInfo{"p", "p", not_given, true, mill::ForceMeaning::measured}};
   using Id               = mill::WarningId;
   run.warnings           = {{Id::bite_angle, "bite of pass 1", "the content of the force ends early"},
                             {Id::force_band, "p", "nothing was simulated"},
@@ -220,8 +220,8 @@ TEST(FirstScreen, ShowsTheChainInNumbersWithErrorAndOrigin)
 TEST(FirstScreen, LevelsOfSyntheticForcesAreNotShown)
 {
   mill::report::Run run = four_high();
-  run.manifest.passes   = {{"pass 1", "pass-1", 1e7, true, "measured"},
-                           {"pass 2", "pass-2", 1e7, false, "measured"}};
+  run.manifest.passes   = {{"pass 1", "pass-1", 1e7, true, mill::ForceMeaning::measured},
+                           {"pass 2", "pass-2", 1e7, false, mill::ForceMeaning::measured}};
   run.results.push_back(result("pass 1.peak_g.upper_work_roll", 90, "m/s2"));
   run.results.push_back(result("pass 2.peak_g.upper_work_roll", 5, "m/s2"));
   run.results.push_back(result("pass 2.peak_g.lower_work_roll", 8, "m/s2"));
