@@ -6,6 +6,18 @@
 
 namespace mill::meshes {
 namespace {
+// Ratio of a geometric series of n elements that starts with `first` and fills `length`.  The library of Gmsh and
+// deal.II has nothing of the program, core/numerics/root_search included (decision 63).
+double growth_filling(const double length, const double first, const int n)
+{
+  double low = 1e-3, high = 1e3;
+  for (int i = 0; i < 200; ++i) {
+    const double middle                              = std::sqrt(low * high);
+    (sum_of(first, middle, n) < length ? low : high) = middle;
+  }
+  return std::sqrt(low * high);
+}
+
 // The ring of 3:1 templates between three fine edges and one coarse edge: four quadrilaterals each.
 //    o0 ------- o1      outer, coarse
 //    | a --- b  |
@@ -91,7 +103,7 @@ SectionSurfaces add_section(const RollGeometry &roll, const SectionSize &s)
   const double reach   = R - Y - r;
   const int n_far =
       std::max(2, int(std::ceil(std::log1p(reach * (s.far_growth - 1) / t) / std::log(s.far_growth))));
-  const auto ratio = [&](const double length) { return ratio_filling(length, t, n_far); };
+  const auto ratio = [&](const double length) { return growth_filling(length, t, n_far); };
   const int m = nx / 3, k = ny / 3, ns = int(std::ceil(s.sector_elements * (90 - theta) / 45));
   const int left   = sketch.line(ring_below[0], n0, n_far, ratio(reach));
   const int middle = sketch.line(p1, n1, n_far, ratio(std::hypot(n1.x - p1.x, n1.y - p1.y)));
