@@ -43,7 +43,7 @@ Result result(const std::string &name, const double value, const std::string &un
 report::Run sample()
 {
   report::Run run;
-  run.manifest.kind                                         = "four-high";
+  run.manifest.kind                                         = KindOfCase::four_high;
   run.directory                                             = "/nonexistent";
   run.tables["curves/frf-craig-bampton-bite"]               = response({"upper-work-roll", "lower-backup-chock"});
   run.tables["curves/frf-six-mass-bite"]                    = response({"upper-work-roll"});

@@ -358,7 +358,8 @@ TEST(ModelFigures, DrawsAssuranceMapAndConvergence)
 TEST(ModelFigures, ReachOfTheForceHas99PercentOfItsMeanSquare)
 {
   report::Run run;
-  run.manifest.passes = {{"pass 1", "pass-1", 1e6, true, "measured"}, {"pass 2", "pass-2", 1e6, true, "measured"}};
+  run.manifest.passes = {{"pass 1", "pass-1", 1e6, true, ForceMeaning::measured},
+                         {"pass 2", "pass-2", 1e6, true, ForceMeaning::measured}};
   const VectorXd f    = VectorXd::LinSpaced(2001, 0, 2000);
   Table table;
   table.add("frequency", "Hz", f);
