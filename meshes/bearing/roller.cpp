@@ -2,7 +2,6 @@
 #include "core/base/errors.h"
 #include "meshes/bearing/raceway.h"
 #include "meshes/common/block.h"
-#include "meshes/common/series.h"
 #include "meshes/roll/roll.h"
 #include <algorithm>
 #include <cmath>
@@ -20,13 +19,26 @@ constexpr double side_depths = 4;
 // there.
 constexpr double far_growth = 2.2;
 
+double series(const double first, const double ratio, const int n)
+{
+  double sum = 0, element = first;
+  for (int i = 0; i < n; ++i, element *= ratio)
+    sum += element;
+  return sum;
+}
+
 // Elements between 0 and `length` that start with `first` and grow by about `ratio`: a multiple of three of them,
 // as the section needs, and the ratio that fits.
 std::pair<int, double> fitted_series(const double first, const double ratio, const double length)
 {
   const double wanted = std::log1p(length / first * (ratio - 1)) / std::log(ratio);
   const int n         = 3 * std::max(1, int(std::lround(wanted / 3)));
-  return {n, std::max(1., ratio_filling(length, first, n))};
+  double low = 1, high = 2 * length / first;
+  for (int i = 0; i < 100; ++i) {
+    const double middle                              = 0.5 * (low + high);
+    (series(first, middle, n) < length ? low : high) = middle;
+  }
+  return {n, high};
 }
 
 RollMeshSize mesh_size(const RollerSetup &s)

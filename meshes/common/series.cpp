@@ -1,6 +1,7 @@
 #include "meshes/common/series.h"
 #include "core/numerics/root_search.h"
 #include <algorithm>
+#include <limits>
 
 namespace mill::meshes {
 double ratio_filling(const double length, const double first, const int n)
@@ -15,6 +16,7 @@ double ratio_filling(const double length, const double first, const int n)
       rest -= element;
     return rest;
   };
-  return root_between(least, most, missing).value_or(least);
+  // To neighbouring numbers: the lines of two meshes whose sizes differ by rounding differ by rounding.
+  return root_between(least, most, missing, std::numeric_limits<double>::epsilon()).value_or(least);
 }
 }  // namespace mill::meshes

@@ -5,7 +5,7 @@ namespace mill::meshes {
 /// m, sum of n elements of which the first has the size `first` and each is `ratio` times the one before.
 inline double sum_of(const double first, const double ratio, const int n)
 {
-  return std::abs(ratio - 1) < 1e-12 ? first * n : first * (std::pow(ratio, n) - 1) / (ratio - 1);
+  return ratio == 1 ? first * n : first * std::expm1(n * std::log(ratio)) / (ratio - 1);  // exact near ratio 1 too
 }
 
 /// Ratio with which n elements fill `length`; 1 where n is 1, which no ratio changes.
