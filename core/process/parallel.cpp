@@ -41,7 +41,26 @@ bool can_start(const int n)
 class TaskList {
 public:
   TaskList(const long n, const std::function<void(long)> &one) : count(n), task(one) {}
+  // oneTBB orders hand-over and end as well, but in a library that the thread sanitizer does not see.
+  void hand_over()
+  {
+    handed_over.store(true, std::memory_order_release);
+  }
   void work()
+  {
+    handed_over.load(std::memory_order_acquire);
+    work_as_caller();
+    ended.fetch_add(1, std::memory_order_release);
+  }
+  void rethrow() const
+  {
+    ended.load(std::memory_order_acquire);
+    if (failure)
+      std::rethrow_exception(failure);
+  }
+
+private:
+  void work_as_caller()
   {
     const StageWork::Share on_behalf(stage);
     const Stoppable as_caller(stop);
@@ -56,18 +75,14 @@ public:
         next = count;
       }
   }
-  void rethrow() const
-  {
-    if (failure)
-      std::rethrow_exception(failure);
-  }
 
-private:
   const long count;
   const std::function<void(long)> &task;
   StageWork *const stage              = StageWork::current();
   const std::atomic<bool> *const stop = Stoppable::current();
   std::atomic<long> next{0};
+  std::atomic<bool> handed_over{false};
+  std::atomic<int> ended{0};
   std::exception_ptr failure;
   std::mutex failing;
 };
@@ -79,11 +94,13 @@ void share_tasks(const long n, const int threads, const std::function<void(long)
   const int workers = std::min({long(threads), n, long(tbb::this_task_arena::max_concurrency())});
   if (workers <= 1 || !can_start(workers - 1))
     tasks.work();
-  else
+  else {
+    tasks.hand_over();
     tbb::this_task_arena::isolate([&] {
       tbb::parallel_for(
           0, workers, [&](int) { tasks.work(); }, tbb::simple_partitioner());
     });
+  }
   tasks.rethrow();
 }
 
