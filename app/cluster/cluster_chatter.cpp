@@ -189,6 +189,7 @@ std::vector<dynamics::StructureNumber> cluster_numbers(const ClusterStand &stand
     for (const std::size_t i : group.supports)
       K += gap.supports[i];
     dynamics::StructureNumber n;
+    n.kind   = dynamics::NumberKind::spring;
     n.key    = group.key;
     n.name   = "stiffness of " + group.name;
     n.unit   = "N/m";
@@ -201,6 +202,7 @@ std::vector<dynamics::StructureNumber> cluster_numbers(const ClusterStand &stand
       numbers.push_back(n);
   }
   dynamics::StructureNumber damping;
+  damping.kind   = dynamics::NumberKind::damping_ratio;
   damping.key    = "response.loss_factor";
   damping.name   = "damping of the stack";
   damping.unit   = "1";

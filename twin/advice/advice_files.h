@@ -1,4 +1,5 @@
 #pragma once
+#include "core/records/advice_goal.h"
 #include "core/records/csv.h"
 #include "core/records/results.h"
 #include "twin/advice/chatter_advice.h"
@@ -18,8 +19,8 @@ struct TunedRecord {
 /// Everything that is written of one advice, for any goal.
 struct AdviceRecord {
   std::string case_name;
-  std::string stand;     ///< "six masses by closed forms at 976.2 kN"
-  std::string goal;      ///< "level" or "critical speed"
+  std::string stand;  ///< "six masses by closed forms at 976.2 kN"
+  RatedGoal goal = RatedGoal::level;
   std::string question;  ///< the goal in words
   std::string answer;    ///< in words
   Results results;

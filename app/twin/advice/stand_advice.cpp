@@ -275,7 +275,7 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
   twin::AdviceRecord record;
   record.case_name = the_case.name;
   record.stand     = model.source;
-  record.goal      = "level";
+  record.goal      = RatedGoal::level;
   record.notes     = model.notes;
   MeasuredLevels records;
   if (measured.empty()) {
