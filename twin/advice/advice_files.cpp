@@ -1,5 +1,6 @@
 #include "twin/advice/advice_files.h"
 #include "core/base/si_unit.h"
+#include "core/records/note_records.h"
 #include "core/records/stand_place.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -145,7 +146,7 @@ std::string advice_json(const AdviceRecord &record)
   json["slopes"] = ordered_json::array();
   for (const auto &[name, slope] : record.slopes)
     json["slopes"].push_back({{"name", name}, {"slope", number_or_null(slope)}});
-  json["notes"] = record.notes;
+  write_notes(json, record.notes);
   return json.dump(1) + "\n";
 }
 

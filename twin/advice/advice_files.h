@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/note.h"
 #include "core/records/advice_goal.h"
 #include "core/records/csv.h"
 #include "core/records/results.h"
@@ -29,7 +30,7 @@ struct AdviceRecord {
   std::vector<bool> reaches;          ///< by actions: the wanted margin; empty: the goal has none
   std::vector<TunedRecord> tuned;
   std::vector<std::pair<std::string, double>> slopes;  ///< d ln goal / d ln number, by falling size
-  std::vector<std::string> notes;                      ///< what was not computed, and why
+  std::vector<Note> notes;                             ///< what was not computed, and why
   std::map<std::string, Table> tables;                 ///< "spectrum", "detuning"
 };
 

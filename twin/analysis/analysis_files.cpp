@@ -2,6 +2,7 @@
 #include "core/base/si_unit.h"
 #include "core/records/compared_bands.h"
 #include "core/records/csv_cell.h"
+#include "core/records/note_records.h"
 #include "core/records/results.h"
 #include "twin/analysis/channel_analysis.h"
 #include "twin/spectra/level_error.h"
@@ -424,9 +425,11 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   json["conventions"] = ordered_json::array();
   for (const ChannelAnalysis &seen : analysis.channels)
     json["conventions"].push_back(conventions_of(seen));
-  auto notes = record.notes;
+  std::vector<Note> notes;
+  for (const std::string &note : record.notes)
+    notes.push_back(Warning{WarningId::record_repaired, "", note});
   notes.insert(notes.end(), analysis.notes.begin(), analysis.notes.end());
-  json["notes"] = notes;
+  write_notes(json, notes);
   return json.dump(1) + "\n";
 }
 

@@ -96,7 +96,8 @@ twin::AdviceRecord cluster_advice(const Case &the_case, const int threads)
                                 condition.name, 100 * question.margin,
                                 question.working_speed > condition.speed ? "wanted" : "working",
                                 question.working_speed, 1e3 * condition.exit_thickness);
-  record.notes    = asked.chatter.assumed;
+  for (const std::string &assumed : asked.chatter.assumed)
+    record.notes.emplace_back(NoteId::assumed, "", assumed);
   fill_speed_record(record, advice, question, asked.chatter.question.inputs);
   return record;
 }

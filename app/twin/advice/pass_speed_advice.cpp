@@ -188,8 +188,8 @@ twin::AdviceRecord pass_speed_advice(const Case &the_case, const RolledAdvice &r
   record.case_name = the_case.name;
   record.goal      = RatedGoal::critical_speed;
   record.stand = model.detailed ? "rolls as " + model.detailed->name + ", springs by closed forms" : model.source;
-  for (const std::string &note : model.notes)
-    if (note.find("springs are not tried") == std::string::npos)
+  for (const Note &note : model.notes)
+    if (!note.is(NoteId::springs_not_tried))
       record.notes.push_back(note);
   const ActedStand stand(the_case, asked, std::move(model));
   CriticalQuestion question = question_of(pass, rolled, stand);

@@ -15,12 +15,10 @@
 
 namespace mill {
 namespace {
-std::string unknown_accuracy(const std::string &springs)
+Note unknown_accuracy(const std::string &springs)
 {
-  return fmt::format(
-      "the case does not state the accuracy of {}: a mode that they support is named where it is the "
-      "nearest within 5 %",
-      springs);
+  return {NoteId::error_not_stated, "", "the case does not state the accuracy of " + springs,
+          "a mode that they support is named where it is the nearest within 5 %"};
 }
 
 void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsSettings &settings)
@@ -117,8 +115,9 @@ void add_ball_bearings(twin::CaseModel &stand, const std::vector<BallBearing> &b
     const auto turning =
         std::find_if(stand.rolls.begin(), stand.rolls.end(), [&](const auto &one) { return one.name == roll; });
     if (turning == stand.rolls.end()) {
-      stand.notes.push_back(
-          fmt::format("bearing {}: not computed, the case states no diameter of the {}", b.name, word_of(b.roll)));
+      stand.notes.emplace_back(
+          NoteId::bearing_not_computed, "bearing " + b.name,
+          fmt::format("not computed, the case states no diameter of the {}", word_of(b.roll)));
       continue;
     }
     const auto orders = bearing::pass_frequencies(b.balls, b.ball_diameter, b.pitch_diameter, b.contact_angle);
@@ -140,7 +139,7 @@ twin::CaseModel analysed_stand(const Case &the_case, const bool six_masses)
   } else
     add_chain(stand, chain.model, chain.dynamics);
   if (const auto warning = six_masses ? warning_of_six_masses(the_case, "analyse") : std::nullopt)
-    stand.notes.push_back(text_of(*warning));
+    stand.notes.push_back(*warning);
   stand.frequency_error = mode_errors_of_run(the_case, stand.frequency);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);

@@ -143,11 +143,12 @@ PriorChain detailed_prior(const CommandLine &command, const Case &the_case, cons
   Case given         = the_case;
   const auto meaning = dynamics_of(given).force_meaning;
   if (meaning != DynamicsSettings().force_meaning)
-    prior.notes.push_back(std::string("force_meaning = \"") + word_of(meaning) +
-                          "\" of the case: a record's force is the whole bite force, so K4 and the gap damper are "
-                          "left out, and the calibrated case says force_meaning = \"measured\"");
-  for (const Warning &warning : driven.warnings)
-    prior.notes.push_back(text_of(warning));
+    prior.notes.emplace_back(
+        NoteId::force_meaning, "", std::string("force_meaning = \"") + word_of(meaning) + "\" of the case",
+        "a record's force is the whole bite force, so K4 and the gap damper are left out, and the "
+        "calibrated case says force_meaning = \"measured\"",
+        "", std::vector<std::string>{}, "dynamics.force_meaning");
+  prior.notes.insert(prior.notes.end(), driven.warnings.begin(), driven.warnings.end());
   return prior;
 }
 
