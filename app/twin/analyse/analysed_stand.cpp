@@ -2,6 +2,7 @@
 #include "app/twin/stand/case_chain.h"
 #include "app/twin/stand/detail_parts.h"
 #include "app/twin/stand/mode_errors.h"
+#include "core/base/force_text.h"
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
 #include "core/records/chain_number.h"
@@ -135,7 +136,7 @@ twin::CaseModel analysed_stand(const Case &the_case, const bool six_masses)
   const auto *drawn = std::get_if<FourHigh>(&the_case.spec);
   if (drawn && !six_masses) {
     add_beams(stand, closed_form_beams(*drawn, chain), chain.model);
-    stand.source = fmt::format("rolls as beams, springs by closed forms at {:.1f} kN", chain.load / 1e3);
+    stand.source = "rolls as beams, springs by closed forms at " + force_text(chain.load);
   } else
     add_chain(stand, chain.model, chain.dynamics);
   if (const auto warning = six_masses ? warning_of_six_masses(the_case, "analyse") : std::nullopt)
