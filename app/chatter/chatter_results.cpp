@@ -1,5 +1,6 @@
 #include "app/chatter/chatter_results.h"
 #include "core/model/case.h"
+#include "core/records/published_quantity.h"
 #include "core/records/result_names.h"
 #include "dynamics/chatter/loop.h"
 #include <algorithm>
@@ -332,15 +333,17 @@ std::vector<ChatterPublished> published_rows(const ChatterStudy &s)
 {
   const RollingCondition &c = s.question.condition;
   std::vector<ChatterPublished> rows;
-  const auto add = [&](const char *quantity, const char *unit, const double here, const double published,
-                       const double measured) {
+  const auto add = [&](const PublishedQuantity quantity, const char *unit, const double here,
+                       const double published, const double measured) {
     if (!std::isnan(published) || !std::isnan(measured))
-      rows.push_back({quantity, unit, here, published, measured, c.note});
+      rows.push_back({word_of(quantity), unit, here, published, measured, c.note});
   };
-  add("critical speed", "m/s", s.found.speed, c.published_critical_speed, c.measured_critical_speed);
-  add("rolling force", "kN", s.working ? s.working->state.force / 1e3 : not_given, c.published_force / 1e3,
-      c.measured_force / 1e3);
-  add("friction", "-", s.working ? s.working->state.friction : not_given, c.published_friction, not_given);
+  add(PublishedQuantity::critical_speed, "m/s", s.found.speed, c.published_critical_speed,
+      c.measured_critical_speed);
+  add(PublishedQuantity::rolling_force, "kN", s.working ? s.working->state.force / 1e3 : not_given,
+      c.published_force / 1e3, c.measured_force / 1e3);
+  add(PublishedQuantity::friction, "-", s.working ? s.working->state.friction : not_given, c.published_friction,
+      not_given);
   return rows;
 }
 

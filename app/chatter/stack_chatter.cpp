@@ -1,9 +1,7 @@
 #include "app/chatter/stack_chatter.h"
-#include "app/chatter/chatter_files.h"
 #include "app/chatter/chatter_question.h"
-#include "app/chatter/chatter_results.h"
+#include "app/chatter/pass_studies.h"
 #include "app/run/asked_speeds.h"
-#include "app/run/error_warnings.h"
 #include "app/stack/stack_bite.h"
 #include "core/model/case.h"
 #include "dynamics/response/modal_model.h"
@@ -43,38 +41,20 @@ void solve_stack_chatter(RunContext &run, const StackInput &input, const std::ve
   if (input.passes.empty())
     throw InputError("millstand chatter needs a [[pass]] with name, speed, entry_tension and exit_tension (" +
                      run.the_case.path + ")");
-  std::exception_ptr failure;
-  bool answered = false;
-  for (std::size_t p = 0; p < passes.size(); ++p) {
+  study_passes(run, passes.size(), [&](const std::size_t p) {
     const MovingPass &pass = passes[p];
-    try {
-      std::string missing;
-      for (const std::string &key : missing_for_speed(run.the_case, input, p))
-        missing += (missing.empty() ? "" : ", ") + key;
-      if (!missing.empty())
-        throw InputError(pass.pass.place,
-                         fmt::format("pass \"{}\": its critical speed needs {}", pass.pass.name, missing));
-      const ChatterQuestion q  = question_of(run, input, pass);
-      const ChatterStudy study = study_chatter(run, q);
-      add_chatter_results(run, study);
-      write_chatter(run, study);
-      run.summary += verdict_sentence(study) + "\n";
-      if (run.asked)
-        run.asked->add(
-            {q.condition.name, q.condition.speed, {study.question.stand, 0, q.bite, q.scheme, chatter_range(q)}});
-      answered = true;
-    } catch (const InputError &e) {
-      if (!failure)
-        failure = std::current_exception();
-      run.warn(warning_of(WarningId::chatter_refused, e));
-    } catch (const SolverError &e) {
-      if (!failure)
-        failure = std::current_exception();
-      run.warn(warning_of(WarningId::chatter_refused, e));
-    }
-    run.progress.at("chatter", double(p + 1) / double(passes.size()));
-  }
-  if (failure && !answered)
-    std::rethrow_exception(failure);
+    std::string missing;
+    for (const std::string &key : missing_for_speed(run.the_case, input, p))
+      missing += (missing.empty() ? "" : ", ") + key;
+    if (!missing.empty())
+      throw InputError(pass.pass.place,
+                       fmt::format("pass \"{}\": its critical speed needs {}", pass.pass.name, missing));
+    const ChatterQuestion q = question_of(run, input, pass);
+    ChatterStudy study      = study_chatter(run, q);
+    if (run.asked)
+      run.asked->add(
+          {q.condition.name, q.condition.speed, {study.question.stand, 0, q.bite, q.scheme, chatter_range(q)}});
+    return study;
+  });
 }
 }  // namespace mill

@@ -1,9 +1,8 @@
 #include "app/cluster/cluster_chatter.h"
-#include "app/chatter/chatter_files.h"
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_results.h"
+#include "app/chatter/pass_studies.h"
 #include "app/cluster/cluster_bite.h"
-#include "app/run/error_warnings.h"
 #include "app/stages/stability/stability_question.h"
 #include "app/stages/stability/uncertain_numbers.h"
 #include "core/case/fields.h"
@@ -13,7 +12,6 @@
 #include "reduce/stand/gap_modes.h"
 #include <algorithm>
 #include <cmath>
-#include <exception>
 #include <fmt/format.h>
 
 namespace mill {
@@ -189,6 +187,7 @@ std::vector<dynamics::StructureNumber> cluster_numbers(const ClusterStand &stand
     for (const std::size_t i : group.supports)
       K += gap.supports[i];
     dynamics::StructureNumber n;
+    n.kind   = dynamics::NumberKind::spring;
     n.key    = group.key;
     n.name   = "stiffness of " + group.name;
     n.unit   = "N/m";
@@ -201,6 +200,7 @@ std::vector<dynamics::StructureNumber> cluster_numbers(const ClusterStand &stand
       numbers.push_back(n);
   }
   dynamics::StructureNumber damping;
+  damping.kind   = dynamics::NumberKind::damping_ratio;
   damping.key    = "response.loss_factor";
   damping.name   = "damping of the stack";
   damping.unit   = "1";
@@ -257,31 +257,13 @@ ClusterChatter chatter_question(const Case &the_case, const ClusterStand &stand,
 
 void solve_cluster_chatter(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes)
 {
-  std::exception_ptr failure;
-  bool answered = false;
-  for (const ClusterPassRun &pass : passes) {
-    try {
-      const ClusterChatter asked = chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
-      for (const std::string &sentence : asked.assumed)
-        run.assume(sentence);
-      const ChatterStudy study = study_chatter(run, asked.question);
-      add_chatter_results(run, study);
-      write_chatter(run, study);
-      run.summary += verdict_sentence(study) + "\n";
-      answered = true;
-    } catch (const InputError &e) {
-      if (!failure)
-        failure = std::current_exception();
-      run.warn(warning_of(WarningId::chatter_refused, e));
-    } catch (const SolverError &e) {
-      if (!failure)
-        failure = std::current_exception();
-      run.warn(warning_of(WarningId::chatter_refused, e));
-    }
-    run.progress.at("chatter", double(pass.p + 1) / double(passes.size()));
-  }
-  if (failure && !answered)
-    std::rethrow_exception(failure);
+  study_passes(run, passes.size(), [&](const std::size_t i) {
+    const ClusterPassRun &pass = passes[i];
+    const ClusterChatter asked = chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
+    for (const std::string &sentence : asked.assumed)
+      run.assume(sentence);
+    return study_chatter(run, asked.question);
+  });
 }
 
 namespace {
@@ -354,20 +336,15 @@ StabilityQuestion stability_question(const RunContext &run, const ClusterStand &
 void add_critical_speeds(RunContext &run, const ClusterStand &stand, const std::vector<ClusterPassRun> &passes)
 {
   for (const ClusterPassRun &pass : passes) {
-    if (const std::string missing = missing_of_chatter(stand, pass.p); !missing.empty()) {
-      run.results.speeds.push_back(not_searched(pass.pass->name, pass.pass->speed, split(missing, ", ")));
-      continue;
-    }
-    try {
-      const ClusterChatter asked = chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
-      for (const std::string &sentence : asked.assumed)
-        run.assume(sentence);
-      add_critical_speed(run, stability_question(run, stand, pass, asked));
-    } catch (const InputError &e) {
-      run.warn(warning_of(WarningId::critical_speed_not_searched, e));
-    } catch (const SolverError &e) {
-      run.warn(speed_not_searched(pass.pass->name, e));
-    }
+    const std::string missing = missing_of_chatter(stand, pass.p);
+    search_critical_speed(run, pass.pass->name, pass.pass->speed,
+                          missing.empty() ? std::vector<std::string>{} : split(missing, ", "), [&] {
+                            const ClusterChatter asked =
+                                chatter_question(run.the_case, stand, pass.p, pass.force, pass.state);
+                            for (const std::string &sentence : asked.assumed)
+                              run.assume(sentence);
+                            return stability_question(run, stand, pass, asked);
+                          });
   }
 }
 

@@ -1,6 +1,7 @@
 #include "app/cluster/cluster_bite.h"
 #include "app/cluster/cluster_chatter.h"
 #include "app/review/case_review.h"
+#include "app/run/kind_rolls.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/case/fields.h"
@@ -51,8 +52,7 @@ const RunKind &cluster_kind()
       dynamics::MarkSources sources;
       const ClusterStand &stand = stand_of(the_case);
       for (std::size_t i = 0; i < stand.rolls.size(); ++i)
-        sources.rolls.push_back({"roll " + stand.rolls[i].name, stand.rolls[i].barrel_diameter,
-                                 "roll." + std::to_string(i) + ".barrel_diameter"});
+        sources.rolls.push_back(mark_roll(stand.rolls[i].name, i, stand.rolls[i].barrel_diameter));
       if (stand.response.loss_factor > 0)
         sources.damping = 0.5 * stand.response.loss_factor;  // of a mode, at its resonance
       return sources;
@@ -60,13 +60,10 @@ const RunKind &cluster_kind()
     k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       manifest["geometry"] = nlohmann::ordered_json::object();
       for (const ClusterRoll &roll : stand_of(the_case).rolls)
-        manifest["geometry"]["roll_" + roll.name + "_diameter"] = roll.barrel_diameter;
+        describe_roll(manifest, roll.name, roll.barrel_diameter);
     };
-    k.inputs = [](const Case &, const Results &results, const std::string &name) -> std::optional<KeyList> {
-      const Parameter *made = results.find(name);
-      return made ? std::optional<KeyList>(made->inputs) : std::nullopt;
-    };
-    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+    k.inputs = stated_inputs;
+    k.trace  = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
       return closed_form_cluster(the_case);
     };
     return k;

@@ -9,6 +9,7 @@
 #include "app/run/run_kind.h"
 #include "app/verbs/driven_case.h"
 #include "app/verbs/leading_model.h"
+#include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
 #include "dynamics/fmu/archive.h"
@@ -29,7 +30,7 @@ bool is_earlier_export(const std::string &path, const std::string &identifier)
     return false;
   try {
     for (const fmu::ArchiveEntry &entry : fmu::entries_of(*bytes))
-      if (entry.name == "modelDescription.xml")
+      if (entry.name == fmu::description_file)
         return entry.bytes.find("modelIdentifier=\"" + identifier + "\"") != std::string::npos;
   } catch (const std::runtime_error &) {
     return false;  // not an archive
@@ -39,7 +40,7 @@ bool is_earlier_export(const std::string &path, const std::string &identifier)
 
 void require_output(const std::string &path, const std::string &identifier, const bool overwrite)
 {
-  if (fs::path(path).extension() != ".fmu")
+  if (!has_ending(path, FileEnding::fmu))
     throw InputError("-o " + path + ": a functional mock-up unit is an archive whose name ends with .fmu");
   std::error_code error;
   const auto file_status = fs::status(path, error);

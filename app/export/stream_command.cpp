@@ -257,8 +257,10 @@ void require_stream_folder(const std::string &folder, const std::string &case_na
     return;
   if (const auto text = text_if_readable(folder + "/summary.json")) {
     const auto summary = nlohmann::json::parse(*text, nullptr, false);
-    if (summary.is_object() && summary.value("made_by", "") == kind_of_summary &&
-        summary.value("case", "") == case_name)
+    const auto says    = [&](const char *member, const std::string &wanted) {
+      return summary.value(member, std::string()) == wanted;
+    };
+    if (summary.is_object() && says("made_by", kind_of_summary) && says("case", case_name))
       return;
   }
   throw InputError(folder + " exists and holds no streamed response of this case; choose another with -o, or give "

@@ -1,6 +1,7 @@
 #include "app/help/topics.h"
 #include "app/help/embedded.h"
 #include "app/help/page_text.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/base/text.h"
 #include "core/case/fields.h"
@@ -11,12 +12,16 @@
 
 namespace mill::help {
 namespace {
-// Pages that are looked through row by row and are no topic themselves.
-const std::vector<std::string> tables{"glossary", "output", "input"};
+// Pages of docs/ that are looked through row by row; only the glossary is a topic itself.
+enum class TablePage { glossary, output, input };
+constexpr auto words_of(TablePage)
+{
+  return choice_words<TablePage>("glossary", "output", "input");
+}
 
 bool is_table(const std::string &name)
 {
-  return std::find(tables.begin(), tables.end(), name) != tables.end();
+  return choice_named<TablePage>(name).has_value();
 }
 
 std::string page(const std::string &name)
@@ -97,9 +102,9 @@ bool ends_in(const std::string &name, const std::string &word)
 }
 
 // Calls visit(section, cells) for the rows of a page of tables.
-template <class Visit> void each_row(const std::string &name, const Visit &visit)
+template <class Visit> void each_row(const TablePage name, const Visit &visit)
 {
-  std::istringstream lines(page(name));
+  std::istringstream lines(page(word_of(name)));
   std::string section;
   for (std::string line; std::getline(lines, line);)
     if (line.rfind('#', 0) == 0)
@@ -111,7 +116,7 @@ template <class Visit> void each_row(const std::string &name, const Visit &visit
 std::string terms(const std::string &topic)
 {
   std::string text;
-  each_row("glossary", [&](const std::string &, const std::vector<std::string> &cells) {
+  each_row(TablePage::glossary, [&](const std::string &, const std::vector<std::string> &cells) {
     for (const std::string &term : split(cells[0], ','))
       if (lower(term.substr(term.find_first_not_of(' '))) == lower(topic))
         text += cells[0] + "\n" + paragraph(cells[1], 4);
@@ -123,7 +128,7 @@ std::string terms(const std::string &topic)
 template <class Wanted> std::string rows_of_results(const Wanted &wanted)
 {
   std::string text;
-  each_row("output", [&](const std::string &section, const std::vector<std::string> &cells) {
+  each_row(TablePage::output, [&](const std::string &section, const std::vector<std::string> &cells) {
     const std::string name = without_backticks(cells[0]);
     if (cells.size() < 4 || cells[0] == name || !wanted(name))  // names are in backticks
       return;
@@ -145,7 +150,7 @@ std::string results(const std::string &topic)
 std::string keys(const std::string &topic)
 {
   std::string text;
-  each_row("input", [&](std::string section, const std::vector<std::string> &cells) {
+  each_row(TablePage::input, [&](std::string section, const std::vector<std::string> &cells) {
     if (cells.size() < 6 || cells[0] == "key")
       return;
     section.erase(
@@ -198,7 +203,7 @@ std::string topic_text(const std::string &topic, const std::vector<DescribedVerb
   if (topic.empty())
     return list_of_topics(verbs);
   std::string text = verb_text(topic, verbs);
-  if (topic == "glossary" || !is_table(topic))
+  if (!is_table(topic) || choice_named<TablePage>(topic) == TablePage::glossary)
     text += page_text(page(topic));
   text += terms(topic) + results(topic) + keys(topic);
   if (text.empty())

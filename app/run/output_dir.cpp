@@ -1,5 +1,7 @@
 #include "app/run/output_dir.h"
+#include "app/run/run_setup.h"
 #include "core/base/errors.h"
+#include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "core/case/kinds.h"
 #include "core/records/run_identity.h"
@@ -29,7 +31,7 @@ bool is_free(const std::string &directory)
 {
   const auto names = names_in(directory);
   return std::all_of(names.begin(), names.end(),
-                     [](const std::string &name) { return is_staging(name) || name == "cache"; });
+                     [](const std::string &name) { return is_staging(name) || name == usual_cache; });
 }
 }  // namespace
 
@@ -95,7 +97,7 @@ std::string OutputDir::file(const std::string &name) const
 
 void OutputDir::write(const std::string &name, const std::string &text) const
 {
-  if (fs::path(name).extension() == ".toml")
+  if (has_ending(name, FileEnding::toml))
     write_atomically(file(name), run_id_line(id) + text);
   else
     write_atomically(file(name), text);

@@ -4,6 +4,9 @@
 #include <string>
 
 namespace mill {
+/// Name of that folder in the folder of a run or a study.
+constexpr const char *usual_cache = "cache";
+
 /// Folder in which parts outlive a run, so that another load or crown of the same rolls finds them.
 /// @param fallback  where neither the command nor the environment names one
 std::string cache_folder(const CommandLine &command, const std::string &fallback);

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/made_roll_name.h"
 #include "core/model/stack.h"
 #include "core/model/stack_input.h"
 
@@ -6,6 +7,6 @@ namespace mill {
 /// The roll of the lower half that is made of a listed one.
 inline bool is_made_of(const StackRoll &roll, const StackRollInput &written)
 {
-  return roll.name == "lower_" + written.name;
+  return roll.name == made_roll_name(written.name);
 }
 }  // namespace mill

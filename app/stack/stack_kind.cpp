@@ -1,4 +1,5 @@
 #include "app/review/case_review.h"
+#include "app/run/kind_rolls.h"
 #include "app/run/run_kind.h"
 #include "app/stack/stack_bearings.h"
 #include "app/stack/stack_bite.h"
@@ -79,21 +80,17 @@ const RunKind &run_kind(const StackCase &)
       dynamics::MarkSources sources;
       const StackInput &input = *std::get<StackCase>(the_case.spec).input;
       for (std::size_t i = 0; i < input.rolls.size(); ++i)
-        sources.rolls.push_back({"roll " + input.rolls[i].name, input.rolls[i].barrel_diameter,
-                                 "roll." + std::to_string(i) + ".barrel_diameter"});
+        sources.rolls.push_back(mark_roll(input.rolls[i].name, i, input.rolls[i].barrel_diameter));
       sources.damping = input.dynamics.modal_damping;
       return sources;
     };
     k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       manifest["geometry"] = nlohmann::ordered_json::object();
       for (const StackRoll &roll : std::get<StackCase>(the_case.spec).stack->rolls)
-        manifest["geometry"]["roll_" + roll.name + "_diameter"] = roll.diameter;
+        describe_roll(manifest, roll.name, roll.diameter);
     };
-    k.inputs = [](const Case &, const Results &results, const std::string &name) -> std::optional<KeyList> {
-      const Parameter *made = results.find(name);
-      return made ? std::optional<KeyList>(made->inputs) : std::nullopt;
-    };
-    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+    k.inputs = stated_inputs;
+    k.trace  = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
       return traced(the_case);
     };
     return k;

@@ -1,4 +1,3 @@
-#include "app/run/error_warnings.h"
 #include "app/stack/stack_bite.h"
 #include "app/stack/stack_motion.h"
 #include "app/stages/response/dynamics_stage.h"
@@ -125,17 +124,8 @@ void add_stack_speeds(RunContext &run, const StackInput &input, const std::vecto
 {
   for (std::size_t p = 0; p < input.passes.size() && p < passes.size(); ++p) {
     const MovingPass &pass = passes[p];
-    if (const auto missing = missing_for_speed(run.the_case, input, p); !missing.empty()) {
-      run.results.speeds.push_back(not_searched(pass.pass.name, pass.pass.speed, missing));
-      continue;
-    }
-    try {
-      add_critical_speed(run, stability_of(run, input, pass));
-    } catch (const InputError &e) {
-      run.warn(warning_of(WarningId::critical_speed_not_searched, e));
-    } catch (const SolverError &e) {
-      run.warn(speed_not_searched(pass.pass.name, e));
-    }
+    search_critical_speed(run, pass.pass.name, pass.pass.speed, missing_for_speed(run.the_case, input, p),
+                          [&] { return stability_of(run, input, pass); });
   }
 }
 

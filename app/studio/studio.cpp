@@ -29,6 +29,13 @@ constexpr auto words_of(PageEdit)
   return choice_words<PageEdit>("hello", "undo", "redo", "import", "pin", "unpin", "back");
 }
 
+// What a file is that the page imports.
+enum class ImportedAs { case_file, sheet };
+constexpr auto words_of(ImportedAs)
+{
+  return choice_words<ImportedAs>("case", "sheet");
+}
+
 using nlohmann::ordered_json;
 
 enum Route : std::size_t {
@@ -211,7 +218,7 @@ void Studio::publish_job(const JobState &job)
 void Studio::import(const nlohmann::json &request)
 {
   const std::string text = word(request, "text"), name = word(request, "name");
-  if (word(request, "as") == "case") {
+  if (choice_named<ImportedAs>(word(request, "as")) == ImportedAs::case_file) {
     document_.replace(text);
     return;
   }

@@ -2,6 +2,7 @@
 #include "app/studio/request.h"
 #include "app/studio/studio.h"
 #include "core/base/choice.h"
+#include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "report/compare/comparison.h"
 #include <algorithm>
@@ -21,6 +22,7 @@ constexpr auto words_of(RunOrder)
 
 using nlohmann::ordered_json;
 constexpr std::uintmax_t largest_file = 64 << 20;
+constexpr const char *comparison_file = "comparison.html";
 
 // The number of the next run: no folder of an earlier one is written into.
 std::string next_id(const std::string &folder, const std::string &what)
@@ -126,8 +128,8 @@ web::PageReply Studio::compare(const std::string &body)
       return {409, text_of({{"error", "these pins are one state; nothing differs"}})};
     directories.push_back(directory);
   }
-  write_atomically(folder_ + "/comparison.html", report::comparison_of(directories));
-  return {200, text_of({{"path", "/run/comparison.html"}})};
+  write_atomically(folder_ + "/" + comparison_file, report::comparison_of(directories));
+  return {200, text_of({{"path", std::string("/run/") + comparison_file}})};
 }
 
 web::PageReply Studio::file_of_run(const std::string &path) const
@@ -136,13 +138,13 @@ web::PageReply Studio::file_of_run(const std::string &path) const
   const fs::path file    = fs::path(folder_) / name;
   std::error_code error;
   const auto status  = fs::symlink_status(file, error);
-  const bool of_ours = name.rfind("run-", 0) == 0 || name.rfind("export-", 0) == 0 || name == "comparison.html";
+  const bool of_ours = name.rfind("run-", 0) == 0 || name.rfind("export-", 0) == 0 || name == comparison_file;
   if (!of_ours || !is_plain_path(name) || error || !fs::is_regular_file(status) ||
       fs::file_size(file, error) > largest_file)
     return {404, text_of({{"error", "there is nothing at this path"}})};
   // A report has scripts of its own, and a title that others may have chosen: it gets no origin, so that it can
   // ask this server nothing.
-  const bool page = file.extension() == ".html";
+  const bool page = has_ending(file, FileEnding::html);
   return {
       200, read_text(file.string()), type_of(file.extension().string()),
       page ? "sandbox allow-scripts allow-popups allow-downloads; default-src 'none'; script-src 'unsafe-inline'; "

@@ -92,10 +92,12 @@ bool has_dimension(const KnownKey &key)
   return key.row.kind == Kind::quantity || key.row.kind == Kind::pair;
 }
 
+constexpr const char *percent_sign = "%";
+
 // A percentage of the mean; those of a key that is a percentage itself are its own.
 bool is_of_mean(const std::string &unit, const std::string &common)
 {
-  return unit == "%" && common != "%";
+  return unit == percent_sign && common != percent_sign;
 }
 
 // All numbers in one unit; a percentage is of the mean unless the key is a percentage itself.

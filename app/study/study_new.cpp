@@ -312,7 +312,7 @@ int study_new(const CommandLine &command)
 
   const ScratchFolder scratch("millstand-study");
   const OutputDir out(scratch.path(), base, true, "study");
-  RunContext setup{base, out, cache_folder(command, study.folder + "/cache")};
+  RunContext setup{base, out, cache_folder(command, study.folder + "/" + usual_cache)};
   open_cache(setup, out.staging());
   set_up_threads(setup, command);
   const auto keys = checked_keys(study, rows, places, setup.threads, command.quiet);

@@ -134,7 +134,7 @@ int run_search(const Study &study, const CommandLine &command, const CutSignal &
   const Case base      = base_case(study);
   const ScratchFolder scratch("millstand-search");
   const OutputDir out(scratch.path(), base, true, "study");
-  RunContext setup{base, out, cache_folder(command, study.folder + "/cache")};
+  RunContext setup{base, out, cache_folder(command, study.folder + "/" + usual_cache)};
   open_cache(setup, out.staging());
   set_up_threads(setup, command);
   RowModel model(

@@ -6,6 +6,7 @@
 #include "app/study/study_optimum.h"
 #include "app/study/worker_processes.h"
 #include "core/base/files.h"
+#include "core/base/text.h"
 #include "core/model/case.h"
 #include <algorithm>
 #include <cmath>
@@ -24,7 +25,7 @@ constexpr long shards_of_core     = 10;
 // A word of the shell, whatever it holds.
 std::string shell_word(const std::string &text)
 {
-  if (text.find_first_of("\n\r") != std::string::npos)
+  if (has_any(text, "\n\r"))
     throw InputError("the folder " + text + " has a line feed in its name; no engine can start there");
   std::string word = "'";
   for (const char c : text)

@@ -2,8 +2,10 @@
 #include "app/process/version.h"
 #include "app/study/json_number.h"
 #include "core/base/si_unit.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include "core/records/csv.h"
+#include "core/records/csv_cell.h"
 #include "report/results/names.h"
 #include <cmath>
 
@@ -19,7 +21,7 @@ std::string number_cell(const double value)
 std::string column_head(const std::string &name, const std::string &unit)
 {
   const std::string text = name + after_name(unit);
-  return text.find_first_of(",\";") == std::string::npos ? text : quoted_cell(text);
+  return has_any(text, ";") ? quoted_cell(text) : csv_cell(text);
 }
 
 std::string table_csv(const StudyTable &table)

@@ -23,7 +23,7 @@ struct StudyTable {
   double seconds = 0;  ///< s, wall clock of all rows
 };
 
-/// A name with its unit as the head of a column of a CSV file.
+/// A name with its unit as the head of a column of a CSV file; hidden characters of the name are written out.
 std::string column_head(const std::string &name, const std::string &unit);
 
 /// results.csv: one line for each row; "row", the keys with their units, the watched results with theirs, and the

@@ -3,6 +3,7 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/closed_form_parts.h"
+#include "core/base/force_text.h"
 #include "core/model/case.h"
 #include "core/records/record_text.h"
 #include "reduce/bearing/oil_film/oil_film_state.h"
@@ -84,7 +85,7 @@ ClosedFormResult closed_form_film(const char *name, const OilFilmBearing &film, 
   r.film_damper      = state.damping(across, across);
   r.parameter.unit   = "N/m";
   r.parameter.method = across ? "oil film on one grid, across the load" : "oil film on one grid";
-  r.parameter.at     = {"{} on one bearing", {{load.load, "kN", ".1f"}}};
+  r.parameter.at     = {"{} on one bearing", {{load.load, "kN", force_form(load.load)}}};
   r.closed           = keys;
   r.relation         = "oil film";
   r.file             = "reduce/bearing/oil_film/film_reactions";
@@ -157,7 +158,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     r.parameter.value  = bearing::radial_tangent(state, loading);
     r.parameter.unit   = "N/m";
     r.parameter.method = closed_method(b);
-    r.parameter.at     = {"{} on one bearing", {{load, "kN", ".1f"}}};
+    r.parameter.at     = {"{} on one bearing", {{load, "kN", force_form(load)}}};
     r.load             = load;
     r.closed =
         joined(seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));

@@ -8,6 +8,7 @@
 #include "app/stages/stand/modulus_stage.h"
 #include "app/trace/closed_form_response.h"
 #include "app/trace/closed_form_stand.h"
+#include "core/base/force_text.h"
 #include "core/base/require.h"
 #include "core/base/text.h"
 #include "core/case/lumped_model_toml.h"
@@ -256,7 +257,7 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
         p.inputs = made(name).closed;
       },
       in);
-  in.at            = fmt::format("{:.1f} kN", load / 1e3);
+  in.at            = force_text(load);
   in.K_ww          = touching_work_rolls(stand, load, nullptr);
   const bool solid = stand.backup_roll.bending_model == BendingModel::solid;
   if (solid && !is_given(stand.given, "K_ZW"))

@@ -2,6 +2,7 @@
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/stand/mode_results.h"
 #include "app/stages/stand/modulus_stage.h"
+#include "core/base/force_text.h"
 #include "core/model/four_high.h"
 #include "core/records/result_names.h"
 #include "reduce/chain/line_contact.h"
@@ -152,7 +153,7 @@ void ClosedFormModulus::add_with_strip() const
 void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand, const double load,
                        const SpringFactors &factors)
 {
-  const ClosedFormModulus modulus{all, stand, factors, fmt::format("{:.1f} kN", load / 1e3), load};
+  const ClosedFormModulus modulus{all, stand, factors, force_text(load), load};
   modulus.add_kissing();
   if (modulus.add_bite())
     modulus.add_with_strip();

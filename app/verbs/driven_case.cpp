@@ -15,7 +15,7 @@ void run_in_scratch(const CommandLine &command, const Case &the_case,
   const ScratchFolder scratch("millstand-export");
   const OutputDir out(scratch.path(), the_case, true, run_id_of(the_case, word_of(command.verb), ""));
   const RunLog log(out, command.log, command.verbose);
-  RunContext run{the_case, out, cache_folder(command, scratch.path() + "/cache"), command.fresh};
+  RunContext run{the_case, out, cache_folder(command, scratch.path() + "/" + usual_cache), command.fresh};
   open_cache(run, out.staging());
   set_up_threads(run, command);
   run.started = local_time();

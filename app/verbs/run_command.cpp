@@ -102,7 +102,7 @@ FinishedRun carry_out_run(const CommandLine &command, const CheckedCase &checked
   const OutputDir out(folder_of_run(command, the_case), the_case, command.force_overwrite,
                       run_id_of(the_case, word_of(command.verb), command.force));
   const RunLog log(out, command.log, command.verbose);
-  RunContext run{the_case, out, cache_folder(command, out.path() + "/cache"), command.fresh};
+  RunContext run{the_case, out, cache_folder(command, out.path() + "/" + usual_cache), command.fresh};
   open_cache(run, out.staging());
   const int wanted  = set_up_threads(run, command);
   run.started       = local_time();

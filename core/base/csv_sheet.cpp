@@ -55,15 +55,15 @@ Sheet sheet_of(const std::string &file, std::string text, const std::string &exa
 {
   Sheet sheet;
   sheet.file = file;
-  std::string encoding;
+  TextEncoding encoding{};
   sheet.text            = std::make_unique<const std::string>(valid_file_text(std::move(text), encoding));
   std::string_view rest = *sheet.text;
   if (rest.rfind(utf8_mark, 0) == 0) {
     rest.remove_prefix(utf8_mark.size());
     sheet.notes.push_back("a byte-order mark at the beginning of the file was ignored");
   }
-  if (encoding != "UTF-8")
-    sheet.notes.push_back("the file is " + encoding);
+  if (encoding != TextEncoding::utf8)
+    sheet.notes.push_back(std::string("the file is ") + word_of(encoding));
   int number = 0, n_blank = 0;
   while (!rest.empty()) {
     ++number;

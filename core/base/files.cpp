@@ -2,6 +2,7 @@
 #include "core/base/errors.h"
 #include "core/base/input_file.h"
 #include "core/base/name_part.h"
+#include "core/base/text.h"
 #include "core/base/uninterrupted.h"
 #include <algorithm>
 #include <cctype>
@@ -88,8 +89,8 @@ Descriptor opened_aside(const std::string &temporary)
 bool is_part_name(const std::string &name)
 {
   const std::size_t tail = std::strlen(".0123456789abcdef.part");
-  return name.size() > tail && name[name.size() - tail] == '.' && name.substr(name.size() - 5) == ".part" &&
-         name.substr(name.size() - tail + 1, 16).find_first_not_of("0123456789abcdef") == std::string::npos;
+  return name.size() > tail && name[name.size() - tail] == '.' && text_ends_with(name, ".part") &&
+         has_only(name.substr(name.size() - tail + 1, 16), "0123456789abcdef");
 }
 
 // Everything, or the error number.
@@ -210,7 +211,7 @@ std::vector<std::string> names_in(const std::string &folder, std::error_code &er
   if (error)
     return {};
   names.erase(std::remove_if(names.begin(), names.end(),
-                             [](const std::string &name) { return name == "." || name == ".."; }),
+                             [](const std::string &name) { return name.size() <= 2 && has_only(name, "."); }),
               names.end());
   std::sort(names.begin(), names.end());
   return names;

@@ -1,4 +1,5 @@
 #include "core/base/operating_point.h"
+#include "core/base/force_text.h"
 #include "core/base/require.h"
 #include "core/base/units.h"
 #include <fmt/format.h>
@@ -35,6 +36,6 @@ OperatingPoint operating_point_of(const std::string &text)
 
 OperatingPoint at_force(const double force)
 {
-  return {"{}", {{force, "kN", ".1f"}}};
+  return {"{}", {{force, "kN", force_form(force)}}};
 }
 }  // namespace mill

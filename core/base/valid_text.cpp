@@ -76,19 +76,28 @@ std::string valid_text(const std::string_view text)
   return result;
 }
 
-std::string valid_file_text(std::string bytes, std::string &encoding)
+std::optional<TextEncoding> utf16_of_mark(const std::string_view begin)
 {
-  encoding = "UTF-8";
-  if (bytes.rfind("\xFF\xFE", 0) == 0 || bytes.rfind("\xFE\xFF", 0) == 0) {
-    const bool little = bytes[0] == '\xFF';
-    encoding          = little ? "UTF-16 little endian" : "UTF-16 big endian";
+  if (begin.rfind("\xFF\xFE", 0) == 0)
+    return TextEncoding::utf16_little;
+  if (begin.rfind("\xFE\xFF", 0) == 0)
+    return TextEncoding::utf16_big;
+  return std::nullopt;
+}
+
+std::string valid_file_text(std::string bytes, TextEncoding &encoding)
+{
+  encoding = TextEncoding::utf8;
+  if (const auto utf16 = utf16_of_mark(bytes)) {
+    encoding = *utf16;
     std::string text;
-    Utf16Decoder(little).append(text, std::string_view(bytes).substr(2));
+    Utf16Decoder(*utf16 == TextEncoding::utf16_little)
+        .append(text, std::string_view(bytes).substr(utf16_mark_size));
     return text;
   }
   if (is_utf8(bytes))
     return bytes;
-  encoding = "Windows-1252";
+  encoding = TextEncoding::windows_1252;
   std::string text;
   for (std::size_t position = 0; position < bytes.size();) {
     const std::size_t end = std::min(bytes.find('\n', position), bytes.size() - 1) + 1;

@@ -1,4 +1,6 @@
 #pragma once
+#include "core/base/choice.h"
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -15,9 +17,21 @@ void append_utf8(std::string &text, char32_t code);
 /// that Windows-1252 does not use become U+FFFD.
 std::string valid_text(std::string_view text);
 
+enum class TextEncoding { utf8, utf16_little, utf16_big, windows_1252 };
+constexpr auto words_of(TextEncoding)
+{
+  return choice_words<TextEncoding>("UTF-8", "UTF-16 little endian", "UTF-16 big endian", "Windows-1252");
+}
+
+/// Bytes of a byte-order mark of UTF-16.
+constexpr std::size_t utf16_mark_size = 2;
+
+/// The UTF-16 whose byte-order mark begins the text; nothing without one.
+std::optional<TextEncoding> utf16_of_mark(std::string_view begin);
+
 /// A whole text file as UTF-8: UTF-16 with a byte-order mark is converted, every other line as in valid_text().
-/// @param encoding  "UTF-8", "UTF-16 little endian", "UTF-16 big endian" or "Windows-1252"
-std::string valid_file_text(std::string bytes, std::string &encoding);
+/// @param encoding  what the file is in
+std::string valid_file_text(std::string bytes, TextEncoding &encoding);
 
 /// Converts UTF-16 piece by piece.
 class Utf16Decoder {

@@ -1,5 +1,6 @@
 #include "core/records/cache_limit.h"
 #include "core/base/errors.h"
+#include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "core/base/units.h"
 #include <algorithm>
@@ -36,7 +37,7 @@ double keep_cache_below(const std::string &folder, const double bytes)
   for (const std::string &name : names_in(folder, error)) {
     const fs::path path = fs::path(folder) / name;
     std::error_code gone;  // removed meanwhile by another process
-    if (path.extension() != ".bin" || !fs::is_regular_file(path, gone))
+    if (!has_ending(path, FileEnding::cache_entry) || !fs::is_regular_file(path, gone))
       continue;
     const auto used   = fs::last_write_time(path, gone);
     const double size = gone ? 0 : double(fs::file_size(path, gone));

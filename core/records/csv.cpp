@@ -3,6 +3,8 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/base/hidden_characters.h"
+#include "core/base/text.h"
+#include "core/records/csv_cell.h"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -35,7 +37,7 @@ std::string header_text(std::string name, const std::string &unit)
       c = ' ';
   const bool like_a_unit = unit.empty() && !name.empty() && name.back() == ']';
   const std::string cell = without_commands(name + (like_a_unit ? " []" : unit.empty() ? "" : " [" + unit + "]"));
-  const bool plain       = cell.find_first_of(",;\t\"") == std::string::npos && cell.rfind('#', 0) != 0;
+  const bool plain       = !has_any(cell, ",;\t\"") && cell.rfind('#', 0) != 0;
   if (plain)
     return cell;
   std::string quoted = "\"";
@@ -95,8 +97,7 @@ std::string csv_text(const Table &table)
 bool reads_back(const Table &table)
 {
   const auto plain = [](const std::string &text) {
-    return text == csv::without_blanks(text) && text.find_first_of("\n\r\"[]") == std::string::npos &&
-           text == without_commands(text);
+    return text == csv::without_blanks(text) && !has_any(text, "\n\r\"[]") && text == without_commands(text);
   };
   if (table.columns.empty() || table.columns.front().size() == 0)
     return false;  // a file without rows has its own rules
@@ -135,5 +136,10 @@ std::string quoted_cell(const std::string &text)
   for (const char c : without_commands(text))
     quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
   return quoted + "\"";
+}
+
+std::string csv_cell(const std::string &text)
+{
+  return has_any(text, ",\"") || has_hidden(text) ? quoted_cell(text) : text;
 }
 }  // namespace mill

@@ -1,7 +1,7 @@
 #include "core/records/results.h"
 #include "core/base/units.h"
 #include "core/records/json_archive.h"
-#include <filesystem>
+#include "core/records/note_records.h"
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -62,20 +62,6 @@ const Parameter *Results::find(const std::string &name) const
   return nullptr;
 }
 
-namespace {
-// Results of one case are the same from wherever it was run: a place has the name of its file, not the way there.
-std::vector<Warning> with_file_names(std::vector<Warning> warnings)
-{
-  const auto shorten = [](Place &place) { place.file = std::filesystem::path(place.file).filename().string(); };
-  for (Warning &warning : warnings) {
-    shorten(warning.place);
-    for (Place &place : warning.related)
-      shorten(place);
-  }
-  return warnings;
-}
-}  // namespace
-
 std::string results_json(const Results &results, const std::string &case_name, const std::string &status,
                          const std::string &run_id)
 {
@@ -86,7 +72,10 @@ std::string results_json(const Results &results, const std::string &case_name, c
   for (const auto &[name, parameter] : results.values)
     json["values"][name] = json_of(parameter);
   json["warnings"] = texts_of(results.warnings);  // for readers that want no parts
-  json::Writer(json["warning_records"]).write(with_file_names(results.warnings));
+  std::vector<Warning> records;
+  for (const Warning &warning : results.warnings)
+    records.push_back(with_file_names(warning));
+  json::Writer(json["warning_records"]).write(records);
   json["assumptions"] = results.assumptions;
   if (!results.estimates.empty()) {
     json["estimates"] = ordered_json::array();

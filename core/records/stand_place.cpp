@@ -17,4 +17,10 @@ StandPlace stand_place(const std::string &name)
   place.cylinder = says("cylinder");
   return place;
 }
+
+bool has_spring(const std::string &connection, const SeatSpring spring)
+{
+  return (series_mark + connection + series_mark).find(std::string(series_mark) + word_of(spring) + series_mark) !=
+         std::string::npos;
+}
 }  // namespace mill

@@ -111,8 +111,10 @@ NoBite classify(const RollBite &bite)
     return side_of_skid(bite);
   } catch (const InputError &) {
     return NoBite::other;
-  } catch (const SolverError &error) {
-    return error.report.what == "roll bite: no flattened radius" ? NoBite::flattening : NoBite::film;
+  } catch (const bite::NoFlattenedRadius &) {
+    return NoBite::flattening;
+  } catch (const SolverError &) {
+    return NoBite::film;
   }
 }
 

@@ -12,9 +12,13 @@
 
 // What moves friction and critical speed, and by how much.  theory.md 27
 namespace mill::dynamics {
+/// What a number of the stand's structure is.
+enum class NumberKind { mass, spring, damper, all_dampers, frequency, damping_ratio };
+
 /// One number of the stand's structure: how its matrices move with the logarithm of the number, exactly, and the
 /// structure with the number changed.
 struct StructureNumber {
+  NumberKind kind = NumberKind::spring;
   std::string key, name, unit;                   ///< "stand.masses[4]", "lower backup roll, mass", "kg"
   double value = 0;                              ///< SI
   Eigen::MatrixXd M_by, C_by, K_by;              ///< (n, n) p dM/dp, p dC/dp, p dK/dp; empty: zero

@@ -40,6 +40,7 @@ std::vector<StructureNumber> six_mass_numbers(const std::array<double, 6> &mass,
   std::vector<StructureNumber> numbers;
   for (int i = 0; i < 6; ++i) {
     StructureNumber n;
+    n.kind   = NumberKind::mass;
     n.key    = fmt::format("stand.masses[{}]", i);
     n.name   = "mass, " + bodies[i];
     n.unit   = "kg";
@@ -52,6 +53,7 @@ std::vector<StructureNumber> six_mass_numbers(const std::array<double, 6> &mass,
     if (stiffness[i] == 0)
       continue;
     StructureNumber n;
+    n.kind   = NumberKind::spring;
     n.key    = fmt::format("stand.stiffnesses[{}]", i);
     n.name   = "stiffness, " + springs[i];
     n.unit   = "N/m";
@@ -64,6 +66,7 @@ std::vector<StructureNumber> six_mass_numbers(const std::array<double, 6> &mass,
     if (damping[i] == 0)
       continue;
     StructureNumber n;
+    n.kind   = NumberKind::damper;
     n.key    = fmt::format("stand.dampings[{}]", i);
     n.name   = "damping, " + dampers[i];
     n.unit   = "N s/m";
@@ -73,6 +76,7 @@ std::vector<StructureNumber> six_mass_numbers(const std::array<double, 6> &mass,
     numbers.push_back(n);
   }
   StructureNumber all;
+  all.kind   = NumberKind::all_dampers;
   all.key    = "stand.dampings";
   all.name   = "all dampings of the stand";
   all.unit   = "1";
@@ -138,6 +142,7 @@ std::vector<StructureNumber> chain_numbers(const LumpedModel &model, const Dynam
   std::vector<StructureNumber> numbers;
   for (int i = 0; i < 6; ++i) {
     StructureNumber m;
+    m.kind   = NumberKind::mass;
     m.key    = fmt::format("M{}", i + 1);
     m.name   = "mass, " + chain.labels[std::size_t(i)];
     m.unit   = "kg";
@@ -156,6 +161,7 @@ std::vector<StructureNumber> chain_numbers(const LumpedModel &model, const Dynam
     if (spring.stiffness == 0)
       continue;
     StructureNumber k;
+    k.kind  = NumberKind::spring;
     k.key   = spring.name;
     k.name  = "stiffness " + spring.name;
     k.unit  = "N/m";
@@ -176,6 +182,7 @@ std::vector<StructureNumber> chain_numbers(const LumpedModel &model, const Dynam
   }
   if (settings.modal_damping > 0) {
     StructureNumber z;
+    z.kind   = NumberKind::damping_ratio;
     z.key    = "dynamics.modal_damping";
     z.name   = "modal damping";
     z.unit   = "1";
@@ -199,6 +206,7 @@ std::vector<StructureNumber> modal_numbers(const ModalModel &modes)
     if (modes.frequency[i] == 0)
       continue;
     StructureNumber f;
+    f.kind   = NumberKind::frequency;
     f.key    = fmt::format("stand.modes[{}]", i);
     f.name   = fmt::format("frequency of mode {}", i + 1);
     f.unit   = "Hz";
@@ -214,6 +222,7 @@ std::vector<StructureNumber> modal_numbers(const ModalModel &modes)
   }
   if (modes.damping > 0) {
     StructureNumber z;
+    z.kind   = NumberKind::damping_ratio;
     z.key    = "dynamics.modal_damping";
     z.name   = "modal damping";
     z.unit   = "1";

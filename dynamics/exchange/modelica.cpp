@@ -1,4 +1,5 @@
 #include "dynamics/exchange/modelica.h"
+#include "core/base/text.h"
 #include "core/records/chain_number.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -11,7 +12,7 @@ std::string number(const double value)
 {
   const std::string text = fmt::format("{}", value);  // shortest text that gives the number back; no locale
   // Without a point it would be an Integer, which ends at 2^31.
-  return text.find_first_of(".e") == std::string::npos ? text + ".0" : text;
+  return has_any(text, ".e") ? text : text + ".0";
 }
 
 // A text of Modelica in its quotes.

@@ -1,3 +1,4 @@
+#include "core/base/text.h"
 #include "dynamics/fmu/description.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -255,7 +256,7 @@ std::vector<std::string> broken_rules(const std::vector<DescribedVariable> &vari
   for (const DescribedVariable &described : variables) {
     const Variable &v   = described.variable;
     const auto complain = [&](const std::string &what) { broken.push_back(v.name + ": " + what); };
-    if (v.name.empty() || v.name.find_first_of("\r\n\t\\") != std::string::npos)
+    if (v.name.empty() || has_any(v.name, "\r\n\t\\"))
       complain("illegal name");
     if (!names.insert(v.name).second)
       complain("the name is not unique");

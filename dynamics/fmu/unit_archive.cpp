@@ -59,7 +59,7 @@ std::string unit_archive(const ExportedModel &model, const int fmi_version)
   require_rules(model, fmi_version);
   const bool three = fmi_version == 3;
   std::vector<ArchiveEntry> entries;
-  entries.push_back({"modelDescription.xml", model_description(model, fmi_version)});
+  entries.push_back({description_file, model_description(model, fmi_version)});
   add_icons(entries, model, three);
   entries.push_back({"documentation/index.html", documentation_page(model, fmi_version)});
   entries.push_back({"documentation/licenses/license.txt", named_file("licence")});

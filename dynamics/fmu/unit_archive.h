@@ -4,6 +4,9 @@
 #include <string>
 
 namespace mill::fmu {
+/// Name in the archive of what describes the unit.
+constexpr const char *description_file = "modelDescription.xml";
+
 /// The whole unit as the bytes of its archive: description, libraries, resources, sources, documentation.  The
 /// same model gives the same bytes.  model.data.guid is set from the rest (identity_of) before.
 /// @throws InputError  a start value that the standard does not allow, or out of the range that a unit accepts

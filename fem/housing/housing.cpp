@@ -75,19 +75,19 @@ std::vector<char> held_housing(const ElasticBody &quarter)
     held[std::size_t(3 * node)] = 1;
   for (const int node : quarter.group("symmetry.z"))
     held[std::size_t(3 * node + 2)] = 1;
-  mean_vertical(quarter, "foot");
-  held[std::size_t(3 * quarter.group("foot").front() + 1)] = 1;
+  mean_vertical(quarter, HousingGroup::foot);
+  held[std::size_t(3 * quarter.group(word_of(HousingGroup::foot)).front() + 1)] = 1;
   return held;
 }
 
-Eigen::VectorXd mean_vertical(const ElasticBody &quarter, const std::string &group)
+Eigen::VectorXd mean_vertical(const ElasticBody &quarter, const HousingGroup group)
 {
   Eigen::VectorXd weights;
   try {
-    weights = quarter.face_weights(group);
+    weights = quarter.face_weights(word_of(group));
   } catch (const std::out_of_range &) {
-    throw InputError(std::string("housing: nothing ") + (group == "foot" ? "holds" : "loads") +
-                     " it in the direction y (vertical), its mesh has no group \"" + group +
+    throw InputError(std::string("housing: nothing ") + (group == HousingGroup::foot ? "holds" : "loads") +
+                     " it in the direction y (vertical), its mesh has no group \"" + word_of(group) +
                      "\": mesh it with feet and both pads");
   }
   Eigen::VectorXd out = Eigen::VectorXd::Zero(3 * weights.size());
@@ -98,8 +98,9 @@ Eigen::VectorXd mean_vertical(const ElasticBody &quarter, const std::string &gro
 
 HousingStatics housing_statics(const MillHousing &housing, const ElasticBody &quarter)
 {
-  const Eigen::VectorXd screw = mean_vertical(quarter, "screw"), seat = mean_vertical(quarter, "seat"),
-                        foot   = mean_vertical(quarter, "foot");
+  const Eigen::VectorXd screw  = mean_vertical(quarter, HousingGroup::screw),
+                        seat   = mean_vertical(quarter, HousingGroup::seat),
+                        foot   = mean_vertical(quarter, HousingGroup::foot);
   const std::vector<char> held = held_housing(quarter);
   const HeldStiffness stiffness(quarter.unit_stiffness(), held);
   const Eigen::VectorXd load = (screw - seat) / n_quarters;  // in balance: the pin carries nothing

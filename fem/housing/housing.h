@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/choice.h"
 #include "core/model/frame.h"
 #include "core/model/housing.h"
 #include "fem/body/elastic_body.h"
@@ -42,9 +43,16 @@ struct HousingStatics {
 /// from moving up and down.  (3N) 1: held
 std::vector<char> held_housing(const ElasticBody &quarter);
 
+/// Groups of faces of a housing that carry its force.
+enum class HousingGroup { screw, seat, foot };
+constexpr auto words_of(HousingGroup)
+{
+  return choice_words<HousingGroup>("screw", "seat", "foot");
+}
+
 /// (3N) mean vertical displacement over a boundary group, as a functional: w . u; sums to one.
 /// @throws InputError  the mesh has no such group: the part and the direction that is not held are named
-Eigen::VectorXd mean_vertical(const ElasticBody &quarter, const std::string &group);
+Eigen::VectorXd mean_vertical(const ElasticBody &quarter, HousingGroup group);
 
 /// @param quarter  of meshes::mesh_housing() for this housing, degree 2
 /// @throws InputError   no feet

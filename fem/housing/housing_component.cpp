@@ -19,10 +19,10 @@ PartSupport housing_support(const ElasticBody &quarter)
 PartInterface housing_interface(const ElasticBody &quarter)
 {
   PartInterface interface;
-  interface.names = {"screw", "seat", "foot"};
-  interface.weights.resize(3 * quarter.nodes().rows(), 3);
-  for (Eigen::Index i = 0; i < 3; ++i)
-    interface.weights.col(i) = mean_vertical(quarter, interface.names[std::size_t(i)]);
+  interface.names = word_list<HousingGroup>();
+  interface.weights.resize(3 * quarter.nodes().rows(), Eigen::Index(interface.names.size()));
+  for (const HousingGroup group : every<HousingGroup>())
+    interface.weights.col(Eigen::Index(group)) = mean_vertical(quarter, group);
   return interface;
 }
 

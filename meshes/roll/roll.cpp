@@ -1,4 +1,5 @@
 #include "meshes/roll/roll.h"
+#include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "meshes/common/mesher.h"
 #include "meshes/common/write_mesh.h"
@@ -8,8 +9,13 @@
 
 namespace mill::meshes {
 namespace {
-const std::vector<std::string> group_names{"contact", "symmetry.x", "symmetry.y", "symmetry.z",
-                                           "barrel",  "neck",       "shoulder",   "end"};
+// Groups of faces, in the order of their numbers in the file.
+enum class FaceGroup { contact, symmetry_x, symmetry_y, symmetry_z, barrel, neck, shoulder, end };
+constexpr auto words_of(FaceGroup)
+{
+  return choice_words<FaceGroup>("contact", "symmetry.x", "symmetry.y", "symmetry.z", "barrel", "neck", "shoulder",
+                                 "end");
+}
 }  // namespace
 
 std::vector<double> graded_layers(const double length, const double end_layer, const double growth,
@@ -39,9 +45,9 @@ MeshFile known_mesh(const std::string &path, const RollGeometry &geometry)
   mesh.path     = path;
   mesh.geometry = geometry;
   mesh.unit     = geometry.radius;
-  for (std::size_t i = 0; i < group_names.size(); ++i)
-    if (geometry.neck_length > 0 || (group_names[i] != "neck" && group_names[i] != "shoulder"))
-      mesh.groups[group_names[i]] = int(i) + 1;
+  for (const FaceGroup group : every<FaceGroup>())
+    if (geometry.neck_length > 0 || (group != FaceGroup::neck && group != FaceGroup::shoulder))
+      mesh.groups[word_of(group)] = int(group) + 1;
   return mesh;
 }
 

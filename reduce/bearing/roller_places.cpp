@@ -1,12 +1,13 @@
 #include "reduce/bearing/roller_places.h"
 #include "core/base/errors.h"
+#include "core/base/text.h"
 #include "reduce/bearing/geometry.h"
 #include <cmath>
 
 namespace mill::bearing {
 Eigen::VectorXd row_signs(const RollerBearing &b)
 {
-  if (b.arrangement.find_first_not_of("+-") != std::string::npos || b.arrangement.empty())
+  if (!has_only(b.arrangement, "+-") || b.arrangement.empty())
     throw InputError("bearing." + b.name + ": arrangement = \"" + b.arrangement +
                      "\" must be + and - only, for example \"+-+-\"");
   Eigen::VectorXd hands(b.rows);

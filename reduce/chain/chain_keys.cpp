@@ -51,9 +51,11 @@ Keys as_drawn(const Keys &keys, const FourHigh &stand)
     if (stand.housing.present() && is_of_housing(key))
       return housing_keys(stand.housing, key.find("_mass") != std::string::npos);
     // A backup bearing that contains its chock has taken it out of the chain.
-    if ((key == "frame.upper_chock_stiffness" && std::isinf(stand.frame.upper_chock_stiffness)) ||
-        (key == "frame.lower_chock_stiffness" && std::isinf(stand.frame.lower_chock_stiffness)))
-      return {};
+    for (const auto &[chock, stiffness] :
+         {std::pair("frame.upper_chock_stiffness", stand.frame.upper_chock_stiffness),
+          std::pair("frame.lower_chock_stiffness", stand.frame.lower_chock_stiffness)})
+      if (key == chock && std::isinf(stiffness))
+        return {};
     for (const Replacement &drawn : replaced)
       if (drawn.key == key)
         return drawn.inputs;

@@ -1,5 +1,6 @@
 #include "reduce/stand/stand_assembly.h"
 #include "core/base/short_number.h"
+#include "core/records/stand_place.h"
 #include "reduce/chain/film_in_series.h"
 #include <algorithm>
 #include <cmath>
@@ -133,7 +134,7 @@ void add_path(Assembly &a, Eigen::VectorXd start, const Eigen::VectorXd &end,
   double compliance = 0;
   std::vector<std::pair<std::string, double>> waiting;  // points without mass, compliance from start to them
   for (std::size_t i = 0; i < springs.size(); ++i) {
-    name += (name.empty() ? "" : " + ") + springs[i].first;
+    name += (name.empty() ? "" : series_mark) + springs[i].first;
     compliance += 1 / springs[i].second;
     const bool last = i == stops.size();
     if (!last && !(stops[i].mass > 0)) {
@@ -328,7 +329,7 @@ StandModel assemble_stand(const std::string &name, const FourHigh &stand, const 
   std::vector<std::pair<std::string, double>> path;
   path.emplace_back("oil column", f.oil_column_stiffness);
   path.emplace_back("cylinder body", f.cylinder_body_stiffness);
-  path.emplace_back("upper chock and K_Zy", series(f.upper_chock_stiffness, springs.K_Zy_upper));
+  path.emplace_back(word_of(SeatSpring::upper), series(f.upper_chock_stiffness, springs.K_Zy_upper));
   add_path(a, upper, in_place(a, placed[upper_backup], rolls[upper_backup].seat), path, stops,
            {springs.K_Zy_upper, springs.film_upper, springs.film_frequency});
   const double half_work = rolls[upper_work].half_barrel, half_backup = rolls[upper_backup].half_barrel;
@@ -342,7 +343,7 @@ StandModel assemble_stand(const std::string &name, const FourHigh &stand, const 
   a.s.points.push_back({"lower backup chock", lower});
   const auto below = Film{springs.K_Zy_lower, springs.film_lower, springs.film_frequency}.joined(
       series(f.lower_chock_stiffness, springs.K_Zy_lower));
-  a.add_spring("lower chock and K_Zy", below.stiffness,
+  a.add_spring(word_of(SeatSpring::lower), below.stiffness,
                in_place(a, placed[lower_backup], rolls[lower_backup].seat) - lower, below.damper);
   add_work_chock(a, "upper", placed[upper_work], work.chock_mass_upper, springs.Kzc_upper);
   add_work_chock(a, "lower", placed[lower_work], work.chock_mass_lower, springs.Kzc_lower);

@@ -1,3 +1,4 @@
+#include "core/records/published_quantity.h"
 #include "report/chatter/figures.h"
 #include "report/plot/number.h"
 #include <algorithm>
@@ -107,7 +108,7 @@ std::string how_sure(const ChatterCondition &c)
       c.variants);
   add("By the models of the stand", c.structures);
   for (const ChatterPublished &entry : c.published)
-    if (entry.quantity == "critical speed" && std::isfinite(entry.measured))
+    if (entry.quantity == word_of(PublishedQuantity::critical_speed) && std::isfinite(entry.measured))
       text += (text.empty() ? "" : ". ") + std::string("Measured: ") + fixed(entry.measured, 2) + " m/s";
   return text.empty() ? "" : text + ".";
 }

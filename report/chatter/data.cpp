@@ -1,5 +1,6 @@
 #include "report/chatter/data.h"
 #include "core/base/errors.h"
+#include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
@@ -66,9 +67,9 @@ ChatterData read_chatter(const Run &run)
   for (const std::string &entry : names_in(curves.string(), none)) {
     const fs::path file    = curves / entry;
     const std::string stem = file.stem().string();
-    if (file.extension() != ".json" || stem.rfind(start, 0) != 0)
+    if (!has_ending(file, FileEnding::json) || stem.rfind(start, 0) != 0)
       continue;
-    if (stem == "chatter-tandem")
+    if (stem == start + tandem_item)
       data.tandem = stored<ChatterTandem>(file, data.problems);
     else if (const auto condition = stored<ChatterCondition>(file, data.problems))
       collected[stem.substr(start.size())] = *condition;

@@ -13,6 +13,7 @@ struct Phasor {
   std::string label;
   double angle;  // degrees, counterclockwise from the gap
   Pen pen;
+  bool reference = false;  // whose angle is 0 by definition
 };
 
 std::string degrees(const double angle)
@@ -50,7 +51,7 @@ void spread(std::vector<Label> &labels, const double top, const double bottom)
 std::string chatter_phasors(const ChatterPhases &phases)
 {
   std::vector<Phasor> all{
-      {"gap", 0, Pen::dark},
+      {"gap", 0, Pen::dark, true},
       {"force", phases.force, Pen::warm},
       {"back tension", phases.entry_tension, Pen::dashed},
       {"front tension", phases.exit_tension, Pen::dotted},
@@ -84,7 +85,7 @@ std::string chatter_phasors(const ChatterPhases &phases)
       const Vector2d tip = centre + (radius + 3) * Vector2d(std::cos(turn), -std::sin(turn));
       svg.polyline({tip, {x - way * 4, label.y}}, "leader");
       svg.text(x, label.y + 4,
-               label.phasor->label + (label.phasor->label == "gap" ? "" : " " + degrees(label.phasor->angle)), "t",
+               label.phasor->label + (label.phasor->reference ? "" : " " + degrees(label.phasor->angle)), "t",
                side == &left ? Anchor::end : Anchor::start);
     }
   }

@@ -1,4 +1,5 @@
 #include "core/base/si_unit.h"
+#include "core/records/published_quantity.h"
 #include "core/records/stability_finding.h"
 #include "report/chatter/figures.h"
 #include "report/page/cells.h"
@@ -19,10 +20,10 @@ std::string speed_text(const double speed)
   return fixed(speed, 2);
 }
 
-const ChatterPublished *published_of(const ChatterCondition &condition, const std::string &quantity)
+const ChatterPublished *published_of(const ChatterCondition &condition, const PublishedQuantity quantity)
 {
   for (const ChatterPublished &entry : condition.published)
-    if (entry.quantity == quantity)
+    if (entry.quantity == word_of(quantity))
       return &entry;
   return nullptr;
 }
@@ -57,7 +58,7 @@ std::string chatter_summary_table(const std::vector<ChatterCondition> &condition
 {
   std::string body;
   for (const ChatterCondition &c : conditions) {
-    const ChatterPublished *other = published_of(c, "critical speed");
+    const ChatterPublished *other = published_of(c, PublishedQuantity::critical_speed);
     const double growth           = c.critical.growth_at_working;
     const std::string at_work     = !std::isfinite(growth) ? "\u2013"
                                     : growth > 0           ? "<span class=\"poor-word\">chatters</span>"

@@ -1,4 +1,5 @@
 #include "report/compare/certainty.h"
+#include "core/base/choice.h"
 #include "core/base/units.h"
 #include "report/results/tables.h"
 #include <algorithm>
@@ -104,11 +105,20 @@ double error_of_both(const Result &in_first, const Result &in_other)
 }
 }  // namespace
 
+namespace {
+// A choice of two in TOML.
+enum class YesOrNo { no, yes };
+constexpr auto words_of(YesOrNo)
+{
+  return choice_words<YesOrNo>("false", "true");
+}
+}  // namespace
+
 bool chooses_model(const std::string &key, const std::string &value)
 {
   if (is_mesh_size(key))
     return true;
-  if (value == "true" || value == "false")
+  if (choice_named<YesOrNo>(value))
     return true;
   const bool quoted = value.size() > 1 && value.front() == '"' && value.back() == '"';
   if (!quoted || is_physical_word(key))

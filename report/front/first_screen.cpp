@@ -1,6 +1,7 @@
 // The first screen of the page: a verdict, the numbers that a mill is judged by, the stand to scale, and the
 // warnings.
 #include "core/base/name_part.h"
+#include "core/base/text.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
 #include "core/records/run_status.h"
@@ -29,7 +30,7 @@ bool has_failed(const Run &run)
 std::string upper_first(std::string text)
 {
   const std::string word = text.substr(0, text.find_first_of(" :,"));
-  if (!word.empty() && word.find_first_not_of("abcdefghijklmnopqrstuvwxyz-") == std::string::npos)
+  if (!word.empty() && has_only(word, "abcdefghijklmnopqrstuvwxyz-"))
     text[0] = char(text[0] - 'a' + 'A');
   return text;
 }

@@ -40,10 +40,9 @@ bool moves(const MovingShape &shape)
 
 std::string shape_element(const MovingShape &shape, const Eigen::VectorXd &displacement)
 {
-  const bool ghost = shape.classes == "ghost";  // the other extreme
   std::string text = shape.closed ? "<polygon" : "<polyline";
   text += " class=\"" + shape.classes + "\" points=\"";
-  const auto points = moved(shape, displacement, ghost ? -usual_swing : usual_swing);
+  const auto points = moved(shape, displacement, shape.ghost ? -usual_swing : usual_swing);
   for (std::size_t i = 0; i < points.size(); ++i)
     text += (i ? " " : "") + pixel(points[i][0]) + ',' + pixel(points[i][1]);
   text += '"';

@@ -127,7 +127,7 @@ void Builder::outline(const DrawnRoll &roll)
     add(*c, 1, -1);
   for (const Corner &c : quarter)
     add(c, -1, -1);
-  drawing_.shapes.push_back({"ghost", true, closed});
+  drawing_.shapes.push_back({"ghost", true, closed, true});
   drawing_.shapes.push_back({"steel", true, closed});
   std::vector<Corner> axis;
   for (int i = n - 1; i > 0; --i)
@@ -145,7 +145,7 @@ void Builder::box(const double x, const double y, const double half_width, const
                                     {x + half_width, y + height, displacement},
                                     {x - half_width, y + height, displacement}};
   if (displacement != 0)
-    drawing_.shapes.push_back({"ghost", true, corners});
+    drawing_.shapes.push_back({"ghost", true, corners, true});
   drawing_.shapes.push_back({classes, true, corners});
 }
 

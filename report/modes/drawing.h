@@ -20,6 +20,7 @@ struct MovingShape {
   std::string classes;
   bool closed;
   std::vector<Corner> corners;
+  bool ghost = false;  ///< the other extreme of the motion
 };
 
 struct FixedText {

@@ -1,5 +1,6 @@
 #include "report/page/run.h"
 #include "core/base/errors.h"
+#include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
@@ -245,7 +246,7 @@ void read_tables(const std::string &folder, const Checksums &of_this_run, Tables
     return;
   for (const std::string &entry : names_in(where.string())) {
     const fs::path file = where / entry;
-    if (file.extension() != ".csv")
+    if (!has_ending(file, FileEnding::csv))
       continue;
     const std::string name = folder + "/" + file.stem().string();
     if (!of_this_run.empty() && !of_this_run.count(name + ".csv")) {

@@ -1,6 +1,7 @@
 #include "report/plot/number.h"
 #include "core/base/short_number.h"
 #include "core/base/si_unit.h"
+#include "core/base/text.h"
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -14,7 +15,7 @@ const char *const narrow_space = "\u202f";
 std::string plain(const double value, const int decimals)
 {
   std::string written = fixed_number(value, decimals);
-  if (written.find_first_not_of("-0.") == std::string::npos && written[0] == '-')
+  if (has_only(written, "-0.") && written[0] == '-')
     written.erase(0, 1);  // no negative zero on paper
   return written;
 }

@@ -1,5 +1,6 @@
 #include "report/results/output_reference.h"
 #include "core/base/digits.h"
+#include "core/base/note.h"
 #include "core/base/si_unit.h"
 #include "core/records/chain_number.h"
 #include "core/records/cluster_names.h"
@@ -213,6 +214,19 @@ std::string warning_reference()
   return text;
 }
 
+std::string note_reference()
+{
+  std::string text =
+      "\n## Notes\n\n`note_records` of `advice.json`, `calibration.json`, `plan.json` and `analysis.json` has the "
+      "notes "
+      "that decide something, in the form of a warning; `notes` has all of them as one text each. An id is one of "
+      "these, or that of a warning.\n\n| id | meaning |\n| --- | --- |\n";
+  for (const NoteRow &row : note_rows())
+    if (row.id != NoteId::remark)
+      text += std::string("| `") + row.word + "` | " + row.meaning + " |\n";
+  return text;
+}
+
 std::string output_reference(const std::vector<Run> &runs)
 {
   std::vector<OutputRow> rows;
@@ -255,6 +269,6 @@ std::string output_reference(const std::vector<Run> &runs)
   for (const OutputGroup &group : output_groups)
     table(&group);
   table(nullptr);
-  return text + warning_reference();
+  return text + warning_reference() + note_reference();
 }
 }  // namespace mill::report

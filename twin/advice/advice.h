@@ -34,9 +34,10 @@ struct RatedAction {
   double apart = std::numeric_limits<double>::quiet_NaN();  ///< -, of a pair: both changes one after the other
   double gain  = 0;                                         ///< -, > 0: it helps; what actions are ranked by
   std::vector<SideEffect> effects;
-  std::string modes;                 ///< which mode moves most, in words
-  std::vector<std::string> against;  ///< what it violates, one sentence each; empty: above the line
-  std::vector<std::string> remarks;  ///< what the number rests on, one sentence each
+  std::string modes;                      ///< which mode moves most, in words
+  std::vector<std::string> against;       ///< what it violates, one sentence each; empty: above the line
+  std::vector<std::string> remarks;       ///< what the number rests on, one sentence each
+  std::optional<std::size_t> chain_only;  ///< which remark says that its effect is known of six masses alone
   bool pair       = false;
   bool what_if    = false;         ///< a damping ratio, which no action sets by itself: listed apart, never paired
   bool kept_apart = false;         ///< violates what no partner can mend: it is not paired

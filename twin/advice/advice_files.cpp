@@ -1,5 +1,7 @@
 #include "twin/advice/advice_files.h"
 #include "core/base/si_unit.h"
+#include "core/records/note_records.h"
+#include "core/records/stand_place.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -23,7 +25,7 @@ ordered_json effects_json(const std::vector<SideEffect> &effects)
 
 ordered_json dampers_json(const RatedAction &action)
 {
-  const auto place  = [&](const int i) { return i < 0 ? "ground" : action.stand.places[std::size_t(i)]; };
+  const auto place  = [&](const int i) { return i < 0 ? ground_place : action.stand.places[std::size_t(i)]; };
   ordered_json list = ordered_json::array();
   for (const Attachment &a : action.joined) {
     ordered_json one;
@@ -130,7 +132,7 @@ std::string csv_line(const RatedAction &a, const std::string &rank)
 std::string advice_json(const AdviceRecord &record)
 {
   ordered_json json = ordered_json::parse(results_json(record.results, record.case_name, "ok"));
-  json["goal"]      = {{"kind", record.goal}, {"question", record.question}, {"answer", record.answer}};
+  json["goal"]      = {{"kind", word_of(record.goal)}, {"question", record.question}, {"answer", record.answer}};
   json["stand"]     = record.stand;
   json["actions"]   = ordered_json::array();
   for (std::size_t i = 0; i < record.actions.size(); ++i)
@@ -144,7 +146,7 @@ std::string advice_json(const AdviceRecord &record)
   json["slopes"] = ordered_json::array();
   for (const auto &[name, slope] : record.slopes)
     json["slopes"].push_back({{"name", name}, {"slope", number_or_null(slope)}});
-  json["notes"] = record.notes;
+  write_notes(json, record.notes);
   return json.dump(1) + "\n";
 }
 

@@ -1,4 +1,6 @@
 #pragma once
+#include "core/base/note.h"
+#include "core/records/advice_goal.h"
 #include "core/records/csv.h"
 #include "core/records/results.h"
 #include "twin/advice/chatter_advice.h"
@@ -18,8 +20,8 @@ struct TunedRecord {
 /// Everything that is written of one advice, for any goal.
 struct AdviceRecord {
   std::string case_name;
-  std::string stand;     ///< "six masses by closed forms at 976.2 kN"
-  std::string goal;      ///< "level" or "critical speed"
+  std::string stand;  ///< "six masses by closed forms at 976.2 kN"
+  RatedGoal goal = RatedGoal::level;
   std::string question;  ///< the goal in words
   std::string answer;    ///< in words
   Results results;
@@ -28,7 +30,7 @@ struct AdviceRecord {
   std::vector<bool> reaches;          ///< by actions: the wanted margin; empty: the goal has none
   std::vector<TunedRecord> tuned;
   std::vector<std::pair<std::string, double>> slopes;  ///< d ln goal / d ln number, by falling size
-  std::vector<std::string> notes;                      ///< what was not computed, and why
+  std::vector<Note> notes;                             ///< what was not computed, and why
   std::map<std::string, Table> tables;                 ///< "spectrum", "detuning"
 };
 

@@ -1,7 +1,6 @@
 #include "twin/advice/chatter_advice.h"
 #include "core/base/errors.h"
 #include "core/base/require.h"
-#include "core/base/si_unit.h"
 #include "core/process/parallel.h"
 #include "twin/advice/process_action.h"
 #include "twin/chatter/critical_slopes.h"
@@ -9,6 +8,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace mill::twin {
@@ -17,10 +17,28 @@ constexpr double least_rise = 1e-5;  // relative change of a critical speed that
 
 // One thing to do: to the process, or to a number of the structure.
 struct ProcessStep {
-  ProcessAction action;   // name, parameter, means and slope_key also of the structure
-  std::string structure;  // key of a number of the structure; empty: a process action
+  ProcessAction action;               // name, parameter, means and slope_key also of the structure
+  std::optional<ChangeOf> structure;  // what slope_key names in the structure; nothing: a process action
   bool what_if = false;
 };
+
+// How a number of the structure is changed by an action; nothing for one that no action changes by itself.
+std::optional<ChangeOf> change_of(const dynamics::NumberKind kind)
+{
+  switch (kind) {
+  case dynamics::NumberKind::spring:
+    return ChangeOf::spring;
+  case dynamics::NumberKind::damper:
+    return ChangeOf::damper;
+  case dynamics::NumberKind::damping_ratio:
+    return ChangeOf::damping_ratio;
+  case dynamics::NumberKind::mass:
+  case dynamics::NumberKind::all_dampers:
+  case dynamics::NumberKind::frequency:
+    break;
+  }
+  return std::nullopt;
+}
 
 class CriticalAdviser {
 public:
@@ -109,24 +127,24 @@ private:
   {
     std::vector<ProcessStep> steps;
     for (ProcessAction &action : process_actions(asked_.bite, asked_.process))
-      steps.push_back({std::move(action), ""});
+      steps.push_back({std::move(action), std::nullopt});
     for (const dynamics::StructureNumber &number : asked_.numbers) {
-      if (number.key == "stand.dampings" || is_in(number.unit, SiUnit::hertz) || number.M_by.size() > 0 ||
-          !(number.value > 0))
+      const auto what = change_of(number.kind);
+      if (!what || !(number.value > 0))
         continue;
-      const bool of_spring = number.K_by.size() > 0;
+      const bool of_spring = *what == ChangeOf::spring;
       for (const double factor : of_spring ? asked_.stiffness : asked_.damping)
         if (factor != 1)
           steps.push_back(
               {{fmt::format("{} x {:g}", number.name, factor), number.key,
                 of_spring ? "part of the stand that this spring stands for" : "dampers, liners, cylinders",
                 number.key, factor},
-               number.key,
-               is_in(number.unit, SiUnit::one)});  // a damping ratio
+               what,
+               *what == ChangeOf::damping_ratio});
     }
     for (const StructureAction &action : asked_.actions)
       steps.push_back(
-          {{action.name, action.parameter, action.means, action.key, action.factor}, action.key, action.what_if});
+          {{action.name, action.parameter, action.means, action.key, action.factor}, action.what, action.what_if});
     return steps;
   }
 
@@ -176,15 +194,15 @@ private:
       action.parameters.push_back(step->action.parameter);
       action.what_if = action.what_if || step->what_if;
       log_change += foretold(*step);
-      if (step->structure.empty())
-        process.push_back(step->action);
+      if (step->structure)
+        structure.push_back({step->action.slope_key, step->action.factor, *step->structure});
       else
-        structure.emplace_back(step->structure, step->action.factor);
+        process.push_back(step->action);
     }
     action.first_order     = std::expm1(log_change);
     const ChangedPass pass = changed_pass(asked_.bite, process);
     if (asked_.follows_force && !process.empty())
-      structure.emplace_back("force", force_ratio(pass));
+      structure.push_back({"", force_ratio(pass), ChangeOf::rolling_force});
     ChatterModel model{asked_.stand, pass.bite, asked_.scheme, asked_.range, asked_.numbers};
     if (!structure.empty()) {
       NumberedStructure changed = asked_.changed(structure);

@@ -11,8 +11,22 @@
 
 // What would raise the critical speed of a stand.  theory.md 46.5
 namespace mill::twin {
-/// Numbers of the structure by their keys (dynamics::StructureNumber), each times a factor.
-using StructureChanges = std::vector<std::pair<std::string, double>>;
+/// What of a structure is changed.
+enum class ChangeOf {
+  spring,
+  damper,
+  damping_ratio,
+  new_damper,    ///< one that a StructureAction adds
+  rolling_force  ///< springs follow it
+};
+
+/// A number of the structure by its key (dynamics::StructureNumber, StructureAction), times a factor.
+struct StructureChange {
+  std::string key;  ///< empty for the rolling force
+  double factor;    ///< -
+  ChangeOf what = ChangeOf::spring;
+};
+using StructureChanges = std::vector<StructureChange>;
 
 /// A structure with its numbers.
 struct NumberedStructure {
@@ -25,6 +39,7 @@ struct StructureAction {
   std::string name, parameter, means;  ///< as in ProcessAction
   std::string key;                     ///< for CriticalQuestion::changed
   double factor = 1;                   ///< -
+  ChangeOf what = ChangeOf::spring;
   bool what_if  = false;
 };
 
@@ -33,7 +48,7 @@ struct CriticalQuestion : ChatterModel {
   /// The structure with several of its numbers changed at once.
   std::function<NumberedStructure(const StructureChanges &)> changed;
   std::vector<StructureAction> actions;  ///< tried in addition to the numbers
-  /// Springs follow the rolling force: `changed` takes the key "force", N over the present one.
+  /// Springs follow the rolling force: `changed` takes it, N over the present one.
   bool follows_force   = false;
   double working_speed = 0;    ///< m/s
   double margin        = 0.1;  ///< -, critical speed >= (1 + margin) working speed

@@ -366,8 +366,10 @@ private:
 
   void remark(RatedAction &action) const
   {
-    if (!action.joined.empty() && own_.chain)
+    if (!action.joined.empty() && own_.chain) {
+      action.chain_only = action.remarks.size();
       action.remarks.push_back("chain only: a damper sits on chocks, which the six masses do not have");
+    }
     for (const UntoldParameter &one : asked_.untold) {
       const bool changed = std::count(action.parameters.begin(), action.parameters.end(), one.name) > 0;
       const double slope = own_.chain ? advice_.slopes.of(asked_.place, one.name) : 0;

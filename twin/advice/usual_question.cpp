@@ -1,4 +1,5 @@
 #include "core/records/chain_number.h"
+#include "core/records/stand_place.h"
 #include "twin/advice/advice.h"
 #include <algorithm>
 #include <cmath>
@@ -30,7 +31,7 @@ std::string means_of_spring(const std::string &name)
 
 std::string damper_name(const VibratingStand &stand, const Attachment &damper)
 {
-  const auto place = [&](const int i) { return i < 0 ? std::string("ground") : stand.places[std::size_t(i)]; };
+  const auto place = [&](const int i) { return i < 0 ? std::string(ground_place) : stand.places[std::size_t(i)]; };
   return fmt::format("damper {:g} kN s/m, {} to {}", damper.damper / 1e3, place(damper.from), place(damper.to));
 }
 

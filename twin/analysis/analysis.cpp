@@ -26,10 +26,12 @@ Eigen::VectorXd whole_speed(const CleanRecord &record, Analysis &analysis)
       ++filled;
     }
   if (filled > 0)
-    analysis.notes.push_back(fmt::format("speed: {} missing samples were taken as the value before", filled));
+    analysis.notes.push_back(Warning{WarningId::record_gap, "speed",
+                                     fmt::format("{} missing samples were taken as the value before", filled)});
   const double still = speed.maxCoeff() / 20;
   if (!(still > 0)) {
-    analysis.notes.push_back("the speed is never above zero: what follows it is not evaluated");
+    analysis.notes.emplace_back(NoteId::speed_not_usable, "", "the speed is never above zero",
+                                "what follows it is not evaluated");
     return {};
   }
   analysis.highest_speed = speed.maxCoeff();
@@ -44,12 +46,13 @@ void note_faults(Analysis &analysis, const CleanRecord &record)
 {
   for (const CleanChannel &channel : record.channels) {
     if (channel.clipped > 0)
-      analysis.notes.push_back(
-          fmt::format("{}: {} samples ({:.2g} %) are at a clip level; its peak is a lower bound and its "
-                      "spectrum has harmonics that the mill did not make",
-                      channel.name, channel.clipped, 100 * channel.clipped_share));
+      analysis.notes.emplace_back(
+          NoteId::clipped, channel.name,
+          fmt::format("{} samples ({:.2g} %) are at a clip level; its peak is a lower bound and its spectrum has "
+                      "harmonics that the mill did not make",
+                      channel.clipped, 100 * channel.clipped_share));
     if (channel.n_used() == 0)
-      analysis.notes.push_back(fmt::format("{}: no sample is left after cleaning", channel.name));
+      analysis.notes.emplace_back(NoteId::record_left_out, channel.name, "no sample is left after cleaning");
   }
 }
 // Vibrations from which lines were taken off; those without lines are not copied.
@@ -77,12 +80,14 @@ void note_limits(Analysis &analysis)
 {
   for (const ChannelAnalysis &seen : analysis.channels)
     if (seen.spectrum.n > 0 && is_vibration(seen.quantity) && seen.bandwidth < 0.99 * seen.spectrum.rate / 2.56)
-      analysis.notes.push_back(fmt::format("{}: the noise floor falls by more than 30 dB at {:.4g} Hz and stays "
-                                           "there, as after a filter or above the range "
-                                           "of a sensor: modes and levels are evaluated below this limit; lines "
-                                           "above it are reported with a lower bound of "
-                                           "their amplitude",
-                                           seen.name, seen.bandwidth));
+      analysis.notes.emplace_back(
+          NoteId::band_limited, seen.name,
+          fmt::format(
+              "the noise floor falls by more than 30 dB at {:.4g} Hz and stays there, as after a filter or "
+              "above the range of a sensor",
+              seen.bandwidth),
+          "modes and levels are evaluated below this limit; lines above it are reported with a lower bound of "
+          "their amplitude");
 }
 }  // namespace
 
@@ -122,8 +127,8 @@ Analysis analyse(const CleanRecord &record, const CaseModel *stand, const Analys
   add_accounts(analysis);
   note_limits(analysis);
   if (speed.size() == 0)
-    analysis.notes.push_back(
-        "no speed was recorded: what is fixed and what follows the speed is not distinguishable");
+    analysis.notes.emplace_back(NoteId::speed_not_usable, "", "no speed was recorded",
+                                "what is fixed and what follows the speed is not distinguishable");
   progress.at("findings", 1);
   return analysis;
 }

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/note.h"
 #include "core/process/progress.h"
 #include "twin/analysis/baseline.h"
 #include "twin/bearings/fault_lines.h"
@@ -32,7 +33,7 @@ struct CaseModel {
   std::vector<std::string> bodies = {};  ///< (b) of kinetic_share; empty: the places
   std::vector<TurningRoll> rolls;
   std::vector<TurningBearing> bearings;
-  std::vector<std::string> notes;  ///< what the case does not say and is therefore not computed
+  std::vector<Note> notes;  ///< what the case does not say and is therefore not computed
 };
 
 /// A band that has a name in the mill.
@@ -128,7 +129,7 @@ struct Analysis {
   std::vector<BearingScore> bearings;      ///< of all families, indicated or not
   std::vector<Finding> findings;
   std::vector<CandidateFate> candidates;                            ///< of all channels
-  std::vector<std::string> notes;                                   ///< what could not be said, and why
+  std::vector<Note> notes;                                          ///< what could not be said, and why
   double lowest_speed  = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: not recorded
   double highest_speed = std::numeric_limits<double>::quiet_NaN();  ///< m/s; NaN: not recorded
 };

@@ -1,7 +1,8 @@
 #include "twin/analysis/analysis_files.h"
-#include "core/base/hidden_characters.h"
 #include "core/base/si_unit.h"
 #include "core/records/compared_bands.h"
+#include "core/records/csv_cell.h"
+#include "core/records/note_records.h"
 #include "core/records/results.h"
 #include "twin/analysis/channel_analysis.h"
 #include "twin/spectra/level_error.h"
@@ -424,21 +425,13 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
   json["conventions"] = ordered_json::array();
   for (const ChannelAnalysis &seen : analysis.channels)
     json["conventions"].push_back(conventions_of(seen));
-  auto notes = record.notes;
+  std::vector<Note> notes;
+  for (const std::string &note : record.notes)
+    notes.push_back(Warning{WarningId::record_repaired, "", note});
   notes.insert(notes.end(), analysis.notes.begin(), analysis.notes.end());
-  json["notes"] = notes;
+  write_notes(json, notes);
   return json.dump(1) + "\n";
 }
-
-namespace {
-// A cell of CSV: quoted where it holds a comma, a quotation mark or a character that a terminal would obey.
-std::string text_cell(const std::string &text)
-{
-  if (text.find_first_of(",\"\n") == std::string::npos && !has_hidden(text))
-    return text;
-  return quoted_cell(text);
-}
-}  // namespace
 
 std::string candidates_csv(const Analysis &analysis)
 {
@@ -447,9 +440,9 @@ std::string candidates_csv(const Analysis &analysis)
   };
   std::string text = "channel,frequency [Hz],amplitude,unit,over the floor [dB],fate,reason\n";
   for (const CandidateFate &one : analysis.candidates)
-    text += text_cell(one.channel) + "," + cell(one.frequency, "{:.9g}") + "," + cell(one.amplitude, "{:.5g}") +
-            "," + text_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + text_cell(word_of(one.fate)) +
-            "," + text_cell(one.reason) + "\n";
+    text += csv_cell(one.channel) + "," + cell(one.frequency, "{:.9g}") + "," + cell(one.amplitude, "{:.5g}") +
+            "," + csv_cell(one.unit) + "," + cell(one.over_floor, "{:.1f}") + "," + csv_cell(word_of(one.fate)) +
+            "," + csv_cell(one.reason) + "\n";
   return text;
 }
 

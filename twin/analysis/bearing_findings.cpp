@@ -151,7 +151,8 @@ void add_bearing_findings(Analysis &analysis, const CleanRecord &record, const C
     return;
   const CleanChannel *recorded = record.find("speed");
   if (!recorded && !settings.speed) {
-    analysis.notes.push_back("bearings: not computed, the record has no channel 'speed'; give --speed \"4 m/s\"");
+    analysis.notes.emplace_back(NoteId::bearing_not_computed, "bearings",
+                                "not computed, the record has no channel 'speed'", "", "give --speed \"4 m/s\"");
     return;
   }
   Fourier fourier;
@@ -163,18 +164,20 @@ void add_bearing_findings(Analysis &analysis, const CleanRecord &record, const C
       if (!sits_at(channel.name, bearing.roll))
         continue;
       if (!std::isfinite(bearing.cage)) {
-        analysis.notes.push_back(
-            fmt::format("bearing {}: not computed, its pitch or roller diameter is missing", bearing.name));
+        analysis.notes.emplace_back(NoteId::bearing_not_computed, "bearing " + bearing.name,
+                                    "not computed, its pitch or roller diameter is missing");
         continue;
       }
       const Stretch stretch = steady_stretch(channel, recorded, settings);
       if (double(stretch.span.size()) < shortest * record.rate)
-        analysis.notes.push_back(fmt::format("{}: bearing {} not computed, no {} s at one speed", channel.name,
-                                             bearing.name, shortest));
+        analysis.notes.emplace_back(
+            NoteId::bearing_not_computed, channel.name,
+            fmt::format("bearing {} not computed, no {} s at one speed", bearing.name, shortest));
       else if (seen.bandwidth < 1.15 * lowest_band)
-        analysis.notes.push_back(fmt::format(
-            "{}: bearing {} not computed, the record ends at {:.0f} Hz and impacts ring above {:.0f} Hz",
-            channel.name, bearing.name, seen.bandwidth, lowest_band));
+        analysis.notes.emplace_back(
+            NoteId::bearing_not_computed, channel.name,
+            fmt::format("bearing {} not computed, the record ends at {:.0f} Hz and impacts ring above {:.0f} Hz",
+                        bearing.name, seen.bandwidth, lowest_band));
       else
         look_at(analysis, record, channel, bearing, stretch, settings.baseline, fourier);
     }

@@ -61,7 +61,8 @@ std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const C
         channel.n_used() > 0 && channel_of_name(analysis, channel.name).spectrum.n > 0)
       channels.push_back(&channel);
   if (channels.empty()) {
-    analysis.notes.push_back("no channel is an acceleration or a velocity: modes were not looked for");
+    analysis.notes.emplace_back(NoteId::modes_not_searched, "", "no channel is an acceleration or a velocity",
+                                "modes were not looked for");
     return channels;
   }
   // channels in other units would make shapes without meaning
@@ -69,9 +70,8 @@ std::vector<const CleanChannel *> channels_for_modes(Analysis &analysis, const C
   const auto of_other     = [&](const auto *channel) { return channel->unit != unit; };
   const auto others_begin = std::remove_if(channels.begin(), channels.end(), of_other);
   if (others_begin != channels.end())
-    analysis.notes.push_back(
-        "the record holds accelerations and velocities: shapes of modes use those of the first "
-        "unit alone");
+    analysis.notes.emplace_back(NoteId::mixed_units, "", "the record holds accelerations and velocities",
+                                "shapes of modes use those of the first unit alone");
   channels.erase(others_begin, channels.end());
   for (const CleanChannel *channel : channels) {
     analysis.mode_channels.push_back(channel->name);
@@ -105,13 +105,14 @@ void find_forced_modes(Analysis &analysis, const CleanRecord &record,
     return;
   analysis.forced = forced_modes(channels, *force, record.rate, highest, analysis.modes.modes, settings.threads);
   if (analysis.forced.response.n == 0)
-    analysis.notes.push_back("the force was recorded, but no piece of it is long enough for a response to it");
+    analysis.notes.emplace_back(NoteId::force_not_usable, "",
+                                "the force was recorded, but no piece of it is long enough for a response to it");
   else if (analysis.forced.best_coherence < 0.3)
-    analysis.notes.push_back(
-        fmt::format("{} was recorded, but no channel follows it (coherence {:.2f} in the best "
-                    "third octave): modes are those of the "
-                    "response alone; see whether both come from one clock (--align)",
-                    force->name, analysis.forced.best_coherence));
+    analysis.notes.emplace_back(
+        NoteId::force_not_usable, "",
+        fmt::format("{} was recorded, but no channel follows it (coherence {:.2f} in the best third octave)",
+                    force->name, analysis.forced.best_coherence),
+        "modes are those of the response alone", "see whether both come from one clock (--align)");
 }
 
 // The delay of two clocks: stated, and taken out where that was asked.
@@ -123,18 +124,20 @@ void find_delay(Analysis &analysis, const CleanRecord &record, const CleanChanne
   const bool matters      = std::abs(delay.seconds) > std::max(3 * delay.deviation, 0.5 / record.rate);
   if (!delay.identified || !matters) {
     if (settings.align)
-      analysis.notes.push_back(delay.identified
-                                   ? "--align: no delay between force and vibrations is seen"
-                                   : "--align: the record does not determine the delay between force and "
-                                     "vibrations; at least two modes must follow the force");
+      analysis.notes.emplace_back(NoteId::delay_not_determined, "--align",
+                                  delay.identified
+                                      ? "no delay between force and vibrations is seen"
+                                      : "the record does not determine the delay between force and vibrations",
+                                  "", delay.identified ? "" : "at least two modes must follow the force");
     return;
   }
   if (settings.align)
     align(analysis.forced.response, delay.seconds);
-  analysis.notes.push_back(
-      fmt::format("the vibrations come {:.3f} ms {} than the force drives them (standard deviation {:.3f} ms); {}",
-                  1e3 * std::abs(delay.seconds), delay.seconds > 0 ? "later" : "earlier", 1e3 * delay.deviation,
-                  settings.align ? "this was taken out of H1" : "--align takes it out of H1"));
+  analysis.notes.emplace_back(
+      NoteId::clock_delay, "",
+      fmt::format("the vibrations come {:.3f} ms {} than the force drives them (standard deviation {:.3f} ms)",
+                  1e3 * std::abs(delay.seconds), delay.seconds > 0 ? "later" : "earlier", 1e3 * delay.deviation),
+      "", settings.align ? "this was taken out of H1" : "--align takes it out of H1");
 }
 
 Finding finding_of(const Analysis &analysis, const double frequency, const double sd, const double damping,
@@ -265,9 +268,9 @@ void add_mode_findings(Analysis &analysis, const CleanRecord &record, const std:
   if (channels.empty())
     return;
   if (record.duration() < shortest_record) {
-    analysis.notes.push_back(
-        fmt::format("the record is {:.3g} s long; modes need {} s, half of it for confirmation", record.duration(),
-                    shortest_record));
+    analysis.notes.emplace_back(NoteId::modes_not_searched, "",
+                                fmt::format("the record is {:.3g} s long", record.duration()), "",
+                                fmt::format("modes need {} s, half of it for confirmation", shortest_record));
     return;
   }
   analysis.force_edges = force_edges(analysis);

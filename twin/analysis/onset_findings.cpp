@@ -164,7 +164,8 @@ void add_alarms(Analysis &analysis, const Finding &of_mode, const ComplexEnvelop
     if (!is_of_growth(alarm, stretch))
       continue;
     if (++n > most_alarms) {
-      analysis.notes.push_back(
+      analysis.notes.emplace_back(
+          NoteId::list_cut, "",
           fmt::format("more than {} alarms at {:.4g} Hz; the first are listed", most_alarms, of_mode.frequency));
       break;
     }

@@ -1,5 +1,6 @@
 #include "twin/calibration/calibration_files.h"
 #include "core/records/calibration_status.h"
+#include "core/records/note_records.h"
 #include "core/records/results.h"
 #include "twin/calibration/words.h"
 #include <cmath>
@@ -189,8 +190,8 @@ std::string calibration_json(const CalibrationInput &input, const Calibration &r
     document["levels"]        = {{"fit", levels_of(result.fit)}, {"check", levels_of(result.check)}};
   }
   document["refusals"] = result.refusals;
-  document["notes"]    = facts.notes;
-  document["written"]  = facts.written;
+  write_notes(document, facts.notes);
+  document["written"] = facts.written;
   return document.dump(2) + "\n";
 }
 

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/note.h"
 #include "core/records/csv.h"
 #include "twin/calibration/calibration.h"
 #include <map>
@@ -10,7 +11,7 @@ namespace mill::twin {
 struct CalibrationFacts {
   std::string case_name, stand;    ///< "six masses as given"
   std::vector<std::string> files;  ///< of the records
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
   std::string written;  ///< "calibrated.toml"; empty: no case is written
   bool accepted = false;
 };

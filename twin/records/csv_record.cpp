@@ -71,8 +71,8 @@ private:
   void finish()
   {
     record.notes = rows->notes();
-    if (!source.is_in_utf8())
-      record.notes.push_back("the file is " + source.encoding());
+    if (source.encoding() != TextEncoding::utf8)
+      record.notes.push_back(std::string("the file is ") + word_of(source.encoding()));
     if (rows->had_comma())
       record.notes.push_back("decimal commas were read as decimal points");
     if (rows->blank_lines() > 0)

@@ -15,10 +15,10 @@ LineSource::LineSource(const std::string &path) : file_(path), path_(path)
   std::size_t skip         = 0;
   if (h == utf8_mark)
     skip = 3;
-  else if (const auto two = h.substr(0, 2); two == "\xFF\xFE" || two == "\xFE\xFF") {
-    encoding_ = head[0] == '\xFF' ? "UTF-16 little endian" : "UTF-16 big endian";
-    decoder_  = Utf16Decoder(head[0] == '\xFF');
-    skip      = 2;
+  else if (const auto utf16 = utf16_of_mark(h)) {
+    encoding_ = *utf16;
+    decoder_  = Utf16Decoder(*utf16 == TextEncoding::utf16_little);
+    skip      = utf16_mark_size;
   }
   mark_ = skip > 0;
   file_.go_to(skip);
@@ -35,7 +35,7 @@ bool LineSource::fill()
   at_                 = 0;
   const std::size_t n = file_.read(raw_.data(), raw_.size());
   done_ += double(n);
-  if (encoding_.rfind("UTF-16", 0) == 0)
+  if (encoding_ == TextEncoding::utf16_little || encoding_ == TextEncoding::utf16_big)
     decoder_.append(buffer_, {raw_.data(), n});
   else
     buffer_.append(raw_, 0, n);
@@ -79,7 +79,7 @@ bool LineSource::next(std::string_view &line)
   if (!is_utf8(line)) {
     converted_ = valid_text(line);
     line       = converted_;
-    encoding_  = "Windows-1252";
+    encoding_  = TextEncoding::windows_1252;
   }
   return true;
 }
@@ -94,12 +94,7 @@ bool LineSource::ended_without_newline() const
   return open_end_;
 }
 
-bool LineSource::is_in_utf8() const
-{
-  return encoding_ == "UTF-8";
-}
-
-const std::string &LineSource::encoding() const
+TextEncoding LineSource::encoding() const
 {
   return encoding_;
 }

@@ -19,18 +19,18 @@ public:
   bool next(std::string_view &line);
   int number() const;  ///< of the line that next() gave, from 1
   bool ended_without_newline() const;
-  bool is_in_utf8() const;
-  const std::string &encoding() const;  ///< "UTF-8", "UTF-16 little endian", "Windows-1252", ..
-  bool had_mark() const;                ///< a byte-order mark was at the beginning
-  double size() const;                  ///< byte
-  double done() const;                  ///< byte, read so far
+  TextEncoding encoding() const;  ///< of the lines up to now
+  bool had_mark() const;          ///< a byte-order mark was at the beginning
+  double size() const;            ///< byte
+  double done() const;            ///< byte, read so far
 
 private:
   bool fill();
   void find_end_of_lines();
 
   InputFile file_;
-  std::string path_, buffer_, encoding_ = "UTF-8", raw_, converted_;
+  std::string path_, buffer_, raw_, converted_;
+  TextEncoding encoding_ = TextEncoding::utf8;
   Utf16Decoder decoder_{true};
   char end_       = '\n';
   std::size_t at_ = 0;

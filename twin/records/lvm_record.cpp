@@ -197,8 +197,8 @@ private:
                   Eigen::Map<const Eigen::VectorXd>(values[c].data(), Eigen::Index(n)));
     }
     record.other_columns.push_back("X_Value");
-    if (!source.is_in_utf8())
-      record.notes.push_back("the file is " + source.encoding());
+    if (source.encoding() != TextEncoding::utf8)
+      record.notes.push_back(std::string("the file is ") + word_of(source.encoding()));
     require_usable_channels(record, options, "write the units into Y_Unit_Label, or");
   }
 

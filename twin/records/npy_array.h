@@ -12,6 +12,9 @@ struct NpyField {
   std::size_t offset;  ///< byte, in a row
 };
 
+/// The field of a recording that has the number of the sample.
+constexpr std::string_view sample_field = "s";
+
 /// What the header of an array says.
 struct NpyLayout {
   std::vector<NpyField> fields;  ///< columns

@@ -90,7 +90,7 @@ RawRecord read_npy_record(const std::string &path, const ReadOptions &options)
   auto columns = columns_of(file, layout, path);
   for (std::size_t c = 0; c < columns.size(); ++c) {
     const std::string &name = layout.fields[c].name;
-    if (name == "s") {  // number of the sample: gaps are jumps of it
+    if (name == sample_field) {  // number of the sample: gaps are jumps of it
       const double first = columns[c].size() > 0 ? columns[c][0] : 0;
       record.time        = (columns[c].array() - first) / record.rate;
       record.first_time  = first / record.rate;

@@ -25,7 +25,7 @@ NpySidecar npy_sidecar(const std::string &path, const std::string &array)
     throw InputError(fmt::format("{} is needed next to {}: {{\"rate\": 20000, \"units\": {{\"force\": \"kN\", "
                                  "\"upper_work_roll\": \"g\"}}}}",
                                  path, array));
-  std::string encoding;
+  TextEncoding encoding{};
   const Json json = Json::parse(valid_file_text(*text, encoding), nullptr, false);
   if (!json.is_object())
     throw InputError(Place{path, 1, 1},

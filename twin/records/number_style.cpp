@@ -1,4 +1,5 @@
 #include "twin/records/number_style.h"
+#include "core/base/text.h"
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -107,7 +108,7 @@ bool read_number(const std::string_view cell, const NumberStyle &style, double &
 StyleMask styles_of(const std::string_view cell)
 {
   double number = 0;
-  if (cell.find_first_of(",.'\xE2\xC2 ") == std::string_view::npos)
+  if (!has_any(cell, ",.'\xE2\xC2 "))
     return read_plain(cell, number) ? every_style : 0;
   StyleMask mask = 0;
   for (std::size_t i = 0; i < number_styles.size(); ++i)

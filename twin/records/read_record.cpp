@@ -1,3 +1,4 @@
+#include "core/base/file_ending.h"
 #include "core/base/valid_text.h"
 #include "twin/records/channel_names.h"
 #include "twin/records/raw_record.h"
@@ -33,8 +34,7 @@ bool begins_as_text(const std::string &path)
   char bytes[4096];
   file.read(bytes, sizeof bytes);
   const std::string begin(bytes, std::size_t(file.gcount()));
-  const bool is_utf16 = begin.rfind("\xff\xfe", 0) == 0 || begin.rfind("\xfe\xff", 0) == 0;
-  return is_utf16 || std::none_of(begin.begin(), begin.end(), [](const unsigned char c) {
+  return utf16_of_mark(begin) || std::none_of(begin.begin(), begin.end(), [](const unsigned char c) {
            return c < ' ' && c != '\t' && c != '\n' && c != '\r' && c != '\f';
          });
 }
@@ -42,7 +42,7 @@ bool begins_as_text(const std::string &path)
 // An ending that texts and files of single programs have.
 bool is_of_any_program(const std::string &path)
 {
-  return ending_of(path) == ".dat";
+  return ending_of(path) == word_of(FileEnding::dat);
 }
 
 // By the ending of the name; nullptr: no format has this ending.

@@ -1,6 +1,7 @@
 #include "app/stages/bite/bite_results.h"
 #include "app/stages/bite/bite_accuracy.h"
 #include "app/stages/contact/contact_stage.h"
+#include "core/base/force_text.h"
 #include "core/records/bite_model.h"
 #include "core/records/result_names.h"
 #include "reduce/bite/slab/neutral_point.h"
@@ -20,7 +21,7 @@ OperatingPoint operating_point(const BiteStudy &s)
   return OperatingPoint(s.question.pass)
       .add(", {} -> {}, {}", {{strip.entry_thickness, "mm", ".4g"},
                               {strip.exit_thickness, "mm", ".4g"},
-                              {s.chosen().state.force, "kN", ".1f"}});
+                              {s.chosen().state.force, "kN", force_form(s.chosen().state.force)}});
 }
 
 Parameter plain(const BiteStudy &s, const BiteAnswer &answer)

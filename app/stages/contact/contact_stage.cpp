@@ -8,6 +8,7 @@
 #include "app/stages/contact/contact_store.h"
 #include "app/stages/contact/fourier_stage.h"
 #include "core/base/files.h"
+#include "core/base/force_text.h"
 #include "core/model/four_high.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
@@ -416,7 +417,7 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, Study &s, con
 
 std::string in_kN(const double load)
 {
-  return fmt::format("{:.1f} kN", load / 1e3);
+  return force_text(load);
 }
 
 std::map<std::string, SolvedContact> solve_contacts(RunContext &run, const FourHigh &stand,

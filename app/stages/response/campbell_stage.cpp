@@ -1,5 +1,6 @@
 #include "app/stages/response/campbell_stage.h"
 #include "core/records/campbell_record.h"
+#include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
 #include "dynamics/response/campbell.h"
@@ -31,6 +32,19 @@ std::vector<CampbellMode> named_modes(const RunContext &run, const reduce::Stand
   return modes;
 }
 
+// "work-roll bearing": group of the lines of a roll's bearing.
+std::string bearing_title(const TurningRoll &roll)
+{
+  std::string title = std::string(word_of(roll.kind)) + " bearing";
+  title.replace(title.find(' '), 1, "-");
+  return title;
+}
+
+std::string line_name(const DriveOrder &order)
+{
+  return "drive, " + order.name;
+}
+
 void add_bearing_lines(CampbellRecord &record, const TurningRoll &roll, const int harmonics)
 {
   const RollerBearing &b = *roll.bearing;
@@ -41,8 +55,7 @@ void add_bearing_lines(CampbellRecord &record, const TurningRoll &roll, const in
                                        word_of(roll.kind)));
     return;
   }
-  std::string title = std::string(word_of(roll.kind)) + " bearing";
-  title.replace(title.find(' '), 1, "-");  // "work-roll bearing"
+  const std::string title = bearing_title(roll);
   // A defect of a roller meets both raceways in each of its turns.
   const std::pair<const char *, double> parts[] = {{"cage", per_turn.cage},
                                                    {"outer raceway", per_turn.outer},
@@ -75,17 +88,8 @@ void add_drive_lines(CampbellRecord &record, const TurningStand &stand)
   for (const DriveOrder &order : stand.drive)
     for (const TurningRoll &roll : stand.rolls)
       if (order.per_turn_of == roll.kind && !std::isnan(roll.diameter))
-        record.lines.push_back(dynamics::line_of(fmt::format("drive, {}", order.name), "drive", word_of(roll.kind),
-                                                 order.count, roll.diameter));
-}
-
-// Text in quotes where a comma or a quote in it would end the cell.
-std::string cell(const std::string &text)
-{
-  std::string quoted;
-  for (const char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return "\"" + quoted + "\"";
+        record.lines.push_back(
+            dynamics::line_of(line_name(order), "drive", word_of(roll.kind), order.count, roll.diameter));
 }
 
 std::string number(const double value)
@@ -100,8 +104,9 @@ std::string crossings_csv(const CampbellRecord &record)
   for (const CampbellCrossing &c : record.crossings) {
     const CampbellMode &mode = record.modes[std::size_t(c.mode)];
     const CampbellLine &line = record.lines[std::size_t(c.line)];
-    text += fmt::format("{},{},{},{},{},{},{}\n", cell(mode.name), number(mode.frequency), cell(line.name),
-                        cell(line.shaft), number(line.per_turn), number(c.speed), number(c.distance));
+    text += fmt::format("{},{},{},{},{},{},{}\n", quoted_cell(mode.name), number(mode.frequency),
+                        quoted_cell(line.name), quoted_cell(line.shaft), number(line.per_turn), number(c.speed),
+                        number(c.distance));
   }
   return text;
 }
@@ -114,7 +119,7 @@ KeyList keys_of(const RunContext &run, const CampbellMode &mode, const CampbellL
   for (const TurningRoll &roll : stand.rolls)
     if (line.shaft == word_of(roll.kind)) {
       keys = joined(std::move(keys), KeyList{roll.diameter_key});
-      if (roll.bearing && line.group.find("bearing") != std::string::npos)
+      if (roll.bearing && line.group == bearing_title(roll))
         keys = joined(keys,
                       keys_in("bearing." + roll.bearing->name,
                               "bore outside_diameter pitch_diameter roller_diameter rollers_per_row "
@@ -122,7 +127,7 @@ KeyList keys_of(const RunContext &run, const CampbellMode &mode, const CampbellL
                       keys_in("campbell", "bearing_harmonics"));
     }
   for (std::size_t i = 0; i < stand.drive.size(); ++i)
-    if (line.name == "drive, " + stand.drive[i].name)
+    if (line.name == line_name(stand.drive[i]))
       keys = joined(std::move(keys), keys_in(fmt::format("drive.order.{}", i), "per_turn_of count"));
   for (std::size_t p = 0; p < stand.passes.size(); ++p)  // which crossing is the nearest
     if (!std::isnan(stand.passes[p].speed))

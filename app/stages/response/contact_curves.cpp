@@ -3,6 +3,8 @@
 #include "app/stages/response/dynamics_stage.h"
 #include "app/stages/stand/mode_results.h"
 #include "core/model/pass.h"
+#include "core/records/chain_number.h"
+#include "core/records/stand_place.h"
 #include "dynamics/nonlinear/contact_law.h"
 #include <algorithm>
 #include <cmath>
@@ -90,8 +92,8 @@ NonlinearSpring spring_record(const ConnectionCurve &curve, const Fitted &fitted
 const Connection *bearing_connection(const StandModel &stand, const bool upper)
 {
   for (const Connection &c : stand.connections)
-    if (c.name == (upper ? "K2" : "K6") ||
-        c.name.find(upper ? "upper chock and K_Zy" : "lower chock and K_Zy") != std::string::npos)
+    if (c.name == word_of(upper ? ChainNumber::K2 : ChainNumber::K6) ||
+        has_spring(c.name, upper ? SeatSpring::upper : SeatSpring::lower))
       return &c;
   return nullptr;
 }

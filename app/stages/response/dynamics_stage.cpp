@@ -3,6 +3,7 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/response/nonlinear_stage.h"
 #include "app/stages/stand/mode_results.h"
+#include "core/base/force_text.h"
 #include "core/case/provenance.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
@@ -387,7 +388,8 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
                (curves ? ", curves of the contacts, Runge-Kutta of order 8" : ", exact first-order hold") +
                ", force " + word_of(settings.force_meaning);
     p.at          = {"{} mean, {} peak to peak",
-                     {{statistics.mean, "kN", ".1f"}, {statistics.largest - statistics.smallest, "kN", ".3f"}}};
+                     {{statistics.mean, "kN", force_form(statistics.mean)},
+                      {statistics.largest - statistics.smallest, "kN", ".3f"}}};
     p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
     p.inputs      = model.inputs;
     p.checks      = std::move(checks);

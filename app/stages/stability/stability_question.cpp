@@ -1,5 +1,6 @@
 #include "app/stages/stability/stability_question.h"
 #include "app/run/asked_speeds.h"
+#include "app/run/error_warnings.h"
 #include "app/stages/stability/gap_mode.h"
 #include "core/base/errors.h"
 #include "core/records/result_names.h"
@@ -217,6 +218,23 @@ void add_critical_speed(RunContext &run, const StabilityQuestion &question)
     run.results.speeds.push_back(failed_search(question, reason_of(std::current_exception())));
   } catch (const SolverError &) {
     run.results.speeds.push_back(failed_search(question, reason_of(std::current_exception())));
+  }
+}
+
+void search_critical_speed(RunContext &run, const std::string &pass, const double speed,
+                           const std::vector<std::string> &missing,
+                           const std::function<StabilityQuestion()> &question)
+{
+  if (!missing.empty()) {
+    run.results.speeds.push_back(not_searched(pass, speed, missing));
+    return;
+  }
+  try {
+    add_critical_speed(run, question());
+  } catch (const InputError &e) {
+    run.warn(warning_of(WarningId::critical_speed_not_searched, e));
+  } catch (const SolverError &e) {
+    run.warn(speed_not_searched(pass, e));
   }
 }
 }  // namespace mill

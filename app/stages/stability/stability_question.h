@@ -4,6 +4,7 @@
 #include "core/model/chatter.h"
 #include "core/records/speed_verdict.h"
 #include "dynamics/chatter/speed_interval.h"
+#include <functional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -34,4 +35,13 @@ SpeedVerdict speed_verdict(const StabilityQuestion &question);
 /// the gap mode at the speed of the pass, and the verdict.  A bite without a steady state is a sentence of the
 /// verdict, not a failure.
 void add_critical_speed(RunContext &run, const StabilityQuestion &question);
+
+/// The same of one pass of a stand: where keys are missing the verdict names them, a question or a search that is
+/// refused is a warning, so that the other passes have an answer.
+/// @param speed     m/s, of the pass; NaN where it is not given
+/// @param missing   keys, "pass.speed"
+/// @param question  called where nothing is missing
+void search_critical_speed(RunContext &run, const std::string &pass, double speed,
+                           const std::vector<std::string> &missing,
+                           const std::function<StabilityQuestion()> &question);
 }  // namespace mill

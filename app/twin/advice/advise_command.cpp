@@ -75,7 +75,7 @@ void say_advice(const twin::AdviceRecord &record, const std::string &folder)
     print("  ------------------ what if the damping were another one\n");
   for (const twin::RatedAction &what_if : record.what_ifs)
     say_action(what_if, 0);
-  for (const std::string &note : record.notes)
+  for (const std::string &note : texts_of(record.notes))
     print("note: " + visible(note, true) + "\n");
   print("report: " + folder + "/report.html\n");
 }

@@ -57,8 +57,8 @@ void add_errors(AdvisedModel &model, const Case &the_case, const LumpedModel &ch
   if (!stated.source.empty())
     model.notes.push_back("the spread of a change takes the errors of springs stated by " + stated.source);
   if (!silent.empty())
-    model.notes.push_back(fmt::format("no error is stated for {}: the spread of a change assumes {:g} %", silent,
-                                      100 * assumed_spring_error));
+    model.notes.emplace_back(NoteId::error_not_stated, "", "no error is stated for " + silent,
+                             fmt::format("the spread of a change assumes {:g} %", 100 * assumed_spring_error));
 }
 
 twin::VibratingStand in_its_modes(const StandModel &stand, const reduce::StandModes &modes, const double damping,
@@ -128,17 +128,19 @@ void add_pass(AdvisedModel &model, const Case &the_case, const FourHigh &four, c
               const CaseChain &chain)
 {
   const Pass &pass         = four.passes.front();
-  const std::string beyond = ": process actions and the critical speed are not judged";
+  const std::string beyond = "process actions and the critical speed are not judged";
   if (const std::string missing = missing_of_bite(the_case); !missing.empty()) {
-    model.notes.push_back("the case has no " + missing + beyond);
+    model.notes.emplace_back(NoteId::pass_not_judged, "", "the case has no " + missing, beyond);
     return;
   }
   if (std::isnan(pass.speed)) {
-    model.notes.push_back("pass.0.speed is not given" + beyond);
+    model.notes.emplace_back(NoteId::pass_not_judged, "", "pass.0.speed is not given", beyond, "",
+                             std::vector<std::string>{}, "pass.0.speed");
     return;
   }
   const FreeStrip strip = free_strip(four);
-  model.notes.insert(model.notes.end(), strip.assumed.begin(), strip.assumed.end());
+  for (const std::string &assumed : strip.assumed)
+    model.notes.emplace_back(NoteId::assumed, "", assumed);
   twin::RolledPass rolled;
   rolled.model               = chatter_model(four, pass, chain.model, chain.dynamics, strip);
   rolled.working_speed       = pass.speed;
@@ -172,8 +174,8 @@ void take_detailed_for_its_places(AdvisedModel &model, const StandAdvice &asked)
   for (const std::string &name : asked_places(asked))
     if (model.detailed && model.advised.stand.place(name) < 0 && model.detailed->as_it_is.place(name) >= 0) {
       model.source = "rolls as " + model.detailed->name;
-      model.notes.push_back("six masses have no place " + name + ": all is computed with " + model.source +
-                            ", and springs are not tried");
+      model.notes.emplace_back(NoteId::springs_not_tried, "", "six masses have no place " + name,
+                               "all is computed with " + model.source + ", and springs are not tried");
       model.source += ", springs by closed forms";
       model.advised.stand = std::move(model.detailed->as_it_is);
       model.advised.chain.reset();
@@ -197,7 +199,8 @@ AdvisedModel advised_model(const Case &the_case, const StandAdvice &asked, const
     model.source        = "model " + lumped->model.name + " of its files";
     model.advised.stand =
         in_its_modes(files.model, files.modes, lumped->dynamics.modal_damping, 2 * model.limit, damper);
-    model.notes.push_back("the stand comes from files: dampers are tried, springs are not");
+    model.notes.emplace_back(NoteId::springs_not_tried, "", "the stand comes from files",
+                             "dampers are tried, springs are not");
     return model;
   }
   const CaseChain chain         = case_chain(the_case, "advise");

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/note.h"
 #include "core/model/process_advice.h"
 #include "reduce/stand/component_stand.h"
 #include "twin/advice/advice.h"
@@ -33,7 +34,7 @@ struct AdvisedModel {
   std::map<std::string, double> spring_error;  ///< -, relative error of springs of the chain, as far as known
   std::vector<twin::UntoldParameter> untold;
   double limit = 1000;  ///< Hz, up to which its modes are right
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 /// Kind four-high by closed forms at the load of its first pass, kind lumped as given or as its files say.

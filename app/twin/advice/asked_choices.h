@@ -2,6 +2,7 @@
 #include "core/base/errors.h"
 #include "core/model/advice.h"
 #include "core/model/process_advice.h"
+#include "core/records/stand_place.h"
 #include "twin/advice/advice.h"
 #include <string>
 #include <vector>
@@ -13,7 +14,7 @@ struct Case;
 /// The foundation, as the end of a damper.
 inline bool is_ground(const std::string &place)
 {
-  return place == "ground";
+  return place == ground_place;
 }
 
 /// Where the case has a key; else the case.

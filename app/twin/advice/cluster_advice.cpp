@@ -37,28 +37,23 @@ Asked asked_pass(const Case &the_case, const ClusterStand &stand)
   throw *refused;
 }
 
-bool is_loss_factor(const std::string &key)
-{
-  return key == "response.loss_factor";
-}
-
 // The stand with several of its numbers changed at once.
 twin::NumberedStructure changed_stand(const ClusterStand &stand, const ClusterChatter &chatter,
                                       const twin::StructureChanges &changes)
 {
   cluster::GapStand gap = chatter.gap;
   double damping        = 1;
-  for (const auto &[key, factor] : changes)
-    if (is_loss_factor(key))
-      damping *= factor;
+  for (const twin::StructureChange &change : changes)
+    if (change.what == twin::ChangeOf::damping_ratio)
+      damping *= change.factor;
     else
       for (const StiffnessGroup &group : stiffness_groups(stand))
-        if (group.key == key)
-          gap = cluster::scaled(std::move(gap), group.contacts, group.supports, factor);
+        if (group.key == change.key)
+          gap = cluster::scaled(std::move(gap), group.contacts, group.supports, change.factor);
   twin::NumberedStructure all{structure_of(stand, chatter.stack, gap), cluster_numbers(stand, chatter.stack, gap)};
   all.structure.C *= damping;
   for (dynamics::StructureNumber &number : all.numbers)
-    if (is_loss_factor(number.key)) {
+    if (number.kind == dynamics::NumberKind::damping_ratio) {
       number.value *= damping;
       number.C_by *= damping;
     }
@@ -95,13 +90,14 @@ twin::AdviceRecord cluster_advice(const Case &the_case, const int threads)
   twin::AdviceRecord record;
   record.case_name = the_case.name;
   record.stand     = asked.chatter.question.structure;
-  record.goal      = "critical speed";
+  record.goal      = RatedGoal::critical_speed;
   record.question = fmt::format("critical speed of pass {} at least {:g} % above the {} speed of {:.4g} m/s, exit "
                                 "thickness {:.4g} mm kept",
                                 condition.name, 100 * question.margin,
                                 question.working_speed > condition.speed ? "wanted" : "working",
                                 question.working_speed, 1e3 * condition.exit_thickness);
-  record.notes    = asked.chatter.assumed;
+  for (const std::string &assumed : asked.chatter.assumed)
+    record.notes.emplace_back(NoteId::assumed, "", assumed);
   fill_speed_record(record, advice, question, asked.chatter.question.inputs);
   return record;
 }

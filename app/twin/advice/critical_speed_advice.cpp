@@ -34,10 +34,14 @@ std::size_t asked_condition(const ChatterCase &spec)
   return nearest;
 }
 
-// Numbers of the stand by the keys of dynamics::StructureNumber: "stand.masses[2]", "K3",
-// "dynamics.modal_damping".
-void scale(ChatterCase &spec, const std::string &key, const double factor)
+// Numbers of the stand by the keys of dynamics::StructureNumber: "stand.masses[2]", "K3".
+void scale(ChatterCase &spec, const twin::StructureChange &change)
 {
+  const auto &[key, factor, what] = change;
+  if (what == twin::ChangeOf::damping_ratio) {
+    spec.modal_damping *= factor;
+    return;
+  }
   for (std::size_t i = 0; i < 6; ++i) {
     const std::string stiffness = fmt::format("stand.stiffnesses[{}]", i),
                       damping   = fmt::format("stand.dampings[{}]", i);
@@ -52,8 +56,6 @@ void scale(ChatterCase &spec, const std::string &key, const double factor)
     for (std::size_t j = 0; j < spec.model->K.size(); ++j)
       if (key == fmt::format("K{}", j + 1))
         spec.model->K[j].value *= factor;
-  if (key == "dynamics.modal_damping")
-    spec.modal_damping *= factor;
 }
 
 // Of the six springs of a chatter stand the one that is spring j of a lumped model; K4 is the bite's.
@@ -79,8 +81,8 @@ CriticalQuestion question_of(const ChatterCase &spec, const std::size_t conditio
           q.doubts.push_back({key, error, false});
   q.changed = [&spec, condition](const twin::StructureChanges &changes) {
     ChatterCase changed = spec;
-    for (const auto &[key, factor] : changes)
-      scale(changed, key, factor);
+    for (const twin::StructureChange &change : changes)
+      scale(changed, change);
     ChatterQuestion after = chatter_question(changed, condition);
     return twin::NumberedStructure{std::move(after.stand.structure), std::move(after.numbers)};
   };
@@ -101,7 +103,7 @@ twin::AdviceRecord critical_speed_advice(const Case &the_case, const int threads
   twin::AdviceRecord record;
   record.case_name = the_case.name;
   record.stand     = chatter_question(spec, condition).structure;
-  record.goal      = "critical speed";
+  record.goal      = RatedGoal::critical_speed;
   record.question =
       fmt::format("critical speed of condition {} at least {:g} % above the {} speed of {:.4g} m/s, "
                   "exit thickness {:.4g} mm kept",

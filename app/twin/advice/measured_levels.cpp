@@ -45,26 +45,27 @@ struct SeenRecord {
   std::map<std::string, twin::WelchSpectrum> places;
 };
 
-std::optional<SeenRecord> seen(const std::string &file, const twin::ReadOptions &options,
-                               std::vector<std::string> &notes)
+std::optional<SeenRecord> seen(const std::string &file, const twin::ReadOptions &options, std::vector<Note> &notes)
 {
   const twin::CleanRecord record = twin::clean_record(twin::read_record(file, options));
   const auto *force              = record.find("force");
   if (!force || force->quantity != twin::Quantity::force) {
-    notes.push_back(valid_text(file) + " has no channel force and was left out");
+    notes.emplace_back(NoteId::record_left_out, "", valid_text(file) + " has no channel force and was left out");
     return std::nullopt;
   }
   SeenRecord s;
   twin::Fourier fourier;
   s.force = twin::welch(force->value, force->pieces, record.rate, 0, fourier);
   if (s.force.n == 0) {
-    notes.push_back("the force of " + valid_text(file) +
-                    " is too short in one piece for a spectrum, and was left out");
+    notes.emplace_back(NoteId::record_left_out, "",
+                       "the force of " + valid_text(file) +
+                           " is too short in one piece for a spectrum, and was left out");
     return std::nullopt;
   }
   if (force->clipped > 0)
-    notes.push_back(fmt::format("the force of {} is clipped ({} samples): levels are lower bounds",
-                                valid_text(file), force->clipped));
+    notes.emplace_back(NoteId::clipped, "",
+                       fmt::format("the force of {} is clipped ({} samples)", valid_text(file), force->clipped),
+                       "levels are lower bounds");
   s.end      = twin::bandwidth(s.force);
   s.duration = double(force->n_used()) / record.rate;
   for (const twin::CleanChannel &channel : record.channels)
@@ -102,15 +103,15 @@ MeasuredLevels measured_levels(const std::string &path, const twin::ReadOptions 
     throw InputError("--measured " + path +
                      ": no record there has a channel force; name the column of the rolling force with --channel "
                      "COLUMN=force" +
-                     (m.notes.empty() ? "" : " (" + m.notes.front() + ")"));
+                     (m.notes.empty() ? "" : " (" + text_of(m.notes.front()) + ")"));
   if (!(end > low))
     throw InputError(
         fmt::format("--measured {}: the force was recorded up to {:.4g} Hz, and advice.band begins at "
                     "{:.4g} Hz; choose a lower band or records of a higher rate",
                     path, end, low));
   if (end < high)
-    m.notes.push_back(
-        fmt::format("the force was recorded up to {:.4g} Hz: the band ends there, not at {:.4g} Hz", end, high));
+    m.notes.emplace_back(NoteId::band_limited, "", fmt::format("the force was recorded up to {:.4g} Hz", end),
+                         fmt::format("the band ends there, not at {:.4g} Hz", high));
   std::map<std::string, std::array<double, 2>> squares;  // mean square times length, length
   for (const SeenRecord &one : all) {
     const twin::ForceBand band = twin::measured_force(one.force, low, end, step);

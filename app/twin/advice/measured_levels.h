@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/note.h"
 #include "twin/advice/force_band.h"
 #include "twin/records/raw_record.h"
 #include <map>
@@ -13,7 +14,7 @@ struct MeasuredLevels {
   double duration   = 0;                ///< s, of all records together
   double resolution = 0;                ///< Hz, of the coarsest spectrum
   std::vector<std::string> files;       ///< in their order
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 /// Every record of a folder, or one file, that has a channel "force"; cleaned as millstand analyse cleans them.

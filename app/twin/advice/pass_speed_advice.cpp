@@ -3,6 +3,7 @@
 #include "app/twin/advice/asked_choices.h"
 #include "app/twin/advice/speed_record.h"
 #include "core/model/case.h"
+#include "core/records/stand_place.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -36,7 +37,7 @@ twin::Attachment on_chocks(twin::Attachment damper, const twin::VibratingStand &
 
 std::string chock_text(const twin::VibratingStand &stand, const DamperChoice &choice)
 {
-  const auto place = [&](const int i) { return i < 0 ? std::string("ground") : stand.places[std::size_t(i)]; };
+  const auto place = [&](const int i) { return i < 0 ? std::string(ground_place) : stand.places[std::size_t(i)]; };
   std::string text;
   for (const twin::Attachment &damper : choice.joined)
     text += (text.empty() ? "between " : "; ") + place(damper.from) + " and " + place(damper.to);
@@ -81,8 +82,8 @@ public:
             actions.push_back(
                 {fmt::format("{} x {:g}", spring, factor), spring, twin::means_of_spring(spring), spring, factor});
     for (std::size_t i = 0; i < dampers_.size(); ++i)
-      actions.push_back(
-          {dampers_[i].name, dampers_[i].name, chock_text(own_, dampers_[i]), damper_key + std::to_string(i), 1});
+      actions.push_back({dampers_[i].name, dampers_[i].name, chock_text(own_, dampers_[i]),
+                         damper_key + std::to_string(i), 1, twin::ChangeOf::new_damper});
   }
   std::vector<StructureAction> actions;
 
@@ -90,21 +91,28 @@ public:
   {
     twin::StandChange change;
     std::vector<twin::Attachment> joined;
-    for (const auto &[key, factor] : changes)
-      if (key == "force")
+    for (const auto &[key, factor, what] : changes)
+      switch (what) {
+      case twin::ChangeOf::rolling_force:
         change.force *= factor;
-      else if (key == damping_key)
+        break;
+      case twin::ChangeOf::damping_ratio:
         change.damping *= factor;
-      else if (key.rfind(damper_key, 0) == 0)
+        break;
+      case twin::ChangeOf::new_damper:
         for (const twin::Attachment &damper : dampers_[std::stoul(key.substr(damper_key.size()))].joined)
           joined.push_back(damper);
-      else
+        break;
+      case twin::ChangeOf::spring:
+      case twin::ChangeOf::damper:
         change.springs.emplace_back(key, factor);
+        break;
+      }
     return numbered(*open(change), joined);
   }
 
 private:
-  inline static const std::string damper_key = "damper.", damping_key = "dynamics.modal_damping";
+  inline static const std::string damper_key = "damper.";
   AdvisedModel model_;
   twin::VibratingStand own_;
   std::vector<DamperChoice> dampers_;
@@ -121,7 +129,8 @@ private:
   {
     twin::NumberedStructure all{twin::joined_structure(open, joined), {}};
     dynamics::StructureNumber damping;
-    damping.key   = damping_key;
+    damping.kind  = dynamics::NumberKind::damping_ratio;
+    damping.key   = "dynamics.modal_damping";
     damping.name  = "damping ratio of all modes";
     damping.unit  = "1";
     damping.value = open.damping.maxCoeff();
@@ -177,10 +186,10 @@ twin::AdviceRecord pass_speed_advice(const Case &the_case, const RolledAdvice &r
   const twin::RolledPass pass = *model.pass;
   twin::AdviceRecord record;
   record.case_name = the_case.name;
-  record.goal      = "critical speed";
+  record.goal      = RatedGoal::critical_speed;
   record.stand = model.detailed ? "rolls as " + model.detailed->name + ", springs by closed forms" : model.source;
-  for (const std::string &note : model.notes)
-    if (note.find("springs are not tried") == std::string::npos)
+  for (const Note &note : model.notes)
+    if (!note.is(NoteId::springs_not_tried))
       record.notes.push_back(note);
   const ActedStand stand(the_case, asked, std::move(model));
   CriticalQuestion question = question_of(pass, rolled, stand);

@@ -190,17 +190,16 @@ void mark_chain_only(RatedAction &action, const std::string &detailed)
     action.remarks.push_back(action.of_stand.springs.empty() ? "not repeated in the " + detailed
                                                              : "not repeated in the " + detailed +
                                                                    ": its spring is several parts of the drawing");
-  const auto says = std::find_if(action.remarks.begin(), action.remarks.end(),
-                                 [](const std::string &r) { return r.find("chain only") == 0; });
-  if (says == action.remarks.end())
+  if (!action.chain_only)
     return;
+  std::string &remark = action.remarks[*action.chain_only];
   if (!action.repeated.empty())
-    *says = "six masses have no chocks: the decisive change is that in the model of " + detailed +
-            ", dampers on the chocks";
+    remark = "six masses have no chocks: the decisive change is that in the model of " + detailed +
+             ", dampers on the chocks";
   else
-    *says += detailed.empty()
-                 ? "; repeat it with the drawing of the stand (kind four-high) or with [model]"
-                 : "; its spring is one of several parts, so that it is not repeated in the " + detailed;
+    remark += detailed.empty()
+                  ? "; repeat it with the drawing of the stand (kind four-high) or with [model]"
+                  : "; its spring is one of several parts, so that it is not repeated in the " + detailed;
 }
 }  // namespace
 

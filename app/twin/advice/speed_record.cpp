@@ -104,9 +104,15 @@ void add_best(twin::AdviceRecord &record, const CriticalAdvice &advice, const do
 }
 }  // namespace
 
-std::string no_torque_limit()
+Note no_torque_limit()
 {
-  return "advice.torque_rise is not given: the torque is shown and limits nothing";
+  return {NoteId::torque_not_limited,
+          "",
+          "advice.torque_rise is not given",
+          "the torque is shown and limits nothing",
+          "",
+          {},
+          "advice.torque_rise"};
 }
 
 void fill_speed_record(twin::AdviceRecord &record, const CriticalAdvice &advice, const CriticalQuestion &question,
@@ -120,9 +126,10 @@ void fill_speed_record(twin::AdviceRecord &record, const CriticalAdvice &advice,
   for (const ChatterSensitivity &slope : advice.slopes.inputs)
     record.slopes.emplace_back(slope.key, slope.critical_speed);
   if (advice.now.found.verdict != dynamics::Verdict::crossing)
-    record.notes.push_back(
-        "no critical speed was found in the range searched (" + sentence(advice.now.found, question.range) +
-        "): slopes and first order are left out, and changes are taken from the end of the range");
+    record.notes.emplace_back(
+        NoteId::no_critical_speed, "",
+        "no critical speed was found in the range searched (" + sentence(advice.now.found, question.range) + ")",
+        "slopes and first order are left out, and changes are taken from the end of the range");
   if (std::isnan(question.process.torque_rise))
     record.notes.push_back(no_torque_limit());
   record.notes.push_back("what the stand before or behind does with another thickness or tension is not computed");

@@ -10,5 +10,5 @@ void fill_speed_record(twin::AdviceRecord &record, const twin::CriticalAdvice &a
                        const twin::CriticalQuestion &question, const std::vector<std::string> &inputs);
 
 /// What is said where advice.torque_rise is not given.
-std::string no_torque_limit();
+Note no_torque_limit();
 }  // namespace mill

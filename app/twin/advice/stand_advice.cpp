@@ -133,10 +133,11 @@ void add_level(twin::AdviceRecord &record, const twin::LevelAdvice &advice, cons
                             "what the model does not hold, and a force that is not the only one"});
     const double decibel = 20 * std::log10(level.value / measured_level->second);
     if (std::abs(decibel) > 3)
-      record.notes.push_back(
-          fmt::format("the model gives {:+.1f} dB of the measured level of {}: calibrate the stand "
-                      "before the advice is trusted",
-                      decibel, name));
+      record.notes.emplace_back(
+          NoteId::level_off_record, "",
+          fmt::format("the model gives {:+.1f} dB of the measured level of {}", decibel, name),
+          "calibrate the stand before the advice is trusted", "",
+          std::vector<std::string>{"advice.level." + name});
   }
   record.results.add("advice.level." + name, level);
 }
@@ -182,7 +183,8 @@ void add_results(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
     record.tuned.push_back({advice.tuned_names[i], advice.stand.places[std::size_t(t.best.to)],
                             advice.stand.frequency[t.mode] / (2 * M_PI), t});
     if (!t.inside)
-      record.notes.push_back(advice.tuned_names[i] + ": the least level lies at the edge of what was searched");
+      record.notes.emplace_back(NoteId::tuning_at_edge, advice.tuned_names[i],
+                                "the least level lies at the edge of what was searched");
   }
 }
 
@@ -217,18 +219,20 @@ void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
                     const std::optional<twin::CriticalState> &detailed, const AdvisedModel &model)
 {
   if (!advice.pass) {
-    record.notes.push_back(
-        "force, torque, tensions and critical speed do not follow from a stand alone: process actions "
-        "are judged where the case has a pass with its speed and a strip with friction and flow stress, "
-        "or in a case of kind chatter");
+    record.notes.emplace_back(NoteId::pass_not_judged, "",
+                              "force, torque, tensions and critical speed do not follow from a stand alone",
+                              "process actions are judged where the case has a pass with its speed and a strip "
+                              "with friction and flow stress, "
+                              "or in a case of kind chatter");
     return;
   }
   const twin::CriticalState &now = *advice.pass;
   const double speed             = model.pass->working_speed;
   if (now.no_bite) {
-    record.notes.push_back(fmt::format("no steady bite exists at the working speed of {:.4g} m/s ({}): process "
-                                       "actions and the critical speed are not judged",
-                                       speed, now.why));
+    record.notes.push_back(
+        Warning{WarningId::no_steady_bite, "",
+                fmt::format("no steady bite exists at the working speed of {:.4g} m/s ({})", speed, now.why),
+                "process actions and the critical speed are not judged"});
     return;
   }
   const auto critical_speed = [&](const std::string &name, const twin::CriticalState &state) {
@@ -239,10 +243,10 @@ void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
   if (detailed)
     critical_speed(model.detailed->name, *detailed);
   if (now.growth >= 0)
-    record.notes.push_back(fmt::format(
-        "vibration grows without excitation at the working speed of {:.4g} m/s: it has no level that a process "
-        "action could lower; raise the critical speed first",
-        speed));
+    record.notes.push_back(
+        Warning{WarningId::chatters, "",
+                fmt::format("vibration grows without excitation at the working speed of {:.4g} m/s", speed),
+                "it has no level that a process action could lower", "raise the critical speed first"});
   else
     record.notes.push_back(
         "process actions: the disturbance behind the present force stays, the bite responds to it again, contacts "
@@ -275,22 +279,26 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
   twin::AdviceRecord record;
   record.case_name = the_case.name;
   record.stand     = model.source;
-  record.goal      = "level";
+  record.goal      = RatedGoal::level;
   record.notes     = model.notes;
   MeasuredLevels records;
   if (measured.empty()) {
     question.force = twin::white_force(low, high, step);
-    record.notes.push_back("the force was not measured: a white one is taken, and changes are given, no levels");
+    record.notes.emplace_back(NoteId::force_not_measured, "", "the force was not measured",
+                              "a white one is taken, and changes are given, no levels");
   } else {
     records        = measured_levels(measured, reading, low, high, step);
     question.force = records.force;
     record.notes.insert(record.notes.end(), records.notes.begin(), records.notes.end());
   }
   if (twin::resolving_step(advised, high) <= high / 200000)
-    record.notes.push_back("a mode is damped so little that the sums over the band may miss part of its peak");
+    record.notes.emplace_back(NoteId::band_not_resolved, "",
+                              "a mode is damped so little that the sums over the band may miss part of its peak");
   if (high > model.limit)
-    record.notes.push_back(fmt::format("the modes of the stand are right up to {:g} Hz, the band goes to {:g} Hz",
-                                       model.limit, high));
+    record.notes.emplace_back(
+        NoteId::band_above_model, "",
+        fmt::format("the modes of the stand are right up to {:g} Hz, the band goes to {:g} Hz", model.limit, high),
+        "", "", std::vector<std::string>{}, "advice.band");
   question.springs         = spring_choices(model.advised, asked, the_case);
   question.damping         = model.advised.chain ? asked.modal_damping : std::array<double, 2>{1, 1};
   question.dampers         = damper_choices(advised, asked, the_case);

@@ -2,6 +2,7 @@
 #include "app/twin/stand/case_chain.h"
 #include "app/twin/stand/detail_parts.h"
 #include "app/twin/stand/mode_errors.h"
+#include "core/base/force_text.h"
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
 #include "core/records/chain_number.h"
@@ -15,12 +16,10 @@
 
 namespace mill {
 namespace {
-std::string unknown_accuracy(const std::string &springs)
+Note unknown_accuracy(const std::string &springs)
 {
-  return fmt::format(
-      "the case does not state the accuracy of {}: a mode that they support is named where it is the "
-      "nearest within 5 %",
-      springs);
+  return {NoteId::error_not_stated, "", "the case does not state the accuracy of " + springs,
+          "a mode that they support is named where it is the nearest within 5 %"};
 }
 
 void add_chain(twin::CaseModel &stand, const LumpedModel &model, const DynamicsSettings &settings)
@@ -117,8 +116,9 @@ void add_ball_bearings(twin::CaseModel &stand, const std::vector<BallBearing> &b
     const auto turning =
         std::find_if(stand.rolls.begin(), stand.rolls.end(), [&](const auto &one) { return one.name == roll; });
     if (turning == stand.rolls.end()) {
-      stand.notes.push_back(
-          fmt::format("bearing {}: not computed, the case states no diameter of the {}", b.name, word_of(b.roll)));
+      stand.notes.emplace_back(
+          NoteId::bearing_not_computed, "bearing " + b.name,
+          fmt::format("not computed, the case states no diameter of the {}", word_of(b.roll)));
       continue;
     }
     const auto orders = bearing::pass_frequencies(b.balls, b.ball_diameter, b.pitch_diameter, b.contact_angle);
@@ -136,11 +136,11 @@ twin::CaseModel analysed_stand(const Case &the_case, const bool six_masses)
   const auto *drawn = std::get_if<FourHigh>(&the_case.spec);
   if (drawn && !six_masses) {
     add_beams(stand, closed_form_beams(*drawn, chain), chain.model);
-    stand.source = fmt::format("rolls as beams, springs by closed forms at {:.1f} kN", chain.load / 1e3);
+    stand.source = "rolls as beams, springs by closed forms at " + force_text(chain.load);
   } else
     add_chain(stand, chain.model, chain.dynamics);
   if (const auto warning = six_masses ? warning_of_six_masses(the_case, "analyse") : std::nullopt)
-    stand.notes.push_back(text_of(*warning));
+    stand.notes.push_back(*warning);
   stand.frequency_error = mode_errors_of_run(the_case, stand.frequency);
   if (const auto *four = std::get_if<FourHigh>(&the_case.spec)) {
     add_roll(stand, "work_roll", four->work_roll.barrel_diameter);

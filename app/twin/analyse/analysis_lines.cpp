@@ -76,7 +76,7 @@ std::vector<std::string> analysis_lines(const twin::Analysis &analysis, const st
                    [](const auto *a, const auto *b) { return urgency(*a) < urgency(*b); });
   for (const twin::Finding *finding : sorted)
     findings.push_back(finding_line(*finding));
-  for (const std::string &note : analysis.notes)
+  for (const std::string &note : texts_of(analysis.notes))
     notes.push_back("note: " + visible(note, true));
   add_some(lines, channels, most_channels, "channels: " + folder + "/report.html");
   const std::size_t of_notes = std::min(notes.size(), most_notes);

@@ -121,7 +121,7 @@ void print_result(const twin::Calibration &result, const twin::CalibrationFacts 
     print(mode + "\n");
   print(fmt::format("check records: misfit {:.4g}, before {:.4g}; worst third octave at {:.2f} of its limit\n",
                     result.check.after, result.check.before, result.check.worst));
-  for (const std::string &note : facts.notes)
+  for (const std::string &note : texts_of(facts.notes))
     print("note: " + visible(note, true) + "\n");
   for (const std::string &reason : result.refusals)
     print((facts.accepted ? "accepted although: " : "refused: ") + visible(reason, true) + "\n");
@@ -132,12 +132,13 @@ void print_result(const twin::Calibration &result, const twin::CalibrationFacts 
   print("report: " + folder + "/report.html\n");
 }
 
-void add_notes_without_force(std::vector<std::string> &notes, const Case &the_case, const bool load_given)
+void add_notes_without_force(std::vector<Note> &notes, const Case &the_case, const bool load_given)
 {
   if (std::holds_alternative<FourHigh>(the_case.spec) && !load_given)
-    notes.insert(notes.begin(), "the contacts are those at the load of the first pass; if the records had another "
-                                "load, give it in records.toml, for example load = \"976 kN\"");
-  notes.insert(notes.begin(), twin::without_force_words());
+    notes.emplace(notes.begin(), NoteId::load_of_first_pass, "",
+                  "the contacts are those at the load of the first pass", "",
+                  "if the records had another load, give it in records.toml, for example load = \"976 kN\"");
+  notes.emplace(notes.begin(), NoteId::force_not_recorded, "", twin::without_force_words());
 }
 
 PriorChain prior_of_case(const CommandLine &command, const Case &the_case, const double load)
@@ -146,7 +147,7 @@ PriorChain prior_of_case(const CommandLine &command, const Case &the_case, const
     return detailed_prior(command, the_case, load);
   PriorChain prior = prior_chain(the_case, load);
   if (const auto warning = warning_of_six_masses(the_case, "calibrate"))
-    prior.notes.push_back(text_of(*warning));
+    prior.notes.push_back(*warning);
   return prior;
 }
 
@@ -186,13 +187,14 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   const twin::CalibrationInput input = input_of(command, chain, set, std::move(pieces));
   for (const twin::Unknown &unknown : input.unknowns)
     if (twin::moves(unknown) == twin::Moves::ratio)
-      facts.notes.push_back(unknown.name +
-                            ": a case has one damping ratio for all modes; calibrated.toml takes the geometric "
-                            "mean of the ratios of the modes, and each is in the report and in its head");
+      facts.notes.push_back(Warning{
+          WarningId::one_damping_ratio, unknown.name,
+          "a case has one damping ratio for all modes; calibrated.toml takes the geometric mean of the ratios "
+          "of the modes, and each is in the report and in its head"});
   const twin::Calibration result = twin::calibrate(input, progress);
   const bool refused             = !result.refusals.empty();
   if (result.delay && result.delay->significant() && !result.delay->too_large())
-    facts.notes.push_back(result.delay->words(input.rate));
+    facts.notes.emplace_back(NoteId::clock_delay, "", result.delay->words(input.rate));
   std::map<std::string, std::string> calibrated;
   if (refused ? command.calibrate.accept : !result.agrees) {
     facts.written = "calibrated.toml";

@@ -63,8 +63,9 @@ void add_prior_notes(PriorChain &chain, const StatedErrors &errors)
     if (twin::moves(spring) == twin::Moves::parts && errors.error.count(spring.name) == 0)
       silent += (silent.empty() ? "" : ", ") + spring.name;
   if (!silent.empty())
-    chain.notes.push_back("no error is stated for " + silent + ": the deviation before the records is that of a " +
-                          "value without one; run the case first, or state a tolerance");
+    chain.notes.emplace_back(NoteId::error_not_stated, "", "no error is stated for " + silent,
+                             "the deviation before the records is that of a value without one",
+                             "run the case first, or state a tolerance");
 }
 }  // namespace
 
@@ -94,9 +95,12 @@ PriorChain prior_chain(const Case &the_case, const double load)
   chain.source              = analysed.source;
   DynamicsSettings settings = analysed.dynamics;
   if (settings.force_meaning != ForceMeaning::measured)
-    chain.notes.push_back(std::string("force_meaning = \"") + word_of(settings.force_meaning) +
-                          "\" of the case: a record's force is the whole bite force, so K4 and C have no part in "
-                          "the calibration and stay as they are");
+    chain.notes.emplace_back(
+        NoteId::force_meaning, "",
+        std::string("force_meaning = \"") + word_of(settings.force_meaning) + "\" of the case",
+        "a record's force is the whole bite force, so K4 and C have no part in the calibration "
+        "and stay as they are",
+        "", std::vector<std::string>{}, "dynamics.force_meaning");
   settings.force_meaning = ForceMeaning::measured;
   const double damping   = damping_to_start_from(settings);
   chain.stand.chain      = dynamics::mill_model(chain.model, settings);

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/twin/calibrate/record_set.h"
+#include "core/base/note.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
 #include "core/records/stand_model.h"
@@ -24,7 +25,7 @@ struct PriorChain {
   std::vector<twin::Unknown> springs;  ///< every spring that is not zero, then the damping
   std::vector<twin::Unknown> masses;   ///< every mass
   std::vector<std::string> stated;     ///< masses whose error the case states: free unless --free names others
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 /// Deviations before the records: the error that the case, its run or the value states; 10 % for a value without

@@ -4,6 +4,7 @@
 #include "app/twin/calibrate/stated_errors.h"
 #include "app/twin/stand/case_chain.h"
 #include "app/verbs/driven_case.h"
+#include "core/base/force_text.h"
 #include "core/model/case.h"
 #include "core/records/detailed_model.h"
 #include "reduce/stand/stand_modes.h"
@@ -131,7 +132,7 @@ PriorChain detailed_prior(const CommandLine &command, const Case &the_case, cons
   prior.stand.damping =
       Eigen::VectorXd::Constant(prior.stand.detailed->kept, damping_to_start_from(driven.dynamics));
   prior.source = lumped ? "model " + model.name + " of its files"
-                        : fmt::format("{} at {:.1f} kN", title_of(model.name), prior.load / 1e3);
+                        : fmt::format("{} at {}", title_of(model.name), force_text(prior.load));
   prior.source += fmt::format(", {} modes up to {:.0f} Hz", prior.stand.detailed->kept, 2 * prior.limit);
   for (const StandPoint &point : model.points)
     prior.places.push_back(place_name(point.name));
@@ -143,11 +144,12 @@ PriorChain detailed_prior(const CommandLine &command, const Case &the_case, cons
   Case given         = the_case;
   const auto meaning = dynamics_of(given).force_meaning;
   if (meaning != DynamicsSettings().force_meaning)
-    prior.notes.push_back(std::string("force_meaning = \"") + word_of(meaning) +
-                          "\" of the case: a record's force is the whole bite force, so K4 and the gap damper are "
-                          "left out, and the calibrated case says force_meaning = \"measured\"");
-  for (const Warning &warning : driven.warnings)
-    prior.notes.push_back(text_of(warning));
+    prior.notes.emplace_back(
+        NoteId::force_meaning, "", std::string("force_meaning = \"") + word_of(meaning) + "\" of the case",
+        "a record's force is the whole bite force, so K4 and the gap damper are left out, and the "
+        "calibrated case says force_meaning = \"measured\"",
+        "", std::vector<std::string>{}, "dynamics.force_meaning");
+  prior.notes.insert(prior.notes.end(), driven.warnings.begin(), driven.warnings.end());
   return prior;
 }
 

@@ -1,6 +1,7 @@
 #include "app/twin/calibrate/record_plan.h"
 #include "app/twin/stand/record_options.h"
 #include "core/case/fields.h"
+#include "core/records/note_records.h"
 #include "twin/calibration/words.h"
 #include <algorithm>
 #include <cmath>
@@ -131,7 +132,7 @@ std::string plan_text(const RecordPlan &plan)
                     plan.found.names[best], plan.next[i].identification.shrink[Eigen::Index(best)],
                     plan.found.shrink[Eigen::Index(best)]);
   }
-  for (const std::string &note : plan.notes)
+  for (const std::string &note : texts_of(plan.notes))
     text += "note: " + note + "\n";
   return text;
 }
@@ -180,7 +181,7 @@ std::string plan_json(const RecordPlan &plan)
                     {"shrink", sensor.identification.shrink[Eigen::Index(best)]},
                     {"shrink_now", plan.found.shrink[Eigen::Index(best)]}});
   }
-  document["notes"] = plan.notes;
+  write_notes(document, plan.notes);
   return document.dump(2) + "\n";
 }
 }  // namespace mill

@@ -1,6 +1,7 @@
 #pragma once
 #include "app/command/calibrate_options.h"
 #include "app/twin/calibrate/calibrated_case.h"
+#include "core/base/note.h"
 #include <string>
 #include <vector>
 
@@ -20,7 +21,7 @@ struct RecordPlan {
   std::string weakest;                  ///< the weakest direction as a sum
   std::vector<std::string> places;      ///< of the stand, for `next`
   std::vector<twin::NextSensor> next;   ///< the sensor that would add most comes first
-  std::vector<std::string> notes;
+  std::vector<Note> notes;
 };
 
 /// @throws InputError  an option that is wrong

@@ -158,8 +158,9 @@ void divide(const twin::CleanRecord &record, const RecordEntry &entry, const boo
       if (part.size() == 0)
         continue;
       if (part.size() < least) {
-        into.notes.push_back(fmt::format("{}: a piece of {:.2f} s is too short and left out", record.file,
-                                         double(part.size()) / record.rate));
+        into.notes.emplace_back(
+            NoteId::record_left_out, record.file,
+            fmt::format("a piece of {:.2f} s is too short and left out", double(part.size()) / record.rate));
         continue;
       }
       (part.begin == span.begin && cut > span.begin ? into.fit : into.check)
@@ -213,7 +214,7 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
                        "/records.toml: between = \"lines\" is for all records of a folder or for none");
     result.files.push_back(valid_text(fs::path(entry.file).filename().string()));
     for (const std::string &note : record.notes)
-      result.notes.push_back(result.files.back() + ": " + note);
+      result.notes.push_back(Warning{WarningId::record_repaired, result.files.back(), note});
   }
   require_all_or_none(records);
   result.force_recorded = has_force(records.front());
@@ -223,7 +224,8 @@ MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::stri
     if (shown == long(records.size()))
       result.sensors.push_back(place);
     else if (shown > 0)
-      result.notes.push_back(place + " is not a whole channel of every record and is left out");
+      result.notes.emplace_back(NoteId::record_left_out, "",
+                                place + " is not a whole channel of every record and is left out");
   }
   if (result.sensors.empty()) {
     std::string list;

@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/note.h"
 #include "core/model/record_set.h"
 #include "twin/calibration/calibration.h"
 #include "twin/cleaning/clean_record.h"
@@ -20,7 +21,7 @@ struct MeasuredPieces {
   std::vector<twin::ForcedSamples> fit, check;
   std::vector<std::string> clipped;  ///< channels
   std::vector<std::string> files;    ///< stems of the records
-  std::vector<std::string> notes;    ///< what was left out, and why
+  std::vector<Note> notes;           ///< what was left out, and why
 };
 
 /// Reads and cleans the records.

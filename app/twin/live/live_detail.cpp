@@ -3,13 +3,13 @@
 #include "app/stages/stand/model_files.h"
 #include "app/twin/stand/detail_parts.h"
 #include "core/base/files.h"
+#include "core/base/force_text.h"
 #include "core/model/case.h"
 #include "core/records/detailed_model.h"
 #include "reduce/stand/mode_names.h"
 #include "reduce/stand/stand_modes.h"
 #include <cmath>
 #include <filesystem>
-#include <fmt/format.h>
 #include <iterator>
 
 namespace mill {
@@ -35,7 +35,7 @@ void add_detail(live::TwinModel &model, const Case &the_case)
     stand.model             = reduce::beam_stand(parts.stand, parts.springs);
     damper                  = parts.gap_damper;
     model.six_masses        = model.chain;
-    model.source = fmt::format("rolls as beams, springs by closed forms at {:.1f} kN", chain.load / 1e3);
+    model.source            = "rolls as beams, springs by closed forms at " + force_text(chain.load);
   } else {
     const ModelFiles &files        = std::get<Lumped>(the_case.spec).model;
     stand.model                    = detailed_model_of(files);

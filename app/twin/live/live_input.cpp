@@ -12,7 +12,7 @@ LiveInput live_input(const std::string &text)
 {
   if (text.empty())
     return {};
-  if (text == "-")
+  if (text == word_of(InputWord::lines))
     return {LiveInput::Kind::lines, ""};
   const auto colon        = text.find(':');
   const std::string begin = colon == std::string::npos ? "" : text.substr(0, colon);
@@ -35,7 +35,7 @@ LiveInput live_input(const std::string &text)
 
 double replay_speed(const std::string &text)
 {
-  if (text == "max")
+  if (text == word_of(SpeedWord::max))
     return std::numeric_limits<double>::infinity();
   double speed = 1;
   if (!text.empty() && (!parse_number(text, speed) || !(speed > 0)))

@@ -1,6 +1,7 @@
 #include "app/process/console.h"
 #include "app/run/run_setup.h"
 #include "app/twin/live/live_advice.h"
+#include "app/twin/live/live_input.h"
 #include "app/twin/live/live_metrics.h"
 #include "app/twin/live/live_run.h"
 #include "app/twin/live/live_stand.h"
@@ -75,7 +76,7 @@ void LiveRun::show_source(const live::LiveSource &source)
 void LiveRun::open_page()
 {
   const LiveOptions &options = command_.live;
-  if (options.listen == "none")
+  if (options.listen == word_of(ListenWord::none))
     return;
   live::PageSettings settings;
   if (!options.listen.empty()) {

@@ -1,5 +1,6 @@
 #include "app/twin/live/live_state.h"
 #include "core/base/errors.h"
+#include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "twin/live/recording/npy_header.h"
 #include "twin/live/recording/recorder.h"
@@ -87,7 +88,7 @@ std::optional<std::int64_t> recorded_up_to(const std::string &folder, const live
   for (const std::string &name : names_in(folder, error)) {
     const fs::path path = fs::path(folder) / name;
     const auto at       = name.find("Z_");
-    if (at == std::string::npos || path.extension() != ".npy")
+    if (at == std::string::npos || !has_ending(path, FileEnding::npy))
       continue;
     const std::int64_t first = std::strtoll(name.c_str() + at + 2, nullptr, 10);
     if (first < from)

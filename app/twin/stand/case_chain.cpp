@@ -1,6 +1,7 @@
 #include "app/twin/stand/case_chain.h"
 #include "app/review/closed_form_modes.h"
 #include "app/trace/closed_form_chain.h"
+#include "core/base/force_text.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "dynamics/chatter/stand_structure.h"
@@ -82,7 +83,7 @@ CaseChain case_chain(const Case &the_case, const std::string &verb, const double
     chain.results  = closed_form_stand(*four, chain.load);
     chain.model    = chain_of_results(chain.results);
     chain.dynamics = four->dynamics;
-    chain.source   = fmt::format("six masses by closed forms at {:.1f} kN", chain.load / 1e3);
+    chain.source   = "six masses by closed forms at " + force_text(chain.load);
     return chain;
   }
   if (const auto *chatter = std::get_if<ChatterCase>(&the_case.spec); chatter && !chatter->files)

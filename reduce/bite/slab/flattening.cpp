@@ -92,7 +92,7 @@ FlattenedArc flattened_arc(const RollBite &bite, const std::function<double(doub
     if (rests)
       return arc;
   }
-  throw SolverError(
+  throw NoFlattenedRadius(
       {"roll bite: no flattened radius",
        sentence("R'/R = ", arc.radius / bite.roll_radius, " and still growing after ", arc.evaluations,
                 " steps, force there ", arc.force / 1e3, " kN"),

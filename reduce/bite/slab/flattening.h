@@ -1,4 +1,5 @@
 #pragma once
+#include "core/base/errors.h"
 #include "reduce/bite/bite.h"
 #include <functional>
 #include <string>
@@ -23,6 +24,11 @@ struct FlattenedArc {
   int evaluations = 0;  ///< of the force
 };
 
+/// No R' below 20 R carries its own force.
+class NoFlattenedRadius : public SolverError {
+  using SolverError::SolverError;
+};
+
 /// Smallest R' that satisfies R' = Phi(R') = R (1 + c F(R')/dh): the one the mill reaches when it loads up.
 /// Plain iteration from R climbs to it and cannot pass it, because Phi rises; it is quickened by secants in
 /// s = sqrt(R').  In s the function Phi/s - s is convex (8.14), so a chord drawn on beyond two points below the
@@ -31,7 +37,7 @@ struct FlattenedArc {
 ///
 /// @param force_of_radius  N over the strip width on a rigid circular arc of that radius, rising with it; must
 ///                         return a number wherever the roll is asked for, also where no neutral point exists
-/// @throws SolverError  no root below 20 R, with the R'/R reached
+/// @throws NoFlattenedRadius  no root below 20 R, with the R'/R reached
 /// Cost: 5..9 evaluations, more only next to the largest force the roll can carry.
 FlattenedArc flattened_arc(const RollBite &bite, const std::function<double(double)> &force_of_radius);
 

@@ -1,6 +1,7 @@
 #include "report/twin/advice/advice_page.h"
 #include "core/base/files.h"
 #include "core/base/si_unit.h"
+#include "core/records/advice_goal.h"
 #include "report/front/html.h"
 #include "report/page/page.h"
 #include "report/plot/number.h"
@@ -112,7 +113,8 @@ std::string action_row(const json &a, const bool above, const bool models, const
 
 std::string action_table(const json &document, const bool above)
 {
-  const bool margin = document["goal"]["kind"] == "critical speed", models = has_other_models(document);
+  const bool margin = document["goal"]["kind"] == word_of(RatedGoal::critical_speed),
+             models = has_other_models(document);
   std::string rows;
   for (const json &action : document["actions"])
     if (is_above(action) == above)

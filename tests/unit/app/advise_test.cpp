@@ -5,6 +5,7 @@
 #include "core/base/files.h"
 #include "core/model/case.h"
 #include "tests/support/near.h"
+#include "tests/support/note_ids.h"
 #include "tests/support/program.h"
 #include "tests/support/refusal.h"
 #include "tests/support/synthetic_record.h"
@@ -91,6 +92,8 @@ TEST(Advise, LeavesRankedActionsTablesAndAPage)
       << run.out;
   const auto advice = advice_in(folder + "/out");
   EXPECT_EQ(advice["schema"], 1);
+  EXPECT_EQ(note_ids(advice).count("force-not-measured"), 1u) << advice["note_records"];
+  EXPECT_EQ(note_ids(advice).count("pass-not-judged"), 1u) << advice["note_records"];
   double last = -1;
   for (std::size_t i = 0; i < advice["actions"].size(); ++i) {
     const auto &one = advice["actions"][i];
@@ -372,6 +375,7 @@ damper = "1e6 N s/m"
             std::string::npos)
       << run.out;
   const auto advice = advice_in(folder + "/out");
+  EXPECT_EQ(note_ids(advice).count("springs-not-tried"), 1u) << advice["note_records"];
   EXPECT_EQ(advice["stand"], "rolls as beams, springs by closed forms");
   EXPECT_EQ(advice["actions"].size(), 1u);
   EXPECT_TRUE(advice["actions"][0]["remarks"].empty());

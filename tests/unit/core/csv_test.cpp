@@ -2,6 +2,7 @@
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/records/csv.h"
+#include "core/records/csv_cell.h"
 #include "tests/support/near.h"
 #include <filesystem>
 #include <random>
@@ -44,6 +45,8 @@ TEST_F(Csv, CharactersThatATerminalObeysAreWrittenOut)
   EXPECT_EQ(csv_text(table), "\\x1b[2Jforce [kN],\\u202ex\n1,3\n2,4\n");
   EXPECT_FALSE(reads_back(table));
   EXPECT_EQ(quoted_cell("a\tb\n\x07\""), "\"a\tb\n\\x07\"\"\"");
+  EXPECT_EQ(csv_cell("pass 1; 2"), "pass 1; 2");
+  EXPECT_EQ(csv_cell("pass\x1b[2J 1"), "\"pass\\x1b[2J 1\"");
 }
 
 TEST_F(Csv, ATableComesBackWithAllDigits)

@@ -20,7 +20,7 @@ TEST(OperatingPoint, PartsAreAddedAtTheEnd)
 {
   OperatingPoint point = at_force(1e6);
   point.add(", tilted by {}", {{1e-3, "mrad"}});
-  EXPECT_EQ(point.text(), "1000.0 kN, tilted by 1 mrad");
+  EXPECT_EQ(point.text(), "1000 kN, tilted by 1 mrad");
   EXPECT_EQ(point.values().back().unit, "rad");
 }
 

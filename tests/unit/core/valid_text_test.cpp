@@ -50,7 +50,7 @@ TEST(ValidText, EveryStringOfBytesBecomesUtf8)
       bytes += char(state & 0xFF);
     }
     EXPECT_TRUE(is_utf8(valid_text(bytes))) << i;
-    std::string encoding;
+    TextEncoding encoding{};
     EXPECT_TRUE(is_utf8(valid_file_text(bytes, encoding))) << i;
     EXPECT_TRUE(is_utf8(valid_file_text("\xFF\xFE" + bytes, encoding))) << i;
   }
@@ -58,20 +58,20 @@ TEST(ValidText, EveryStringOfBytesBecomesUtf8)
 
 TEST(ValidText, FilesOfUtf16AndWindowsAreConverted)
 {
-  std::string encoding;
+  TextEncoding encoding{};
   EXPECT_EQ(valid_file_text(std::string("\xFF\xFE"
                                         "a\0\xE4\0",
                                         6),
                             encoding),
             "a\u00e4");
-  EXPECT_EQ(encoding, "UTF-16 little endian");
+  EXPECT_STREQ(word_of(encoding), "UTF-16 little endian");
   EXPECT_EQ(valid_file_text(std::string("\xFE\xFF"
                                         "\xD8\x3D\xDE\x00",
                                         6),
                             encoding),
             "\U0001F600");
   EXPECT_EQ(valid_file_text("gr\xFC\xDF\nb\n", encoding), "gr\u00fc\u00df\nb\n");
-  EXPECT_EQ(encoding, "Windows-1252");
+  EXPECT_STREQ(word_of(encoding), "Windows-1252");
 }
 
 TEST(ValidText, CellsOfASheetInLatin1AreUtf8)

@@ -195,7 +195,7 @@ TEST(HousingComponent, StandsOnItsFeetWithScrewAndSeat)
   EXPECT_EQ(c.residual.rows(), 2);
   EXPECT_EQ(basis.constraint.cols(), 2);
   EXPECT_TRUE(near(c.mass, 8 * body.volume() * h.steel.density, within(1e-10, "the same quadrature")));
-  const Eigen::VectorXd foot = fem::mean_vertical(body, "foot");
+  const Eigen::VectorXd foot = fem::mean_vertical(body, fem::HousingGroup::foot);
   EXPECT_LT((foot.transpose() * basis.constraint).norm(), 1e-10);  // of unit displacements: the feet stay
   // No rigid motion is left.
   EXPECT_GT(c.K(0, 0) * c.K(1, 1) - c.K(0, 1) * c.K(1, 0), 1e-3 * c.K(0, 0) * c.K(1, 1));

@@ -1,6 +1,7 @@
 // A record with a known truth is analysed without a false finding; owners of peaks; the edge of a force band:
 // TW-13.
 #include "tests/support/near.h"
+#include "tests/support/note_ids.h"
 #include "tests/support/reference.h"
 #include "tests/support/synthetic_record.h"
 #include "twin/analysis/analysis.h"
@@ -105,7 +106,8 @@ TEST(Analysis, AKnownStandHasItsModesAndNothingElse)
       EXPECT_EQ(tables.count("distance"), 0u) << "without a speed";
       EXPECT_EQ(tables.count("h1"), with_force ? 1u : 0u);
       EXPECT_EQ(tables.count("singular"), 1u);
-      EXPECT_NE(analysis.notes.back().find("no speed was recorded"), std::string::npos);
+      EXPECT_TRUE(analysis.notes.back().is(mill::NoteId::speed_not_usable));
+      EXPECT_EQ(note_ids(json).count("speed-not-usable"), 1u);
     }
   if (runs > 1)
     std::printf("%d findings that are modes, %d named, %d wrong, %d ambiguous, %d of no mode of the case\n", modes,

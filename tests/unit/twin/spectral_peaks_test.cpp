@@ -104,8 +104,8 @@ TEST(SpectralPeaks, AStrongLowLineHidesNothing)
   EXPECT_EQ(analysis.findings.size(), 3u);
   EXPECT_TRUE(near(analysis.channels[0].account.largest, 18.2,
                    within_absolute(0.02, "hertz; a fifth of a bin of 0.11 Hz")));
-  for (const std::string &note : analysis.notes)
-    EXPECT_EQ(note.find("noise floor falls"), std::string::npos) << note;
+  for (const Note &note : analysis.notes)
+    EXPECT_FALSE(note.is(NoteId::band_limited)) << text_of(note);
 }
 
 // Sixty records of one tone in white noise.

@@ -7,6 +7,7 @@
 #include "core/records/csv.h"
 #include "tests/support/calibration_record.h"
 #include "tests/support/near.h"
+#include "tests/support/note_ids.h"
 #include "tests/support/program.h"
 #include <cmath>
 #include <filesystem>
@@ -137,6 +138,8 @@ TEST(CalibrateCommand, RecordsWithoutForceBecomeACase)
                             "holds the force, name it "
                             "with --channel AI_01=force";
   EXPECT_NE(done.out.find("note: " + words + "\n"), std::string::npos) << done.out;
+  const auto ids = note_ids(nlohmann::json::parse(read_text(stand.folder + "/out/calibration.json")));
+  EXPECT_EQ(ids.count("force-not-recorded"), 1u);
   const std::string path = stand.folder + "/out/calibrated.toml", text = read_text(path);
   EXPECT_NE(text.find("# " + words + "\n"), std::string::npos);
   EXPECT_NE(text.find("source = \"calibrated: records pass.csv; no force recorded; not identified: none\""),

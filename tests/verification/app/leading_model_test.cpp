@@ -94,7 +94,7 @@ TEST(LeadingModel, ARecordIsComparedWithBeamsAndTheirChocks)
   }
   const auto warned = [](const mill::twin::CaseModel &model) {
     return std::any_of(model.notes.begin(), model.notes.end(),
-                       [](const std::string &note) { return note.find("six masses put a mode of the gap") == 0; });
+                       [](const mill::Note &note) { return note.parts.id == mill::WarningId::six_mass_gap_mode; });
   };
   EXPECT_TRUE(warned(six));
   EXPECT_FALSE(warned(beams));

@@ -27,7 +27,7 @@ CriticalQuestion condition_2()
   q.working_speed = q.process.wanted_speed = 18.2;
   q.changed                                = [=](const StructureChanges &changes) {
     auto m = mass, k = stiffness, c = damping;
-    for (const auto &[key, factor] : changes)
+    for (const auto &[key, factor, what] : changes)
       for (std::size_t i = 0; i < 6; ++i) {
         const std::string number = "[" + std::to_string(i) + "]";
         m[i] *= key == "stand.masses" + number ? factor : 1;
@@ -257,7 +257,7 @@ CriticalQuestion perturbed(const std::string &key, const double factor)
     q.stand.structure       = stand.structure;
     q.numbers               = stand.numbers;
     q.changed               = [=](StructureChanges changes) {
-      changes.emplace_back(key, factor);
+      changes.push_back({key, factor});
       return changed(changes);
     };
   }

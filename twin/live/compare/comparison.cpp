@@ -306,11 +306,11 @@ void Comparison::end_recalibration(const double utc, twin::Recalibration result)
         fmt::format(", to {:.5g} Hz against {:.5g} Hz of the twin", row.measured.frequency, row.twin.frequency);
   reason += ".";
   if (!result.refused.empty()) {
-    book.raise("re-calibration", utc, "drift", "warning",
+    book.raise(recalibration_cause, utc, "drift", "warning",
                reason + " Nothing is proposed: " + result.refused + ".");
     return;
   }
-  book.end("re-calibration");
+  book.end(recalibration_cause);
   Proposal proposal;
   proposal.utc            = utc;
   proposal.from           = from_;

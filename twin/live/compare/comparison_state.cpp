@@ -282,7 +282,7 @@ std::string Comparison::resume(const nlohmann::json &state)
   offered.resume(std::move(stored.proposals));
   waiting = stored.waiting;
   for (const auto &[cause, alarm] : stored.book.now) {
-    const bool known = cause.rfind("drift ", 0) == 0 || cause == "re-calibration" ||
+    const bool known = cause.rfind("drift ", 0) == 0 || cause == recalibration_cause ||
                        (chatter && cause == ChatterWatch::cause) || onset.knows(cause);
     if (!known)
       book.end(cause);  // its band is not watched any more, so nothing would ever end it

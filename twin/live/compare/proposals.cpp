@@ -1,5 +1,6 @@
 #include "twin/live/compare/proposals.h"
 #include "core/base/files.h"
+#include "core/base/force_text.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include <algorithm>
@@ -71,8 +72,8 @@ double recalibrated(double damping, const twin::Recalibration &recalibration)
 std::string recalibration_comment(const Proposal &p)
 {
   std::string text = "# Re-calibrated on the running mill.  " + p.reason + "\n";
-  text += fmt::format("# Data: {} to {}, {:.0f} s at {:.1f} kN; misfit {:.3f} before, {:.3f} after.\n",
-                      utc_text(p.from), utc_text(p.to), p.found.seconds, p.found.load / 1e3, p.found.misfit_before,
+  text += fmt::format("# Data: {} to {}, {:.0f} s at {}; misfit {:.3f} before, {:.3f} after.\n", utc_text(p.from),
+                      utc_text(p.to), p.found.seconds, force_text(p.found.load), p.found.misfit_before,
                       p.found.misfit_after);
   std::string kept;
   for (const twin::RecalibratedValue &value : p.found.values)

@@ -20,6 +20,9 @@ constexpr auto words_of(ProposalState)
   return choice_words<ProposalState>("open", "adopted", "refused", "out of date");
 }
 
+/// An alarm is known by this cause: the modes have moved and nothing can be proposed.
+constexpr const char *recalibration_cause = "re-calibration";
+
 /// A re-calibration that a user may adopt.  The twin changes only then.
 struct Proposal {
   std::int64_t id = 0;

@@ -1,6 +1,9 @@
 #include "twin/live/engine/detailed_twin.h"
 #include "core/base/require.h"
+#include "core/records/stand_place.h"
 #include <algorithm>
+#include <fmt/format.h>
+#include <optional>
 
 namespace mill::live {
 namespace {
@@ -39,11 +42,11 @@ const Connection *connection_of(const StandModel &stand, const std::string &name
 // series with parts of the frame that have no mass ("oil column + cylinder body + upper chock and K_Zy").
 std::string connection_name(const StandModel &stand, const std::size_t spring)
 {
-  const std::array<const char *, 7> names{"K1", "upper chock and K_Zy", "K3", "K4",
-                                          "K5", "lower chock and K_Zy", "K7"};
-  const bool bearing = spring == 1 || spring == 5;
+  std::optional<SeatSpring> seat;
+  if (spring == 1 || spring == 5)
+    seat = spring == 1 ? SeatSpring::upper : SeatSpring::lower;
   for (const Connection &c : stand.connections)
-    if (c.name == names[spring] || (bearing && c.name.find(names[spring]) != std::string::npos))
+    if (seat ? has_spring(c.name, *seat) : c.name == fmt::format("K{}", spring + 1))
       return c.name;
   return "";
 }

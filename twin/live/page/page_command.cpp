@@ -91,10 +91,11 @@ const CommandRow &row_of(const std::string &name)
 
 PageCommand page_command(const std::string &json)
 {
-  const Json object     = flat_object(json);
-  const CommandRow &row = row_of(text_of(object, "command"));
+  constexpr const char *name_of_command = "command";
+  const Json object                     = flat_object(json);
+  const CommandRow &row                 = row_of(text_of(object, name_of_command));
   for (const auto &member : object.items())
-    if (member.key() != "command" && member.key() != row.needs && member.key() != row.may_have)
+    if (member.key() != name_of_command && member.key() != row.needs && member.key() != row.may_have)
       refuse_command(fmt::format("{} has no such member; it takes {}{}{}", row.name,
                                  *row.needs || *row.may_have ? row.needs : "none",
                                  *row.needs && *row.may_have ? ", " : "", row.may_have));

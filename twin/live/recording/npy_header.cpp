@@ -1,4 +1,5 @@
 #include "twin/live/recording/npy_header.h"
+#include "twin/records/npy_array.h"
 #include <algorithm>
 #include <cstdlib>
 #include <fmt/format.h>
@@ -13,7 +14,7 @@ std::string npy_header(const std::vector<std::string> &fields, const std::int64_
   std::string text = "{'descr': [";
   for (const std::string &field : fields)
     text += fmt::format("('{}', '<f4'), ", field);
-  text += fmt::format("('s', '<i8')], 'fortran_order': False, 'shape': ({:>20},), }}", rows);
+  text += fmt::format("('{}', '<i8')], 'fortran_order': False, 'shape': ({:>20},), }}", twin::sample_field, rows);
   // magic, version, length of the text: 10 bytes, 12 where the text needs four bytes for its length
   const bool wide        = text.size() > 60000;
   const std::size_t head = wide ? 12 : 10;
@@ -34,7 +35,7 @@ std::vector<std::string> field_names(const std::vector<std::string> &channels)
     for (char &c : name)
       if (c < ' ' || c > '~' || c == '\'' || c == '\\' || c == '"')
         c = '_';
-    while (name == "s" || std::find(names.begin(), names.end(), name) != names.end())
+    while (name == twin::sample_field || std::find(names.begin(), names.end(), name) != names.end())
       name += '_';
     names.push_back(name);
   }
@@ -62,7 +63,7 @@ bool read_npy_header(const std::string &bytes, NpyHeader &header)
     header.fields.push_back(text.substr(position + 2, end - position - 2));
   }
   const std::size_t shape = text.find("'shape': (");
-  if (shape == std::string::npos || header.fields.empty() || header.fields.back() != "s")
+  if (shape == std::string::npos || header.fields.empty() || header.fields.back() != twin::sample_field)
     return false;
   header.fields.pop_back();
   header.rows = std::strtoll(text.c_str() + shape + 10, nullptr, 10);

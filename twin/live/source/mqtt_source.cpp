@@ -1,5 +1,6 @@
 #include "twin/live/source/mqtt_source.h"
 #include "core/base/errors.h"
+#include "core/base/text.h"
 #include "core/base/units.h"
 #include <chrono>
 #include <cmath>
@@ -20,7 +21,7 @@ MqttSettings mqtt_settings(const std::string &text)
   double port    = 1883;
   if (colon < slash && !parse_number(text.substr(colon + 1, slash - colon - 1), port))
     port = 0;
-  const bool plain = settings.stand.find_first_of("/#+") == std::string::npos;
+  const bool plain = !has_any(settings.stand, "/#+");
   if (settings.host.empty() || settings.stand.empty() || !plain || !(port >= 1 && port <= 65535) ||
       port != std::floor(port))
     throw InputError(fmt::format("--input mqtt:{}: broker and stand are needed, for example "
