@@ -2,6 +2,8 @@
 #include "core/model/case.h"
 #include "core/records/published_quantity.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_bite.h"
+#include "core/records/rows_of_chatter.h"
 #include "dynamics/chatter/loop.h"
 #include <algorithm>
 #include <cmath>
@@ -41,23 +43,27 @@ double spread(const ChatterStudy &s, double dynamics::StandSpeed::*value)
 struct ChatterAdder {
   RunContext &run;
   const ChatterStudy &study;
-  std::string family;  // "bite" or "chatter"
   std::string method;
   OperatingPoint at;
-  void operator()(const std::string &name, const std::string &unit, const double value,
-                  const double error = not_given, std::vector<Check> checks = {}) const
+  void operator()(const ResultName &name, const double value, const double error = not_given,
+                  std::vector<Check> checks = {}) const
   {
     if (std::isnan(value))
       return;
     Parameter p;
     p.value          = value;
-    p.unit           = unit;
+    p.unit           = name.row().unit;
     p.method         = method;
     p.at             = at;
     p.error_estimate = error;
     p.checks         = std::move(checks);
     p.inputs         = study.question.inputs;
-    run.results.add(family + "." + study.question.condition.name + "." + name, p);
+    run.results.add(name, p);
+  }
+  void operator()(const RowOf<1> &row, const double value, const double error = not_given,
+                  std::vector<Check> checks = {}) const
+  {
+    (*this)(row.of(study.question.condition.name), value, error, std::move(checks));
   }
 };
 
@@ -80,61 +86,57 @@ void add_bite(RunContext &run, const ChatterStudy &s)
     return;
   const RollingCondition &c    = s.question.condition;
   const bite::BiteState &state = s.working->state;
-  const ChatterAdder add{run, s, "bite", state.model, at_speed(c.speed)};
-  const auto by_karman = [&](const char *name, const char *unit, const double value, const double karman,
-                             const double published, const double measured) {
+  const ChatterAdder add{run, s, state.model, at_speed(c.speed)};
+  const auto by_karman = [&](const RowOf<1> &row, const double value, const double karman, const double published,
+                             const double measured) {
     if (has_own_bite(run.the_case))
       return;
     std::vector<Check> checks;
     add_check(checks, "slab equation without the simplification of Bland and Ford", karman);
     add_check(checks, name_of(CheckId::published), published, c.note.c_str());
     add_check(checks, name_of(CheckId::measured), measured);
-    add(name, unit, value, std::isnan(karman) ? not_given : apart(karman, value), std::move(checks));
+    add(row, value, std::isnan(karman) ? not_given : apart(karman, value), std::move(checks));
   };
   const bite::BiteState none{};
   const bite::BiteState &k = s.karman ? *s.karman : none;
   const auto other         = [&](const double value) { return s.karman ? value : not_given; };
-  by_karman("force", "N", state.force, other(k.force), c.published_force, c.measured_force);
-  by_karman("friction", "1", state.friction, other(k.friction), c.published_friction, not_given);
-  by_karman("film_thickness", "m", state.film_thickness, other(k.film_thickness), not_given, not_given);
-  by_karman("flattened_radius", "m", state.flattened_radius, other(k.flattened_radius), not_given, not_given);
-  by_karman("forward_slip", "1", state.forward_slip, other(k.forward_slip), not_given, not_given);
-  by_karman("entry_speed", "m/s", state.entry_speed, other(k.entry_speed), not_given, not_given);
-  by_karman("exit_speed", "m/s", state.exit_speed, other(k.exit_speed), not_given, not_given);
-  by_karman("neutral_position", "m", state.neutral_position, other(k.neutral_position), not_given, not_given);
-  by_karman("arc_length", "m", state.arc_length, other(k.arc_length), not_given, not_given);
-  by_karman("torque", "N m", state.torque, other(k.torque), not_given, not_given);
-  const ChatterAdder slope{run, s, "bite",
-                           std::string("exact derivative, ") + word_of(s.question.analysis.linearisation) +
-                               " linearisation",
-                           at_speed(c.speed)};
+  by_karman(row::bite::force, state.force, other(k.force), c.published_force, c.measured_force);
+  by_karman(row::bite::friction, state.friction, other(k.friction), c.published_friction, not_given);
+  by_karman(row::bite::film_thickness, state.film_thickness, other(k.film_thickness), not_given, not_given);
+  by_karman(row::bite::flattened_radius, state.flattened_radius, other(k.flattened_radius), not_given, not_given);
+  by_karman(row::bite::forward_slip, state.forward_slip, other(k.forward_slip), not_given, not_given);
+  by_karman(row::bite::entry_speed, state.entry_speed, other(k.entry_speed), not_given, not_given);
+  by_karman(row::bite::exit_speed, state.exit_speed, other(k.exit_speed), not_given, not_given);
+  by_karman(row::bite::neutral_position, state.neutral_position, other(k.neutral_position), not_given, not_given);
+  by_karman(row::bite::arc_length, state.arc_length, other(k.arc_length), not_given, not_given);
+  by_karman(row::bite::torque, state.torque, other(k.torque), not_given, not_given);
+  const ChatterAdder slope{
+      run, s, std::string("exact derivative, ") + word_of(s.question.analysis.linearisation) + " linearisation",
+      at_speed(c.speed)};
   const auto &[P, Q, F, mu, xn] = s.working->by;
-  const char *by[]              = {"gap", "gap_rate", "entry_tension", "exit_tension", "entry_thickness"};
-  const char *P_unit[]          = {"1/s", "1", "m/(s Pa)", "m/(s Pa)", "1/s"};
-  const char *F_unit[]          = {"N/m", "N s/m", "m2", "m2", "N/m"};
   for (int i = 0; i < 5; ++i) {
-    slope(std::string("P.") + by[i], P_unit[i], P[i]);
-    slope(std::string("Q.") + by[i], P_unit[i], Q[i]);
-    slope(std::string("F.") + by[i], F_unit[i], F[i]);
+    slope(row::bite_slope::speed_by[i]->of(c.name, "P"), P[i]);
+    slope(row::bite_slope::speed_by[i]->of(c.name, "Q"), Q[i]);
+    slope(*row::bite_slope::force_by[i], F[i]);
   }
 }
 
 void add_searches(RunContext &run, const ChatterStudy &s, const std::string &group,
-                  const std::vector<OtherSearch> &searches, const bool schemes)
+                  const row::chatter::Search &rows, const std::vector<OtherSearch> &searches, const bool schemes)
 {
   for (const OtherSearch &other : searches) {
     if (other.found.verdict != Verdict::crossing)
       continue;  // its verdict stands in the file of the condition
     const std::string stand  = schemes ? s.question.structure : group + " " + other.name;
     const std::string scheme = schemes ? other.name : word_of(s.question.analysis.linearisation);
-    const ChatterAdder add{run, s, "chatter",
+    const ChatterAdder add{run, s,
                            "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
                            at_speed(other.found.speed)};
-    const std::string name = group + "." + other.name + ".";
-    add(name + "critical_speed", "m/s", other.found.speed);
-    add(name + "frequency", "Hz", other.found.frequency);
+    const std::string &name = s.question.condition.name;
+    add(rows.critical_speed->of(name, other.name), other.found.speed);
+    add(rows.frequency->of(name, other.name), other.found.frequency);
     if (other.mode && !other.mode->body.empty())
-      add(name + "work_roll_ratio", "1", other.mode->work_roll_ratio);
+      add(rows.work_roll_ratio->of(name, other.name), other.mode->work_roll_ratio);
   }
 }
 
@@ -148,19 +150,19 @@ bool grows(const std::complex<double> &root)
 void add_growth(RunContext &run, const ChatterStudy &s, const std::string &method)
 {
   const RollingCondition &c = s.question.condition;
-  const ChatterAdder working{run, s, "chatter", method, at_speed(c.speed)};
+  const ChatterAdder working{run, s, method, at_speed(c.speed)};
   std::vector<Check> growth, frequency;
   if (s.in_time) {
     add_check(growth, "record of the time simulation", s.in_time->growth);
     add_check(frequency, "record of the time simulation", s.in_time->frequency);
   }
-  working("growth_rate", "1/s", s.growth, not_given, growth);
+  working(row::chatter::growth_rate, s.growth, not_given, growth);
   if (s.working_mode)
-    working("working_frequency", "Hz", s.working_mode->frequency, not_given, frequency);
+    working(row::chatter::working_frequency, s.working_mode->frequency, not_given, frequency);
   if (s.routh_unstable >= 0 && s.working) {
     const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(s.question.stand, s.working->by));
     const auto n     = std::count_if(roots.begin(), roots.end(), grows);
-    working("unstable_roots", "1", double(n), not_given,
+    working(row::chatter::unstable_roots, double(n), not_given,
             {{"Routh's array in extended precision", double(s.routh_unstable), ""},
              {"Nyquist's criterion", double(s.nyquist_unstable), ""}});
   }
@@ -171,7 +173,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   const RollingCondition &c = s.question.condition;
   const std::string system =
       s.question.structure + ", " + word_of(s.question.analysis.linearisation) + " linearisation";
-  const ChatterAdder critical{run, s, "chatter", "eigenvalues of stand, bite and strip; " + system,
+  const ChatterAdder critical{run, s, "eigenvalues of stand, bite and strip; " + system,
                               s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
   std::vector<Check> checks;
   add_check(checks, "Routh's array in extended precision", s.speed_by_routh);
@@ -185,8 +187,8 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   add_check(checks, name_of(CheckId::published), c.published_critical_speed, c.note.c_str());
   add_check(checks, name_of(CheckId::measured), c.measured_critical_speed);
   if (s.structures.size() > 1)
-    critical("critical_speed_highest", "m/s", band_of(s.structures).high);
-  critical("critical_speed", "m/s", s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
+    critical(row::chatter::critical_speed_highest, band_of(s.structures).high);
+  critical(row::chatter::critical_speed, s.found.speed, spread(s, &dynamics::StandSpeed::speed), checks);
   std::vector<Check> frequency;
   if (!std::isnan(s.found.frequency)) {
     const auto peak = std::find_if(s.records.begin(), s.records.end(),
@@ -200,35 +202,35 @@ void add_stability(RunContext &run, const ChatterStudy &s)
         // the disturbance did not excite this mode
       }
   }
-  critical("frequency", "Hz", s.found.frequency, spread(s, &dynamics::StandSpeed::frequency), frequency);
-  critical("margin", "1/s", s.found.margin);
-  critical("margin_speed", "m/s", s.found.margin_speed);
-  critical("lowest_speed_with_bite", "m/s", s.found.below.empty() ? not_given : s.found.lowest_bite);
+  critical(row::chatter::frequency, s.found.frequency, spread(s, &dynamics::StandSpeed::frequency), frequency);
+  critical(row::chatter::margin, s.found.margin);
+  critical(row::chatter::margin_speed, s.found.margin_speed);
+  critical(row::chatter::lowest_speed_with_bite, s.found.below.empty() ? not_given : s.found.lowest_bite);
 
   if (!s.question.speed_assumed)
     add_growth(run, s, critical.method);
   if (s.mode) {
-    const ChatterAdder shape{run, s, "chatter", "eigenvector of the least stable mode; " + system,
+    const ChatterAdder shape{run, s, "eigenvector of the least stable mode; " + system,
                              at_speed(s.found.at ? s.found.speed : c.speed)};
-    shape("work_roll_ratio", "1", s.mode->work_roll_ratio);
-    shape("force_phase", "deg", s.mode->force_phase);
-    shape("entry_tension_phase", "deg", s.mode->entry_tension_phase);
-    shape("exit_tension_phase", "deg", s.mode->exit_tension_phase);
-    shape("friction_phase", "deg", s.mode->friction_phase);
+    shape(row::chatter::work_roll_ratio, s.mode->work_roll_ratio);
+    shape(row::chatter::force_phase, s.mode->force_phase);
+    shape(row::chatter::entry_tension_phase, s.mode->entry_tension_phase);
+    shape(row::chatter::exit_tension_phase, s.mode->exit_tension_phase);
+    shape(row::chatter::friction_phase, s.mode->friction_phase);
     const auto &point = s.found.at ? s.found.at : s.working;
     if (point && s.mode->frequency > 0)
-      shape("process_damping", "N s/m", dynamics::process_damping(s.question.stand, point->by, s.mode->frequency));
+      shape(row::chatter::process_damping,
+            dynamics::process_damping(s.question.stand, point->by, s.mode->frequency));
   }
   if (s.run && s.cycle.settled && s.cycle.amplitude > 0) {
-    const ChatterAdder cycle{run, s, "chatter", "time simulation with the whole bite; " + system,
-                             at_speed(s.run_speed)};
-    cycle("limit_cycle_amplitude", "m", s.cycle.amplitude);
-    cycle("limit_cycle_frequency", "Hz", s.cycle.frequency);
+    const ChatterAdder cycle{run, s, "time simulation with the whole bite; " + system, at_speed(s.run_speed)};
+    cycle(row::chatter::limit_cycle_amplitude, s.cycle.amplitude);
+    cycle(row::chatter::limit_cycle_frequency, s.cycle.frequency);
   }
-  add_searches(run, s, "scheme", s.schemes, true);
-  add_searches(run, s, "variant", s.variants, false);
+  add_searches(run, s, "scheme", row::chatter::by_scheme, s.schemes, true);
+  add_searches(run, s, "variant", row::chatter::of_variant, s.variants, false);
   if (s.structures.size() > 1)
-    add_searches(run, s, "structure", s.structures, false);
+    add_searches(run, s, "structure", row::chatter::of_structure, s.structures, false);
 }
 
 // What moves friction, critical speed and growth; NaN ones are left out.
@@ -236,10 +238,10 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
 {
   if (!s.sensitivities)
     return;
-  const ChatterAdder working{run, s, "chatter", "exact derivative d ln / d ln",
-                             at_speed(s.question.condition.speed)};
-  const ChatterAdder critical{run, s, "chatter", "exact derivative d ln / d ln",
+  const ChatterAdder working{run, s, "exact derivative d ln / d ln", at_speed(s.question.condition.speed)};
+  const ChatterAdder critical{run, s, "exact derivative d ln / d ln",
                               s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
+  const std::string &name = s.question.condition.name;
   for (const ChatterSensitivity &one : s.sensitivities->inputs) {
     const auto halves = [&](double FiniteChange::*member) {
       std::vector<Check> checks;
@@ -247,8 +249,10 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
                 "over a wide span; not accurate where the curve bends");
       return checks;
     };
-    working("friction_slope." + one.key, "1", one.friction, not_given, halves(&FiniteChange::friction));
-    critical("speed_slope." + one.key, "1", one.critical_speed, not_given, halves(&FiniteChange::critical_speed));
+    working(row::chatter::friction_slope.of(name, one.key), one.friction, not_given,
+            halves(&FiniteChange::friction));
+    critical(row::chatter::speed_slope.of(name, one.key), one.critical_speed, not_given,
+             halves(&FiniteChange::critical_speed));
   }
 }
 

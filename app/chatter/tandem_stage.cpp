@@ -6,6 +6,7 @@
 #include "core/records/chatter_record.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
+#include "core/records/rows_of_chatter.h"
 #include "dynamics/tandem/tandem.h"
 #include <algorithm>
 #include <cmath>
@@ -44,24 +45,24 @@ void add_results(RunContext &run, const dynamics::TandemStudy &study, const dyna
                         "the strip to its neighbours ends at constant speed"});
   if (!std::isnan(study.tension.speed))
     checks.push_back({"shared tension, no thickness from the stand before", study.tension.speed, ""});
-  const auto add = [&](const char *name, const char *unit, const double value, const char *method,
+  const auto add = [&](const RowOf<1> &row, const double value, const char *method,
                        std::vector<Check> checks = {}) {
     if (std::isnan(value))
       return;
     Parameter p;
     p.value  = value;
-    p.unit   = unit;
+    p.unit   = row.unit;
     p.method = method;
-    p.at     = at_last_stand(is_in(unit, SiUnit::speed) ? value : study.full.speed);
+    p.at     = at_last_stand(is_in(row.unit, SiUnit::speed) ? value : study.full.speed);
     p.inputs = inputs;
     p.checks = std::move(checks);
-    run.results.add(std::string("chatter.tandem.") + name, p);
+    run.results.add(row.of(tandem_item), p);
   };
-  add("critical_speed", "m/s", study.full.speed, "roots of the coupled stands with the delay of the strip",
+  add(row::chatter::critical_speed, study.full.speed, "roots of the coupled stands with the delay of the strip",
       std::move(checks));
-  add("frequency", "Hz", study.full.frequency, "roots of the coupled stands with the delay of the strip");
-  add("critical_speed_without_delay", "m/s", study.tension.speed, "eigenvalues, shared tension only");
-  add("speed_stable_for_any_distance", "m/s", study.any_delay, "gain of the regenerative loop below one");
+  add(row::chatter::frequency, study.full.frequency, "roots of the coupled stands with the delay of the strip");
+  add(row::chatter::critical_speed_without_delay, study.tension.speed, "eigenvalues, shared tension only");
+  add(row::chatter::speed_stable_for_any_distance, study.any_delay, "gain of the regenerative loop below one");
 }
 
 Warning no_bite(const double speed, const std::string &why)
@@ -85,7 +86,7 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
     growth.unit   = "1/s";
     growth.method = "rightmost root of the coupled stands with the delay of the strip";
     growth.at     = at_last_stand(speed);
-    run.results.add("chatter.tandem.growth_rate", growth);
+    run.results.add(row::chatter::growth_rate.of(tandem_item), growth);
     if (root.real() > 1e-9 * std::abs(root))
       run.warn({WarningId::chatters,
                 "",

@@ -1,5 +1,6 @@
 #include "app/cluster/cluster_results.h"
 #include "core/records/cluster_names.h"
+#include "core/records/rows_of_cluster.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -42,7 +43,7 @@ void add_fit_results(RunContext &run, const cluster::StackFit &fit, const KeyLis
     else
       p.error_estimate = n.interval / std::abs(n.value);
     p.checks.push_back({"start of the fit", n.start, "the value of the case"});
-    run.results.add(result_name({family::cluster, cluster_fit, fit.variant, n.key}), p);
+    run.results.add(row::cluster::fit.of(fit.variant, n.key), p);
   }
 }
 }  // namespace mill

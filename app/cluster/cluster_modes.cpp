@@ -1,6 +1,8 @@
 #include "app/cluster/cluster_modes.h"
 #include "app/cluster/cluster_bite.h"
 #include "core/model/case.h"
+#include "core/records/result_names.h"
+#include "core/records/rows_of_stand.h"
 #include "reduce/stand/gap_modes.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -49,7 +51,7 @@ reduce::GapMotion gap_motion(const cluster::PassState &state, const cluster::Gap
   return motion;
 }
 
-void add_state(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass, const std::string &family,
+void add_state(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass, const std::string &state,
                const double K4, const KeyList &keys)
 {
   const NamedStackModes named = named_modes(stand, pass.state, K4);
@@ -70,8 +72,8 @@ void add_state(RunContext &run, const ClusterStand &stand, const ClusterPassRun 
     share.value     = name.gap_share;
     share.unit      = "1";
     share.method    = name.name + ": share in the static compliance of the gap (22.23)";
-    run.results.add(family + name.key + ".frequency", f);
-    run.results.add(family + name.key + ".gap_share", share);
+    run.results.add(row::modes::frequency.of(state, name.key), f);
+    run.results.add(row::modes::gap_share.of(state, name.key), share);
   }
 }
 }  // namespace
@@ -96,10 +98,10 @@ NamedStackModes named_modes(const ClusterStand &stand, const cluster::PassState 
 
 void add_gap_modes(RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass)
 {
-  add_state(run, stand, pass, "open.mode.", 0, pass.keys);
+  add_state(run, stand, pass, family::open, 0, pass.keys);
   const double K4 = strip_spring(stand, *pass.pass, pass.force);
   if (K4 > 0)
-    add_state(run, stand, pass, "mode.", K4, keys_of_bite(run.the_case, pass.p));
+    add_state(run, stand, pass, "", K4, keys_of_bite(run.the_case, pass.p));
   else
     run.assume(fmt::format("pass \"{}\": the modes of the rolling state (mode.*) need K4: give {}, or "
                            "stack.strip_stiffness; those of the open gap are open.mode.*",

@@ -2,6 +2,7 @@
 #include "core/base/files.h"
 #include "core/base/short_number.h"
 #include "core/records/cluster_names.h"
+#include "core/records/rows_of_cluster.h"
 #include "dynamics/cluster/stability.h"
 #include <algorithm>
 #include <cmath>
@@ -47,19 +48,17 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
   const cluster::Contact &c = pass.state.stack.contacts[i];
   const double f            = pass.state.rest.contact_loads[i],
                d            = cluster::contact_state(pass.state.stack, c, pass.state.rest.u).approach;
-  const auto name           = [&](const char *what) {
-    return result_name({family::cluster, pass.pass->name, c.name, what});
-  };
-  Parameter force      = parameter(pass, f, "N", static_method);
-  force.error_estimate = f != 0 ? pass.state.rest.residual / std::abs(f) : 0;
-  run.results.add(name("force"), force);
+  const auto name           = [&](const RowOf<2> &row) { return row.of(pass.pass->name, c.name); };
+  Parameter force           = parameter(pass, f, "N", static_method);
+  force.error_estimate      = f != 0 ? pass.state.rest.residual / std::abs(f) : 0;
+  run.results.add(name(row::cluster::contact_force), force);
   if (c.strip) {
     Parameter K4   = parameter(pass, cluster::contact_tangent(c, d), "N/m",
                              std::isnan(stand.stack.strip_stiffness)
                                    ? "bite of the pass: plastic slope in series with both rolls (8.13)"
                                    : "stack.strip_stiffness");
     K4.error_lacks = {std::isnan(stand.stack.strip_stiffness) ? "strip.flow_stress" : "stack.strip_stiffness"};
-    run.results.add(name("tangent"), K4);
+    run.results.add(name(row::cluster::contact_tangent), K4);
   }
   if (!c.one_sided || f <= 0)
     return;
@@ -82,9 +81,9 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
   }
   for (Parameter *p : {&approach, &tangent, &secant})
     p->error_lacks.push_back(fmt::format("contact.{}.law", i));
-  run.results.add(name("approach"), approach);
-  run.results.add(name("tangent"), tangent);
-  run.results.add(name("secant"), secant);
+  run.results.add(name(row::cluster::contact_approach), approach);
+  run.results.add(name(row::cluster::contact_tangent), tangent);
+  run.results.add(name(row::cluster::contact_secant), secant);
 }
 
 // Load of each roller of a support on two rollers: what its bearing carries.
@@ -101,9 +100,7 @@ void add_roller_loads(RunContext &run, const ClusterPassRun &pass)
               pass, loads[k], "N",
               fmt::format("{}; the roller lies at {:.4g} deg from the rolling direction", static_method, angle));
       load.error_estimate = loads[k] != 0 ? pass.state.rest.residual / loads[k] : 0;
-      run.results.add(
-          result_name({family::cluster, pass.pass->name, "roller_load", support.name, fmt::format("{}", k + 1)}),
-          load);
+      run.results.add(row::cluster::roller_load.of(pass.pass->name, support.name, std::to_string(k + 1)), load);
     }
   }
 }
@@ -176,7 +173,7 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
                                  0.5 * (pass.pass->measured_force[0] + pass.pass->measured_force[1]),
                                  fmt::format("middle of {:.4g} .. {:.4g} kN", 1e-3 * pass.pass->measured_force[0],
                                              1e-3 * pass.pass->measured_force[1])));
-  run.results.add(result_name({family::cluster, pass.pass->name, "force"}), force);
+  run.results.add(row::cluster::force.of(pass.pass->name), force);
   for (std::size_t i = 0; i < pass.state.stack.contacts.size(); ++i)
     add_contact(run, stand, pass, i);
   add_roller_loads(run, pass);
@@ -188,8 +185,7 @@ void add_state_results(RunContext &run, const ClusterStand &stand, const Cluster
       if (direction == 1 && int(i) == cluster::strip_roll(stand))
         u.checks.push_back({"sum of approaches at the rolling force (38.10)", start[2 * Eigen::Index(i) + 1],
                             "without weight and without the supports next to the column"});
-      run.results.add(result_name({family::cluster, pass.pass->name, stand.rolls[i].name, direction ? "y" : "x"}),
-                      u);
+      run.results.add((direction ? row::cluster::y : row::cluster::x).of(pass.pass->name, stand.rolls[i].name), u);
     }
 }
 
@@ -206,7 +202,7 @@ void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterP
             fmt::format("\"{}\", recognised by its shape with {:.2f}", stand.modes[i].name,
                         cluster::assurance(pass.state.stack,
                                            cluster::parsed_shape(pass.state.stack, stand.modes[i].shape), mode))));
-    run.results.add(result_name({family::cluster, pass.pass->name, fmt::format("f{}", k + 1)}), f);
+    run.results.add(row::cluster::frequency.of(pass.pass->name, std::to_string(k + 1)), f);
   }
   for (std::size_t i = 0; i < pass.state.identity.size(); ++i) {
     if (pass.state.identity[i] < 0)
@@ -220,7 +216,7 @@ void add_mode_results(RunContext &run, const ClusterStand &stand, const ClusterP
           has_fitted_support(stand)
               ? "supports are fitted to some of the published frequencies: agreement with these is not evidence"
               : ""));
-    run.results.add(result_name({family::cluster, pass.pass->name, "mode", stand.modes[i].name}), f);
+    run.results.add(row::cluster::mode.of(pass.pass->name, stand.modes[i].name), f);
   }
 }
 
@@ -235,7 +231,7 @@ void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPass
     Parameter p =
         parameter(pass, buckling->factor, "1", "smallest eigenvalue zero, " + buckling->motion + " (38.24)");
     lacks_error(p, stand);
-    run.results.add(result_name({family::cluster, name, "buckling_factor"}), p);
+    run.results.add(row::cluster::buckling_factor.of(name), p);
   }
   for (std::size_t i = 0; i < stack.supports.size(); ++i)
     if (stack.supports[i].type == cluster::Support::Type::guide) {
@@ -245,7 +241,7 @@ void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPass
         continue;
       Parameter p = parameter(pass, *least, "N/m", "smallest eigenvalue zero over the guide (38.24)");
       lacks_error(p, stand);
-      run.results.add(result_name({family::cluster, name, "least_guide", stack.supports[i].name}), p);
+      run.results.add(row::cluster::least_guide.of(name, stack.supports[i].name), p);
     }
   const int roll = cluster::strip_roll(stand);
   if (const auto lost = cluster::leaving_load(stack, roll, {1, 0}, pass.force.value)) {
@@ -255,7 +251,7 @@ void add_stability(RunContext &run, const ClusterStand &stand, const ClusterPass
                                        "horizontal force on " + stand.rolls[std::size_t(roll)].name + " at which contact " +
                                            lost->contact + " opens");
     lacks_error(p, stand);
-    run.results.add(result_name({family::cluster, name, "leaving_force"}), p);
+    run.results.add(row::cluster::leaving_force.of(name), p);
   }
 }
 }  // namespace mill

@@ -66,7 +66,6 @@ ScheduleQuestion schedule_question(const Case &the_case, const bool with_models)
   ScheduleQuestion q;
   q.setup       = stand.bite;
   q.roll_key    = fmt::format("roll.{}.barrel_diameter", roll);
-  q.family      = family::cluster;
   q.with_models = with_models;
   for (std::size_t p = 0; p < stand.schedule.size(); ++p) {
     const ClusterPass &pass = stand.schedule[p];

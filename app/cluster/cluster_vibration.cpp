@@ -3,6 +3,7 @@
 #include "core/base/files.h"
 #include "core/base/short_number.h"
 #include "core/records/cluster_names.h"
+#include "core/records/rows_of_cluster.h"
 #include "dynamics/cluster/backbone.h"
 #include "dynamics/cluster/response.h"
 #include <algorithm>
@@ -66,10 +67,10 @@ void add_velocities(RunContext &run, const ClusterStand &stand, const ClusterPas
       record.linear.push_back({name + " " + directions[k], steady});
       if (nonlinear.size() > 0)
         record.nonlinear.push_back({name + " " + directions[k], nonlinear[2 * i + k]});
-      const auto add = [&](const char *quantity, const char *unit, const double factor, const char *method) {
+      const auto add = [&](const RowOf<3> &row, const double factor, const char *method) {
         Parameter p;
         p.value       = factor * steady;
-        p.unit        = unit;
+        p.unit        = row.unit;
         p.method      = method;
         p.at          = {"{}, {} at {}",
                          {{pass.force.value, "kN", ".5g"}, {record.force, "N", ".4g"}, {record.frequency, "Hz", ".5g"}}};
@@ -79,10 +80,10 @@ void add_velocities(RunContext &run, const ClusterStand &stand, const ClusterPas
           p.checks.push_back({"history with one-sided contacts and viscous damping (38.20), over its second half",
                               factor * nonlinear[2 * i + k],
                               "the history has viscous damping and a remainder of its start"});
-        run.results.add(result_name({family::cluster, pass.pass->name, quantity, name, directions[k]}), p);
+        run.results.add(row.of(pass.pass->name, name, directions[k]), p);
       };
-      add("velocity", "m/s", 1, "harmonic response with complex stiffness (38.16)");
-      add("acceleration", "m/s2", omega,
+      add(row::cluster::velocity, 1, "harmonic response with complex stiffness (38.16)");
+      add(row::cluster::acceleration, omega,
           "harmonic response with complex stiffness (38.16), angular frequency times velocity");
     }
 }

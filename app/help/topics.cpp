@@ -5,6 +5,7 @@
 #include "core/base/errors.h"
 #include "core/base/text.h"
 #include "core/case/fields.h"
+#include "core/records/result_row.h"
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
@@ -75,18 +76,17 @@ bool is_numbered(const std::string &name, const std::string &word)
   return position == word.size();
 }
 
-// A name of the reference is that of a word: "bearing.NAME.bore" of "bearing.trb.bore".  At least one part is no
-// such stand-in for any name.
+// A name of the reference is that of a word: "bearing.NAME.bore" of "bearing.trb.bore"; KEY takes all that
+// follows. At least one part is no such stand-in for any name.
 bool is_name_of(const std::string &pattern, const std::string &word)
 {
-  static const std::vector<std::string> any{"PASS",    "BEARING", "MODE",    "MODEL", "ROLL", "PAIR",
-                                            "CONTACT", "VARIANT", "EXCITED", "PLACE", "NAME"};
   const auto names = split(pattern, '.'), words = split(word, '.');
-  bool same = false;
-  if (names.size() != words.size())
+  bool same            = false;
+  const bool ends_open = !names.empty() && names.back() == "KEY";
+  if (ends_open ? words.size() < names.size() : names.size() != words.size())
     return false;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (std::find(any.begin(), any.end(), names[i]) != any.end())
+    if (is_any_name(names[i]) || names[i] == "NAME")
       continue;
     if (!is_numbered(names[i], words[i]))
       return false;
@@ -124,7 +124,7 @@ std::string terms(const std::string &topic)
   return text;
 }
 
-// Rows of docs/output.md, name, meaning, unit, method, equation, whose name `wanted` takes.
+// Rows of docs/output.md, name, meaning, unit, theory, whose name `wanted` takes.
 template <class Wanted> std::string rows_of_results(const Wanted &wanted)
 {
   std::string text;
@@ -132,9 +132,8 @@ template <class Wanted> std::string rows_of_results(const Wanted &wanted)
     const std::string name = without_backticks(cells[0]);
     if (cells.size() < 4 || cells[0] == name || !wanted(name))  // names are in backticks
       return;
-    const std::string equation = cells.size() > 4 && !cells[4].empty() ? ", theory " + cells[4] : "";
     text += fmt::format("result {} [{}]\n", name, cells[2]) +
-            paragraph(fmt::format("{}: {}; {}{}", section, cells[1], cells[3], equation), 4);
+            paragraph(fmt::format("{}: {}; theory {}", section, cells[1], cells[3]), 4);
   });
   return text;
 }

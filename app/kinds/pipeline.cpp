@@ -22,6 +22,7 @@
 #include "app/stages/stand/model_stage.h"
 #include "app/stages/stand/modulus_stage.h"
 #include "core/base/name_part.h"
+#include "core/base/text.h"
 #include "core/case/chain_curves.h"
 #include "core/case/given_instead.h"
 #include "core/case/lumped_model_toml.h"
@@ -31,10 +32,12 @@
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
 #include "core/records/csv.h"
+#include "core/records/rows_of_stand.h"
 #include "reduce/stand/lumped_stand.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -42,10 +45,28 @@
 #include <vector>
 
 namespace mill {
-void add_chain_results(RunContext &run, const LumpedModel &model, const std::string &prefix)
+namespace {
+// The result of a number of the chain by its name in the model: "M1", "C", "Kzc1_across".
+ResultName chain_result(const std::string &pass, const std::string &number)
+{
+  std::vector<const RowOf<1> *> rows{&row::chain::C};
+  rows.insert(rows.end(), std::begin(row::chain::M), std::end(row::chain::M));
+  rows.insert(rows.end(), std::begin(row::chain::K), std::end(row::chain::K));
+  for (const RowOf<1> *row : rows)
+    if (row->of("").text() == number)
+      return row->of(pass);
+  const std::string across = "_across";
+  return text_ends_with(number, across)
+             ? row::chain::Kzc_across.of(pass, number.substr(0, number.size() - across.size()))
+             : row::chain::Kzc.of(pass, number);
+}
+}  // namespace
+
+void add_chain_results(RunContext &run, const LumpedModel &model, const std::string &pass)
 {
   reduce::each_number(
-      [&](const std::string &name, const Parameter &number) { run.results.add(prefix + name, number); }, model);
+      [&](const std::string &name, const Parameter &number) { run.results.add(chain_result(pass, name), number); },
+      model);
 }
 
 namespace {
@@ -294,11 +315,11 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
   }
   const StandInState &driven_one = states.driven(stand.dynamics);
   const StandModels &models      = driven_one.models;
-  add_chain_results(run, chain.model, first ? "" : pass.name + ".");
+  add_chain_results(run, chain.model, first ? "" : pass.name);
   if (first) {
-    run.results.add("K_ZW", chain.K_ZW);
-    run.results.add("K_Zy", chain.K_Zy_upper);
-    run.results.add("K_Zy_lower", chain.K_Zy_lower);
+    run.results.add(row::chain::K_ZW.of(), chain.K_ZW);
+    run.results.add(row::chain::K_Zy.of(), chain.K_Zy_upper);
+    run.results.add(row::chain::K_Zy_lower.of(), chain.K_Zy_lower);
     write_shapes(run, chain);
     std::string curves;
     if (stand.dynamics.contact == ContactSprings::curve)

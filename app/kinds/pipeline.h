@@ -25,8 +25,8 @@ void run_stages(RunContext &run, Goal goal, const std::string &force_file = "");
 void run_four_high(RunContext &run, FourHigh stand, Goal goal, const std::string &force_file);
 void run_lumped(RunContext &run, Lumped lumped, Goal goal, const std::string &force_file);
 
-/// M1..M6, K1..K7, C of a chain as results.  @param prefix  "pass 2." of a later pass
-void add_chain_results(RunContext &run, const LumpedModel &model, const std::string &prefix);
+/// M1..M6, K1..K7, C of a chain as results.  @param pass  "pass 2" of a later pass; empty: the first
+void add_chain_results(RunContext &run, const LumpedModel &model, const std::string &pass);
 /// Place of a pass by its name; the first where none is named.  @throws InputError  no pass has this name
 std::size_t place_of_pass(const std::vector<Pass> &passes, const std::string &wanted);
 }  // namespace mill

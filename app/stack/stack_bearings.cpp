@@ -4,6 +4,7 @@
 #include "app/stages/bearing/bearing_results.h"
 #include "core/case/kinds.h"
 #include "core/model/stack_supports.h"
+#include "core/records/rows_of_stack.h"
 #include "core/records/stack_names.h"
 #include <algorithm>
 #include <cmath>
@@ -129,7 +130,7 @@ StackNumbers bearing_numbers(const Stack &stack)
   const auto resultants = stack_resultants(stack, stack.strip.force);
   for (std::size_t r = 0; r < stack.rolls.size(); ++r)
     if (const StackRoll &roll = stack.rolls[r]; !bearing_of_roll(roll).empty())
-      numbers.push_back({result_name({family::roll, roll.name, "bearing_stiffness"}),
+      numbers.push_back({row::roll::bearing_stiffness.of(roll.name),
                          bearing_point(*roll.supports.front().curve, heavier_load(stack, r, resultants)).tangent,
                          "N/m",
                          "laminae between rigid rings, tangent under the load of the heavier bearing",
@@ -154,7 +155,7 @@ void add_stack_bearings(RunContext &run, const StackInput &input, const Stack &s
       p.checks.clear();  // they belong to the other load
     p.value = bearing_point(*roll.supports.front().curve, load).tangent;
     p.at    = {"{} on one bearing", {{load, "kN", ".5g"}}};
-    run.results.add(result_name({family::roll, roll.name, "bearing_stiffness"}), p);
+    run.results.add(row::roll::bearing_stiffness.of(roll.name), p);
     if (load < loads.front() || load > loads[study.curve.states.size() - 1])
       run.warn({WarningId::curve_left,
                 "roll " + roll.name,

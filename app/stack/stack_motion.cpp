@@ -5,6 +5,8 @@
 #include "app/stages/stand/model_files.h"
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/rows_of_stack.h"
+#include "core/records/rows_of_stand.h"
 #include "core/records/stack_names.h"
 #include "reduce/stack/stack_mode_names.h"
 #include <algorithm>
@@ -80,7 +82,7 @@ void add_frequencies(RunContext &run, const MovingPass &fine, const MovingPass &
         p.checks.push_back({"one mass for each roll, springs of the contacts (51.23)",
                             fine.lumped_open.modes.frequency[pair.mode],
                             "its rolls neither tilt nor bend, and their contacts have one spring each"});
-    run.results.add(result_name({family::stack, fmt::format("f{}", k + 1)}), p);
+    run.results.add(row::stack::frequency.of(std::to_string(k + 1)), p);
   }
 }
 
@@ -110,11 +112,8 @@ void add_named(RunContext &run, const MovingPass &pass, const reduce::StandWithM
           f.checks.push_back({"one mass for each roll, springs of the contacts (51.23)",
                               pass.lumped_open.modes.frequency[Eigen::Index(i)],
                               "its rolls neither tilt nor bend, and their contacts have one spring each"});
-    const auto result = [&](const char *what) {
-      return name_in_state(state, result_name({family::mode, name.key, what}));
-    };
-    run.results.add(result("frequency"), f);
-    run.results.add(result("gap_share"), share);
+    run.results.add(row::modes::frequency.of(word_of_state(state), name.key), f);
+    run.results.add(row::modes::gap_share.of(word_of_state(state), name.key), share);
   }
 }
 
@@ -195,7 +194,7 @@ void add_stack_modes(RunContext &run, const StackInput &input, const MovingPass 
     Parameter K4 = on_two_meshes(run, fine.force, fine.moving.strip_stiffness, coarse.moving.strip_stiffness);
     K4.unit      = "N/m";
     K4.method    = "slope of the strip in series with the flattening of both work rolls, even opening (51.22)";
-    run.results.add(result_name({family::stack, "strip_stiffness"}), K4);
+    run.results.add(row::stack::strip_stiffness.of(), K4);
     add_named(run, fine, *fine.rolling, *coarse.rolling, GapState::rolling, limit);
     write_mode_table(run, *fine.rolling);
     write_shapes(run, *fine.rolling);

@@ -2,6 +2,8 @@
 #include "app/stack/stack_optimise.h"
 #include "app/stack/stack_stage.h"
 #include "core/model/stack_supports.h"
+#include "core/records/result_words.h"
+#include "core/records/rows_of_stack.h"
 #include "core/records/stack_names.h"
 #include "reduce/stack/line_law.h"
 #include "reduce/stack/section_forces.h"
@@ -30,27 +32,27 @@ void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool 
 {
   const reduce::StripState &strip = solved.state.strip;
   const std::string profile       = std::string(by_newton) + ", opening (51.2)";
-  const auto add = [&](const char *what, const double value, const char *unit, std::string method) {
-    all.push_back({result_name({family::stack, what}), value, unit, std::move(method), {}});
+  const auto add                  = [&](const RowOf<0> &row, const double value, std::string method) {
+    all.push_back({row.of(), value, row.unit, std::move(method), {}});
   };
   if (given_force) {
-    add("force", solved.stack.strip.force, "N", "");
+    add(row::stack::force, solved.stack.strip.force, "");
     all.back().source = Source::given;
   } else {
-    add("force", solved.stack.strip.force, "N", "that at which the unloaded gap is the given one");
+    add(row::stack::force, solved.stack.strip.force, "that at which the unloaded gap is the given one");
   }
-  add("crown", strip.crown, "m", profile);
-  add("edge_drop", strip.edge_drop, "m", profile);
-  add("wedge", strip.wedge, "m", profile);
-  add("profile_rms", profile_rms(strip), "m", profile);
-  add("opening", strip.middle, "m", profile);
+  add(row::stack::crown, strip.crown, profile);
+  add(row::stack::edge_drop, strip.edge_drop, profile);
+  add(row::stack::wedge, strip.wedge, profile);
+  add(row::stack::profile_rms, profile_rms(strip), profile);
+  add(row::stack::opening, strip.middle, profile);
   if (const double gap = unloaded_gap(solved); !std::isnan(gap))
-    add("gap", gap, "m", "mean exit thickness less the mean opening (51.2)");
-  add("modulus.mid", solved.state.modulus.mid, "N/m", by_factors);
-  add("modulus.mean", solved.state.modulus.mean, "N/m", by_factors);
+    add(row::stack::gap, gap, "mean exit thickness less the mean opening (51.2)");
+  add(row::stack::modulus_mid, solved.state.modulus.mid, by_factors);
+  add(row::stack::modulus_mean, solved.state.modulus.mean, by_factors);
   if (const Eigen::VectorXd I = flatness(solved); I.size() > 0) {
-    add("flatness.min", I.minCoeff(), "1", "I-units, no lateral flow (51.12)");
-    add("flatness.max", I.maxCoeff(), "1", "I-units, no lateral flow (51.12)");
+    add(row::stack::flatness_min, I.minCoeff(), "I-units, no lateral flow (51.12)");
+    add(row::stack::flatness_max, I.maxCoeff(), "I-units, no lateral flow (51.12)");
   }
 }
 
@@ -66,25 +68,23 @@ void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
   for (const auto &[from, to] : reduce::contact_zones(solved.stack, contact))
     length += to - from;
   const double even = resultant.force / length, even_width = reduce::half_width_of(law, even);
-  const auto add = [&](const char *what, const double value, const char *unit, std::string method,
-                       std::vector<Check> checks) {
-    all.push_back({result_name({family::pair, a.name + "-" + b.name, what}), value, unit, std::move(method),
-                   std::move(checks)});
+  const auto add = [&](const RowOf<1> &row, const double value, std::string method, std::vector<Check> checks) {
+    all.push_back({row.of(a.name + "-" + b.name), value, row.unit, std::move(method), std::move(checks)});
   };
-  add("force", pair.force, "N", by_newton, {{by_statics, resultant.force, ""}});
-  add("load_centre", pair.load_centre, "m", by_newton, {{by_statics, resultant.centre, ""}});
+  add(row::pair::force, pair.force, by_newton, {{by_statics, resultant.force, ""}});
+  add(row::pair::load_centre, pair.load_centre, by_newton, {{by_statics, resultant.centre, ""}});
   const std::string uneven = "the load is not uniform";
-  add("q_max", pair.peak_load, "N/m", by_newton, {{"mean over the length of contact", even, uneven}});
-  add("peak_pressure", pair.peak_pressure, "Pa", "Hertz, largest line load (51.3)",
+  add(row::pair::q_max, pair.peak_load, by_newton, {{"mean over the length of contact", even, uneven}});
+  add(row::pair::peak_pressure, pair.peak_pressure, "Hertz, largest line load (51.3)",
       {{"Hertz, uniform load", 2 * even / (M_PI * even_width), uneven}});
-  add("touching", pair.touching, "1", by_newton, {});
-  add("uniform_tangent", pair.uniform_tangent, "N/m", "integral of dq/dd along the contact (51.4)",
+  add(row::pair::touching, pair.touching, by_newton, {});
+  add(row::pair::uniform_tangent, pair.uniform_tangent, "integral of dq/dd along the contact (51.4)",
       {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});
-  add("tangent", pair.loaded_tangent, "N/m",
+  add(row::pair::tangent, pair.loaded_tangent,
       "change of the force over that of the approach, which the line load weighs (51.21)",
       {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});
   const double weighted = (pair.weight.array() * pair.load.array() * pair.approach.array()).sum() / pair.force;
-  add("secant", pair.force / weighted, "N/m", "force over the approach, which the line load weighs (51.3)",
+  add(row::pair::secant, pair.force / weighted, "force over the approach, which the line load weighs (51.3)",
       {{"uniform load (51.3)", resultant.force / reduce::approach_of(law, even), uneven}});
 }
 
@@ -94,8 +94,8 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
   const StackRoll &roll                    = solved.stack.rolls[r];
   const reduce::StackState &state_of_stack = solved.state;
   const reduce::RollState &state           = state_of_stack.rolls[r];
-  const auto add = [&](const std::string &what, const double value, const char *unit, std::vector<Check> checks) {
-    all.push_back({result_name({family::roll, roll.name, what}), value, unit, by_newton, std::move(checks)});
+  const auto add = [&](const ResultName &name, const double value, std::vector<Check> checks) {
+    all.push_back({name, value, name.row().unit, by_newton, std::move(checks)});
   };
   std::vector<std::pair<double, double>> reactions;  // by z
   for (std::size_t s = 0; s < roll.supports.size(); ++s)
@@ -104,11 +104,11 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
   if (reactions.size() == 2) {
     const Eigen::RowVector2d balance = support_forces(solved.stack, r, resultants).row(1);
     const Eigen::Index drive         = roll.supports[1].z > roll.supports[0].z ? 1 : 0;
-    add("reaction_drive", reactions[1].second, "N", {{by_statics, balance[drive], ""}});
-    add("reaction_operator", reactions[0].second, "N", {{by_statics, balance[1 - drive], ""}});
+    add(row::roll::reaction_drive.of(roll.name), reactions[1].second, {{by_statics, balance[drive], ""}});
+    add(row::roll::reaction_operator.of(roll.name), reactions[0].second, {{by_statics, balance[1 - drive], ""}});
   } else {
     for (std::size_t s = 0; s < reactions.size(); ++s)
-      add(fmt::format("reaction_saddle{}", s + 1), reactions[s].second, "N", {});
+      add(row::roll::reaction_saddle.of(roll.name, std::to_string(s + 1)), reactions[s].second, {});
   }
   const auto y_at = [&](const double z) {
     const auto next = std::lower_bound(state.z.begin(), state.z.end(), z);
@@ -116,9 +116,9 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
     const double t  = (z - state.z[i - 1]) / (state.z[i] - state.z[i - 1]);
     return (1 - t) * state.y[i - 1] + t * state.y[i];
   };
-  add("deflection",
-      y_at(roll.shift) - (y_at(roll.shift - roll.length / 2) + y_at(roll.shift + roll.length / 2)) / 2, "m", {});
-  all.push_back({result_name({family::roll, roll.name, "bending_stress"}),
+  add(row::roll::deflection.of(roll.name),
+      y_at(roll.shift) - (y_at(roll.shift - roll.length / 2) + y_at(roll.shift + roll.length / 2)) / 2, {});
+  all.push_back({row::roll::bending_stress.of(roll.name),
                  reduce::largest_bending_stress(solved.stack, state_of_stack, r),
                  "Pa",
                  "largest bending moment over the section modulus, plane sections (51.24)",
@@ -156,25 +156,23 @@ void add_influence_of_shift(StackNumbers &all, const StackInput &input, const So
                       .strip;
   for (const auto &[what, low, high] : {std::tuple{"crown", strip[0].crown, strip[1].crown},
                                         {"edge_drop", strip[0].edge_drop, strip[1].edge_drop}})
-    all.push_back({result_name({family::influence, what, written.name + ".shift"}),
-                   (high - low) / (2 * shift_step),
-                   "1",
-                   by_difference,
-                   {}});
+    all.push_back(
+        {row::influence::shift.of(what, written.name), (high - low) / (2 * shift_step), "1", by_difference, {}});
 }
 }  // namespace
 
 StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved, const MakeStackEngine &make)
 {
   StackNumbers all;
-  const auto add = [&](const std::string &what, const double crown, const double edge_drop, const char *unit) {
-    all.push_back({result_name({family::influence, "crown", what}), crown, unit, by_factors, {}});
-    all.push_back({result_name({family::influence, "edge_drop", what}), edge_drop, unit, by_factors, {}});
+  const std::string crown_drop[] = {word_of(ResultWord::crown), word_of(ResultWord::edge_drop)};
+  const auto add = [&](const auto &row, const double crown, const double edge_drop, const auto &...of) {
+    all.push_back({row.of(crown_drop[0], of...), crown, row.unit, by_factors, {}});
+    all.push_back({row.of(crown_drop[1], of...), edge_drop, row.unit, by_factors, {}});
   };
   const Stack &stack              = solved.stack;
   const auto &engine              = *solved.engine;
   const reduce::GapShape by_force = engine.influence_of_force();
-  add("force", by_force.crown, by_force.edge_drop, "m/N");
+  add(row::influence::force, by_force.crown, by_force.edge_drop);
   for (const StackRollInput &written : input.rolls) {
     double crown = 0, drop = 0, bend_crown = 0, bend_drop = 0;
     for (std::size_t r = 0; r < stack.rolls.size(); ++r) {
@@ -199,12 +197,12 @@ StackNumbers stack_influences(const StackInput &input, const SolvedStack &solved
       for (std::size_t s = 0; s < roll.supports.size() && written.saddles.given && !made; ++s) {
         const double push            = (roll.axis[1] > 0 ? -1 : 1) * roll.supports[s].stiffness[1];
         const reduce::GapShape shape = engine.influence_of_loads(r, {{roll.supports[s].z, {0, push}}});
-        add(fmt::format("{}.eccentric{}", written.name, s + 1), shape.crown, shape.edge_drop, "1");
+        add(row::influence::eccentric, shape.crown, shape.edge_drop, written.name, std::to_string(s + 1));
       }
     }
-    add(written.name + ".crown", crown, drop, "1");
+    add(row::influence::crown, crown, drop, written.name);
     if (bend_crown != 0)
-      add(written.name + ".bending_force", bend_crown, bend_drop, "m/N");
+      add(row::influence::bending_force, bend_crown, bend_drop, written.name);
     add_influence_of_shift(all, input, solved, make, written);
   }
   return all;

@@ -10,6 +10,7 @@
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/rows_of_stack.h"
 #include "core/records/stack_names.h"
 #include "fem/stack/condensed_stack.h"
 #include "reduce/stack/beam_stack.h"
@@ -116,7 +117,7 @@ double engines_apart(const StackNumberSets &sets, const std::string &name)
   constexpr double share = 0.1, least = 2e-6;  // -, m
   const auto of = [&](const StackNumbers &numbers) {
     const auto entry = std::find_if(numbers.begin(), numbers.end(),
-                                    [&](const StackNumber &number) { return number.name == name; });
+                                    [&](const StackNumber &number) { return number.name.text() == name; });
     return entry == numbers.end() ? not_given : entry->value;
   };
   const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
@@ -125,8 +126,8 @@ double engines_apart(const StackNumberSets &sets, const std::string &name)
 
 const std::array<std::string, 2> &small_differences()
 {
-  static const std::array<std::string, 2> names = {result_name({family::stack, "crown"}),
-                                                   result_name({family::stack, "edge_drop"})};
+  static const std::array<std::string, 2> names = {row::stack::crown.of().text(),
+                                                   row::stack::edge_drop.of().text()};
   return names;
 }
 
@@ -159,7 +160,8 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
                           "shoulders, the surface of the rolls around their contacts and the flattening at the "
                           "edges of the strip are in the condensed rolls only"});
     p.error_estimate = p.value == 0 || p.value == coarse[i].value ? 0 : mesh_pair_error(p.value, coarse[i].value);
-    if (const auto &names = small_differences(); std::find(names.begin(), names.end(), number.name) != names.end())
+    if (const auto &names = small_differences();
+        std::find(names.begin(), names.end(), number.name.text()) != names.end())
       if (const double apart = engines_apart(sets, number.name); std::isfinite(apart) && p.value != 0)
         p.error_estimate = std::max(p.error_estimate, apart / std::abs(p.value));
     if (const auto by = of_bearings.square.find(number.name); by != of_bearings.square.end())
@@ -309,7 +311,7 @@ StackNumbers traced_stack(const StackInput &input, const Stack &stack)
   const Eigen::VectorXd f =
       dynamic_cast<const reduce::BeamStack &>(*solved.engine).frequencies(frequencies_listed);
   for (Eigen::Index k = 0; k < f.size(); ++k)
-    all.push_back({result_name({family::stack, fmt::format("f{}", k + 1)}), f[k], "Hz", by_beams, {}});
+    all.push_back({row::stack::frequency.of(std::to_string(k + 1)), f[k], "Hz", by_beams, {}});
   return all;
 }
 

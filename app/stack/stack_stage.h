@@ -3,6 +3,7 @@
 #include "app/run/run_context.h"
 #include "app/stack/stack_kernels.h"
 #include "core/model/stack_input.h"
+#include "core/records/result_row.h"
 #include "reduce/stack/beam_stack.h"
 #include <functional>
 #include <memory>
@@ -15,7 +16,7 @@ struct Case;
 
 /// A result before its error is known from a second mesh.
 struct StackNumber {
-  std::string name;
+  ResultName name;
   double value = 0;  ///< SI
   std::string unit, method;
   std::vector<Check> checks;

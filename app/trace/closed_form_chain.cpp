@@ -15,6 +15,7 @@
 #include "core/model/case.h"
 #include "core/model/lumped.h"
 #include "core/records/chain_number.h"
+#include "core/records/rows_of_stand.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
 #include "reduce/chain/chain_keys.h"
@@ -66,7 +67,7 @@ void add_vertical_modes(ClosedFormResults &all, const LumpedModel &model, const 
   const ChainModes chain = chain_modes(model, settings);
   for (std::size_t i = 0; i < chain.half.size(); ++i) {
     ClosedFormResult r;
-    r.name             = name_in_state(named, fmt::format("f{}", i + 1));
+    r.name             = row::modes::vertical.of(word_of_state(named), std::to_string(i + 1));
     r.parameter.value  = chain.modes.frequency[Eigen::Index(i)];
     r.parameter.unit   = "Hz";
     r.parameter.method = "six-mass chain";

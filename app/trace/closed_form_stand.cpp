@@ -5,6 +5,7 @@
 #include "core/base/force_text.h"
 #include "core/model/four_high.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_stand.h"
 #include "reduce/chain/line_contact.h"
 #include "reduce/chain/mill_modulus.h"
 #include <fmt/format.h>
@@ -32,9 +33,9 @@ struct ClosedFormModulus {
   OperatingPoint at;
   double load;
 
-  std::string name_of(const std::string &quantity, const std::string &aspect = "") const
+  ResultName name_of(const RowOf<1> &row) const
   {
-    return stand_result(stand, 0, quantity, aspect);
+    return stand_result(stand, 0, row);
   }
   double value(const std::string &name) const
   {
@@ -71,7 +72,7 @@ struct ClosedFormModulus {
 
 void ClosedFormModulus::add_kissing() const
 {
-  const std::string touching = name_of("K_ww", "tangent");
+  const std::string touching = name_of(row::stand::K_ww_tangent);
   add(made(touching, "N/m", reduce::line_contact(work_roll_pair(stand), load).tangent,
            "Hertz line contact of both work rolls over the barrel", at),
       {},
@@ -79,7 +80,8 @@ void ClosedFormModulus::add_kissing() const
              keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes.front(), 0)),
       "reduce/chain/line_contact", "(3.5b)");
   const auto names = path({touching});
-  add(made(name_of("modulus", "kiss"), "N/m", series(names), "springs in series, work rolls on each other", at),
+  add(made(name_of(row::stand::modulus_kiss), "N/m", series(names), "springs in series, work rolls on each other",
+           at),
       names, {}, "reduce/chain/mill_modulus", "(30.1)");
 }
 
@@ -125,27 +127,29 @@ void ClosedFormModulus::add_with_strip() const
   const double bend = work_rolls_bending(stand, nullptr, stand.strip.width, K3, K5);
   std::vector<std::string> more{"K4.flattening"};
   if (bend * K3 > least_bending) {
-    ClosedFormResult r = made(name_of("K_bend"), "N/m", factor(factors, name_of("K_bend")) / bend,
-                              "Euler beam on its contact line", at);
+    ClosedFormResult r =
+        made(name_of(row::stand::K_bend), "N/m", factor(factors, name_of(row::stand::K_bend)) / bend,
+             "Euler beam on its contact line", at);
     if (stand.backup_roll.bending_model == BendingModel::solid)
       r.stands_for = "the work rolls by finite elements, backup_roll.bending_model = \"solid\"";
     add(std::move(r), {"K3", "K5"},
         joined(keys_in("steel", "youngs_modulus"), keys_in("work_roll", "barrel_diameter barrel_length"),
                keys_in("strip", "width"), keys_in("dynamics", "mass_reference")),
         "reduce/chain/mill_modulus", "(30.3)");
-    more.push_back(name_of("K_bend"));
+    more.push_back(name_of(row::stand::K_bend));
   }
   const auto names          = path(more);
   const double M            = series(names, 1 / value("K4.flattening"));  // both rolls are flattened
-  const std::string modulus = name_of("modulus", "tangent"), slope = "K4.plastic_slope";
+  const std::string modulus = name_of(row::stand::modulus_tangent), slope = "K4.plastic_slope";
   add(made(modulus, "N/m", M, "springs in series, strip between the work rolls", at), names, {},
       "reduce/chain/mill_modulus", "(30.1)");
   const reduce::GaugeCoupling gauge{M, value(slope)};
   if (!(gauge.Q > 0))
     return;
-  add(made(name_of("screw_sensitivity"), "1", gauge.screw(), "mill modulus and plastic slope", at),
+  add(made(name_of(row::stand::screw_sensitivity), "1", gauge.screw(), "mill modulus and plastic slope", at),
       {modulus, slope}, {}, "app/stages/stand/gauge_results", "(30.7)");
-  add(made(name_of("force_by", "screw"), "N/m", gauge.force_by_screw(), "mill modulus and plastic slope", at),
+  add(made(name_of(row::stand::force_by_screw), "N/m", gauge.force_by_screw(), "mill modulus and plastic slope",
+           at),
       {modulus, slope}, {}, "app/stages/stand/gauge_results", "(30.9)");
 }
 }  // namespace
@@ -165,14 +169,11 @@ void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedMo
 {
   const auto names = chain_with_modes(model, settings).names;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    const ClosedFormResult *f = find(all, name_in_state(named, fmt::format("f{}", i + 1)));
+    const ClosedFormResult *f = find(all, row::modes::vertical.of(word_of_state(named), std::to_string(i + 1)));
     if (!f || names[i].key.empty() || !names[i].listed)
       continue;
-    const auto name = [&](const char *quantity) {
-      return name_in_state(named, result_name({family::mode, names[i].key, quantity}));
-    };
     ClosedFormResult r = *f;
-    r.name             = name("frequency");
+    r.name             = row::modes::frequency.of(word_of_state(named), names[i].key);
     r.parameter.method = "six-mass chain, " + names[i].name;
     r.from             = {f->name};
     r.own_keys         = {};
@@ -183,7 +184,7 @@ void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedMo
     if (!stands_for.empty())
       r.parameter.inputs = joined(std::move(r.parameter.inputs), detailed_model_keys());
     ClosedFormResult share = r;
-    share.name             = name("gap_share");
+    share.name             = row::modes::gap_share.of(word_of_state(named), names[i].key);
     share.parameter.value  = names[i].gap_share;
     share.parameter.unit   = "1";
     share.relation         = "share of a mode in the compliance of the gap";

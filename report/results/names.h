@@ -4,8 +4,8 @@
 #include <vector>
 
 namespace mill::report {
-/// What a result is, in words: "K3.tangent" -> "upper backup roll on upper work roll, tangent dF/dδ".  Empty when
-/// the name is not one of the product's.
+/// What a result is, in words of its row: "K3.tangent" -> "upper backup roll on upper work roll, tangent dF/dδ".
+/// Empty when no row makes the name.
 std::string meaning_of(const std::string &name);
 
 /// The value that represents K1..K7, Kzc1..Kzc4: the entry of that name, else its tangent, which is what a
@@ -31,18 +31,8 @@ std::vector<Group> bite_groups(const Run &run);
 std::vector<Group> chatter_groups(const Run &run);
 /// What one asks for first: force, named frequencies and limits of every pass, what was fitted.
 std::vector<Group> cluster_groups(const Run &run);
-/// Meaning of "cluster.pass 1.W-I.tangent"; empty: another name.
-std::string cluster_meaning(const std::string &name);
 /// What one asks for first in a run of kind "stack": strip and stack, contacts, influences.
 std::vector<Group> stack_groups(const Run &run);
-/// Meaning of "pair.W-B.q_max" and of the other results of a stack; empty: another name.
-std::string stack_meaning(const std::string &name);
-/// Meaning of "chatter.2.growth_rate" and of the derivatives "bite.2.F.gap"; empty: another name.
-std::string chatter_meaning(const std::string &name);
-/// Meaning of "marks.work_roll.per_turn"; empty: another name.
-std::string marks_meaning(const std::string &name);
-/// Meaning of "cluster.pass 1.flow_stress" after the name of the pass; empty: another quantity.
-std::string schedule_meaning(const std::string &quantity);
 /// chatter.CONDITION.speed_slope.KEY and friction_slope, which the charts of the section show side by side.
 bool is_slope_by_one_input(const std::string &name);
 /// bite.PASS.MODEL.*, which the table of models shows side by side.

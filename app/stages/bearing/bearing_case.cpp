@@ -8,6 +8,7 @@
 #include "app/stages/bearing/oil_film_results.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
+#include "core/records/rows_of_bearing.h"
 #include "dynamics/bearing/dynamics.h"
 #include "reduce/bearing/clearance.h"
 #include <algorithm>
@@ -51,30 +52,31 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
   const auto motion = dynamics::simulate(mass, e.duration, e.output_rate);
   run.out.write_table("response/bearing-" + slug(spec.load.bearing), dynamics::bearing_response_table(motion));
   write_curve(run, curve::bearing_spectrum, slug(spec.load.bearing), dynamics::bearing_spectrum_table(motion));
-  const auto add = [&](const std::string &name, const std::string &unit, const double value,
-                       const std::string &method, std::vector<Check> checks = {}) {
+  const auto add = [&](const RowOf<0> &row, const double value, const std::string &method,
+                       std::vector<Check> checks = {}) {
     Parameter p;
     p.value  = value;
-    p.unit   = unit;
+    p.unit   = row.unit;
     p.method = method;
     p.at     = {"{}, {} at {}",
                 {{spec.load.radial, "kN", ".4g"}, {e.amplitude, "kN", ".4g"}, {e.frequency, "Hz", ".4g"}}};
     p.checks = std::move(checks);
     p.inputs = {"dynamics.mass",      "dynamics.damping",   "dynamics.amplitude",
                 "dynamics.frequency", "dynamics.direction", "load.radial"};
-    run.results.add("Kzc.motion." + name, p);
+    run.results.add(row.of(), p);
   };
   const double linear = std::sqrt(study.tangent / e.mass) / (2 * M_PI);
-  add("frequency", "Hz", motion.frequency_along, "small motions about the load, on the interpolated curve",
+  add(row::motion::frequency, motion.frequency_along, "small motions about the load, on the interpolated curve",
       {{"tangent of the assembled bearing", linear, ""}});
-  add("frequency_across", "Hz", motion.frequency_across,
+  add(row::motion::frequency_across, motion.frequency_across,
       "small motions across the load, on the interpolated curve",
       {{"tangent of the assembled bearing across the load", std::sqrt(study.tangent_across / e.mass) / (2 * M_PI),
         "a bearing in a chock is not the same all round"}});
-  add("spectrum_peak", "Hz", motion.spectrum_peak, "highest line of the acceleration's spectrum");
-  add("peak_acceleration", "m/s2", motion.peak_acceleration, "time integration on the bearing's curve");
-  add("peak_force", "N", motion.peak_force, "time integration on the bearing's curve");
-  add("without_contact", "1", motion.without_contact, "share of the time, from the instants of loss and return");
+  add(row::motion::spectrum_peak, motion.spectrum_peak, "highest line of the acceleration's spectrum");
+  add(row::motion::peak_acceleration, motion.peak_acceleration, "time integration on the bearing's curve");
+  add(row::motion::peak_force, motion.peak_force, "time integration on the bearing's curve");
+  add(row::motion::without_contact, motion.without_contact,
+      "share of the time, from the instants of loss and return");
   for (const std::string &note : motion.notes)
     run.assume(note);
 }

@@ -1,6 +1,7 @@
 #include "app/stages/bearing/bearing_published.h"
 #include "core/numerics/root_search.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_bearing.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
@@ -121,24 +122,24 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
   p.unit         = "N/m";
   p.at           = {"{} on one bearing", {{s.question.radial, "kN"}}};
   p.inputs       = inputs;
-  const auto add = [&](const std::string &name, const double value, const std::string &method,
+  const auto add = [&](const RowOf<1> &row, const double value, const std::string &method,
                        std::vector<Check> checks) {
     p.value  = value;
     p.method = method;
     p.checks = std::move(checks);
-    run.results.add(prefix + "." + name, p);
+    run.results.add(row.of(prefix), p);
   };
   const auto heavy = heaviest_of_rows(s.at);
   const double Z5  = b.rollers_per_row / 5.;
   if (std::isfinite(sum)) {
     const double mechanics = b.rollers_per_row * std::pow(std::cos(b.cup_angle), 2) / 4.0847;
-    add("rollers_times_Z5", Z5 * heavy.tangent.sum(),
+    add(row::bearing::rollers_times_Z5, Z5 * heavy.tangent.sum(),
         fmt::format("sum of the heaviest rollers' tangents, one of each row, times Z/5 = {}/5 = {:.4g}: the link "
                     "between the published per-roller values and the published total",
                     b.rollers_per_row, Z5),
         {check(CheckId::published_times_Z5, Z5 * sum, "their own total"),
          check(CheckId::published_total, total, "no contact angle, Z/5 for a bearing with clearance")});
-    add("rollers_times_stribeck", mechanics * heavy.tangent.sum(),
+    add(row::bearing::rollers_times_stribeck, mechanics * heavy.tangent.sum(),
         "the same sum times Z cos^2(alpha)/4.085: rigid rings without clearance, (5.15)",
         {check(CheckId::published_times_stribeck, mechanics * sum)});
   }
@@ -154,7 +155,8 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
       return Eigen::VectorXd::Constant(1, where_on_curve(beyond_curve, stiffness, total));
     })[0];
   };
-  const auto fit = [&](const std::string &name, const Stiffness &stiffness, const std::string &what) {
+  const auto fit = [&](const RowOf<1> &row, const std::string &name, const Stiffness &stiffness,
+                       const std::string &what) {
     const double load   = where_on_curve(s.curve.states, stiffness, total);
     const double beyond = std::isnan(load) ? beyond_it(name, stiffness) : load;
     const double iso    = where_on_curve(s.standard_curve.states, stiffness, total);
@@ -170,14 +172,14 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
       checks.push_back({"ISO/TS 16281, rigid rings", iso, ""});
     if (std::isfinite(rigid) && b.rings == RingBodies::elastic)
       checks.push_back({"the same rollers, rigid rings", rigid, ""});
-    add(name, beyond,
+    add(row, beyond,
         "bearing load at which the " + what + " takes the published total" +
             (std::isnan(load) ? ", beyond the swept range" : ""),
         std::move(checks));
   };
   fit(
-      "load_that_fits_tangent",
+      row::bearing::load_that_fits_tangent, "load_that_fits_tangent",
       [&](const bearing::AssemblyState &state) { return bearing::radial_tangent(state, s.loading); }, "tangent");
-  fit("load_that_fits_secant", bearing::radial_secant, "secant");
+  fit(row::bearing::load_that_fits_secant, "load_that_fits_secant", bearing::radial_secant, "secant");
 }
 }  // namespace mill

@@ -3,6 +3,7 @@
 #include "core/case/provenance.h"
 #include "core/model/bearing_ratings.h"
 #include "core/model/case.h"
+#include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/geometry.h"
 #include "reduce/bearing/rating_life.h"
 #include "reduce/bearing/ratings.h"
@@ -51,21 +52,24 @@ struct RatedBearing {
 struct RatingResults {
   RunContext &run;
   const BearingStudy &study;
-  std::string prefix;
   std::vector<std::string> inputs;
 
-  Parameter &add(const std::string &name, const std::string &unit, const double value, const std::string &method,
-                 std::vector<Check> checks, const double error = not_given)
+  ResultName name(const RowOf<1> &row) const
+  {
+    return row.of(study.question.bearing.name);
+  }
+  Parameter &add(const RowOf<1> &row, const double value, const std::string &method, std::vector<Check> checks,
+                 const double error = not_given)
   {
     Parameter p;
     p.value          = value;
-    p.unit           = unit;
+    p.unit           = row.unit;
     p.method         = method;
     p.at             = operating_point(study);
     p.inputs         = inputs;
     p.checks         = std::move(checks);
     p.error_estimate = error;
-    run.results.add(prefix + name, p);
+    run.results.add(name(row), p);
     return run.results.values.back().second;
   }
 };
@@ -93,17 +97,16 @@ void add_basic_ratings(RatingResults &out, const RatedBearing &r)
   const std::string message =
       b.catalogue_source.empty() ? "rating of the case" : b.designation + ", " + b.catalogue_source;
   const double from_hertz = bearing::radial_load_of_pressure(b, 4e9);
-  const auto one          = [&](const char *name, const double value, const double published, const double formula,
+  const auto one = [&](const RowOf<1> &row, const double value, const double published, const double formula,
                        const char *standard, std::vector<Check> checks) {
     const bool by_maker = std::isfinite(published);
     if (by_maker)
       checks.insert(
-                   checks.begin(),
-                   {standard, formula, b.estimated.empty() ? "from the rollers" : "the rollers are estimated from it"});
-    Parameter &p =
-        out.add(name, "N", value, by_maker ? message : std::string(standard) + " from the rollers, (5.29)", checks,
-                by_maker && b.estimated.empty() ? ratio_error(formula, published) : not_given);
-    p.at = {};
+          checks.begin(),
+          {standard, formula, b.estimated.empty() ? "from the rollers" : "the rollers are estimated from it"});
+    Parameter &p = out.add(row, value, by_maker ? message : std::string(standard) + " from the rollers, (5.29)",
+                           checks, by_maker && b.estimated.empty() ? ratio_error(formula, published) : not_given);
+    p.at         = {};
     if (by_maker)
       p.source = b.catalogue_source.empty() ? Source::given : Source::published;
     if (std::isnan(p.error_estimate))
@@ -115,9 +118,9 @@ void add_basic_ratings(RatingResults &out, const RatedBearing &r)
   if (r.has_equivalent_load())
     by_slices.push_back({"load for 1e6 revolutions by slices", r.loads.dynamic * std::pow(life.life / 1e6, 0.3),
                          "P (L10r/1e6)^0.3: the solved loads of the rollers in place of the standard's"});
-  one("C", r.C, b.dynamic_rating, r.by_formula.dynamic, "ISO 281", by_slices);
+  one(row::rating::C, r.C, b.dynamic_rating, r.by_formula.dynamic, "ISO 281", by_slices);
   Parameter *C0 = one(
-      "C0", r.C0, b.static_rating, r.by_formula.static_rating, "ISO 76",
+      row::rating::C0, r.C0, b.static_rating, r.by_formula.static_rating, "ISO 76",
       {{"Hertz pressure 4000 MPa under the heaviest roller", from_hertz, "five times the mean load of a roller"}});
   if (std::isnan(C0->error_estimate)) {
     C0->error_estimate = ratio_error(from_hertz, r.C0);
@@ -128,7 +131,7 @@ void add_basic_ratings(RatingResults &out, const RatedBearing &r)
 void add_loads_and_safety(RatingResults &out, const RatedBearing &r)
 {
   const auto life = r.life(r.study.at);
-  out.add("P", "N", r.loads.dynamic, "ISO 281, equivalent load, (5.32)",
+  out.add(row::rating::P, r.loads.dynamic, "ISO 281, equivalent load, (5.32)",
           {{"from the life by slices, C (L10r/1e6)^-0.3", life.equivalent_load, "every roller's load counted"}},
           ratio_error(life.equivalent_load, r.loads.dynamic));
   const double p =
@@ -136,20 +139,20 @@ void add_loads_and_safety(RatingResults &out, const RatedBearing &r)
           .inner_peak_pressure;
   const double S0   = r.C0 / r.loads.statics;
   const double safe = std::pow(4e9 / p, 2);
-  out.add("S0", "1", S0, "ISO 76, static safety C0/P0, (5.33)",
+  out.add(row::rating::S0, S0, "ISO 76, static safety C0/P0, (5.33)",
           {{"(4000 MPa over the heaviest roller's pressure)^2", safe, "solved load of the heaviest roller"},
            {"(yield_pressure over that pressure)^2", std::pow(r.bearing.yield_pressure / p, 2), ""}},
           ratio_error(safe, S0));
 }
 
 // A life with the error of C added to its own; it lacks what C lacks.
-void add_life(RatingResults &out, const std::string &name, const double value, const std::string &method,
+void add_life(RatingResults &out, const RowOf<1> &row, const double value, const std::string &method,
               std::vector<Check> checks, const double own_error)
 {
-  const Parameter *C = out.run.results.find(out.prefix + "C");
+  const Parameter *C = out.run.results.find(out.name(row::rating::C));
   const double by_C  = life_error_of(C->error_estimate);
   const auto lacks   = C->error_lacks;
-  Parameter &p       = out.add(name, "1", value, method, std::move(checks), std::hypot(own_error, by_C));
+  Parameter &p       = out.add(row, value, method, std::move(checks), std::hypot(own_error, by_C));
   if (std::isnan(by_C))
     p.error_lacks = lacks;
 }
@@ -165,13 +168,13 @@ double add_basic_lives(RatingResults &out, const RatedBearing &r)
   double error = error_of(r.study, number);
   if (r.has_equivalent_load()) {
     const double L10 = bearing::basic_life(r.C, r.loads.dynamic);
-    add_life(out, "L10", L10, "ISO 281, 1e6 (C/P)^(10/3) revolutions, (5.34)",
+    add_life(out, row::rating::L10, L10, "ISO 281, 1e6 (C/P)^(10/3) revolutions, (5.34)",
              {{"ISO/TS 16281 by slices", life.life, "the solved load of every roller"}},
              ratio_error(life.life, L10));
     checks.push_back({"ISO 281", L10, "load of the rollers by a factor"});
     error = std::max(std::isfinite(error) ? error : 0, ratio_error(L10, life.life));
   }
-  add_life(out, "L10r", life.life,
+  add_life(out, row::rating::L10r, life.life,
            "ISO/TS 16281 by slices of every roller, revolutions, (5.37); " + model_name(r.bearing), checks, error);
   return error;
 }
@@ -208,7 +211,7 @@ void add_modified_life(RatingResults &out, const RatedBearing &r, const double e
     checks.push_back({"ISO 281, a_ISO L10",
                       r.a_ISO(kappa, dirt, r.loads.dynamic) * bearing::basic_life(r.C, r.loads.dynamic),
                       "load of the rollers by a factor"});
-  add_life(out, "L10mr", value,
+  add_life(out, row::rating::L10mr, value,
            fmt::format("ISO 281, a_ISO L10r revolutions with kappa {:.3g} and e_C {:.3g}, (5.39)", kappa, dirt),
            checks, error);
 }
@@ -224,24 +227,25 @@ void add_speeds(RatingResults &out, const RatedBearing &r)
         b.name, std::holds_alternative<FourHigh>(out.run.the_case.spec) ? "pass.speed" : "load.speed"));
     return;
   }
-  const auto hours = [&](const char *name) {
-    const Parameter *life = out.run.results.find(out.prefix + name);
+  const auto hours = [&](const RowOf<1> &in_revolutions, const RowOf<1> &in_time) {
+    const Parameter *life = out.run.results.find(out.name(in_revolutions));
     if (!life)
       return;
     Parameter timed = *life;
     timed.value /= speed;
-    timed.unit = "s";
+    timed.unit = in_time.unit;
     timed.method += fmt::format(", at {:.4g} turns of the shaft in a minute", 60 * speed);
     for (Check &check : timed.checks)
       check.value /= speed;
-    out.run.results.add(out.prefix + name + "_time", timed);
+    out.run.results.add(out.name(in_time), timed);
   };
-  for (const char *name : {"L10", "L10r", "L10mr"})
-    hours(name);
+  hours(row::rating::L10, row::rating::L10_time);
+  hours(row::rating::L10r, row::rating::L10r_time);
+  hours(row::rating::L10mr, row::rating::L10mr_time);
   const double heaviest = r.study.at.roller_load.maxCoeff();
-  out.add("cage_speed", "Hz", bearing::cage_speed(b, speed), "rolling without slip, shaft turning, cup at rest",
-          {});
-  out.add("centrifugal_force", "N", bearing::centrifugal_force(b, speed),
+  out.add(row::rating::cage_speed, bearing::cage_speed(b, speed),
+          "rolling without slip, shaft turning, cup at rest", {});
+  out.add(row::rating::centrifugal_force, bearing::centrifugal_force(b, speed),
           "of one steel roller at the cage's speed", {{"heaviest roller", heaviest, "what it stands against"}});
 }
 
@@ -250,7 +254,7 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
 {
   if (b.candidates.empty())
     return;
-  const auto one = [&](const char *key, const char *unit, const double value, double RollerCandidate::*member) {
+  const auto one = [&](const RowOf<1> &row, const char *key, const double value, double RollerCandidate::*member) {
     if (std::find(b.estimated.begin(), b.estimated.end(), key) == b.estimated.end())
       return;
     double low = value, high = value;
@@ -259,23 +263,23 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
       low                = std::min(low, other);
       high               = std::max(high, other);
     }
-    Parameter &p = out.add(key, unit, value, "from C and C0 of " + b.designation + ", (5.40), (5.41)",
+    Parameter &p = out.add(row, value, "from C and C0 of " + b.designation + ", (5.40), (5.41)",
                            {{"least candidate", low, ""}, {"largest candidate", high, ""}},
                            std::max(high / value - 1, 1 - low / value));
     p.source     = Source::estimated;
     p.at         = {};
   };
-  one("rollers_per_row", "1", b.rollers_per_row, nullptr);
-  one("roller_diameter", "m", b.roller_diameter, &RollerCandidate::roller_diameter);
-  one("roller_length", "m", b.roller_length, &RollerCandidate::roller_length);
-  one("cup_angle", "rad", b.cup_angle, &RollerCandidate::cup_angle);
+  one(row::rating::rollers_per_row, "rollers_per_row", b.rollers_per_row, nullptr);
+  one(row::rating::roller_diameter, "roller_diameter", b.roller_diameter, &RollerCandidate::roller_diameter);
+  one(row::rating::roller_length, "roller_length", b.roller_length, &RollerCandidate::roller_length);
+  one(row::rating::cup_angle, "cup_angle", b.cup_angle, &RollerCandidate::cup_angle);
   double low = 1, high = 1;
   for (const RollerCandidate &c : b.candidates) {
     low  = std::min(low, c.stiffness);
     high = std::max(high, c.stiffness);
   }
   Parameter &p =
-      out.add("stiffness_spread", "1", stiffness_spread(b.candidates),
+      out.add(row::rating::stiffness_spread, stiffness_spread(b.candidates),
               fmt::format("largest distance of the radial stiffness with {} other sets of rollers, (5.30); "
                           "part of the errors of the stiffnesses",
                           b.candidates.size() - 1),
@@ -287,9 +291,8 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
 
 void add_rating_results(RunContext &run, const BearingStudy &s, const std::vector<std::string> &inputs)
 {
-  const RollerBearing &b   = s.question.bearing;
-  const std::string prefix = "bearing." + b.name + ".";
-  if (run.results.find(prefix + "C"))
+  const RollerBearing &b = s.question.bearing;
+  if (run.results.find(row::rating::C.of(b.name)))
     return;  // another seat of the same bearing
   if (!(b.roller_diameter > 0) || !(bearing::pitch_diameter(b) > 0)) {
     run.assume(
@@ -298,7 +301,7 @@ void add_rating_results(RunContext &run, const BearingStudy &s, const std::vecto
                     b.name));
     return;
   }
-  RatingResults out{run, s, prefix, joined(inputs, rating_keys(b))};
+  RatingResults out{run, s, joined(inputs, rating_keys(b))};
   const RatedBearing rated(s);
   add_estimates(out, b);
   add_basic_ratings(out, rated);

@@ -2,12 +2,14 @@
 #include "app/stages/bearing/bearing_published.h"
 #include "core/case/provenance.h"
 #include "core/model/bearing_ratings.h"
+#include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/chock_supports.h"
 #include "reduce/bearing/geometry.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
+#include <initializer_list>
 
 namespace mill {
 namespace {
@@ -56,19 +58,22 @@ double with_estimates(const BearingStudy &s, const double error)
 }
 
 // The same of another number: what hangs on the contact angle, and what on the number of rollers.
-double estimate_error(const BearingStudy &s, const std::string &name)
+double estimate_error(const BearingStudy &s, const ResultRow &row)
 {
   const auto &candidates = s.question.bearing.candidates;
-  if (name.rfind("roller_", 0) == 0) {
+  const auto is_one_of   = [&](std::initializer_list<const ResultRow *> rows) {
+    return std::find(rows.begin(), rows.end(), &row) != rows.end();
+  };
+  using namespace row::bearing;
+  if (is_one_of({&roller_secant, &roller_tangent, &roller_max})) {
     double spread = 0;
     for (const RollerCandidate &c : candidates)
       spread =
           std::max(spread, std::abs(double(candidates.front().rollers_per_row) / double(c.rollers_per_row) - 1));
     return spread;
   }
-  static const std::set<std::string> others{"moment", "rib_max"};
   const bool of_angle =
-      name.find("axial") != std::string::npos || name.rfind("tilt", 0) == 0 || others.count(name);
+      is_one_of({&axial, &axial_load, &axial_displacement, &row_axial, &tilting, &tilt, &moment, &rib_max});
   return of_angle ? axial_spread(candidates) : 0;
 }
 }  // namespace
@@ -113,61 +118,65 @@ void add_closing_angle(RunContext &run, const std::string &prefix, const RollerB
   p.checks = {{"cup_angle of the case", b.cup_angle, "up to 0.5 deg apart are accepted"}};
   for (const char *key : {"pitch_diameter", "roller_diameter", "roller_cone_angle"})
     p.inputs.push_back("bearing." + b.name + "." + key);
-  run.results.add(prefix + ".closing_cup_angle", p);
+  run.results.add(row::bearing::closing_cup_angle.of(prefix), p);
 }
 
-using Add =
-    std::function<void(const std::string &, const std::string &, const StateNumber &, bool, const std::string &)>;
+using Add = std::function<void(const ResultName &, const StateNumber &, bool, const std::string &)>;
 
-void add_stiffnesses(const BearingStudy &s, const Add &add)
+void add_stiffnesses(const std::string &prefix, const BearingStudy &s, const Add &add)
 {
   add(
-      "axial", "N/m", [](const auto &state) { return state.tangent(2, 2); }, false,
+      row::bearing::axial.of(prefix), [](const auto &state) { return state.tangent(2, 2); }, false,
       ", tangent along the axis, all other motions held");
   if (std::isfinite(s.question.bearing.width))  // else the places of the rows are not known
     add(
-        "tilting", "N m/rad", [&](const auto &state) { return bearing::stiffness_along(state, s.loading, 4); },
-        true, ", tangent against tilt in the plane of the load, loads and imposed motions held");
+        row::bearing::tilting.of(prefix),
+        [&](const auto &state) { return bearing::stiffness_along(state, s.loading, 4); }, true,
+        ", tangent against tilt in the plane of the load, loads and imposed motions held");
 }
 
 // How the ring stands under what else acts on it.
-void add_motions(const BearingStudy &s, const Add &add)
+void add_motions(const std::string &prefix, const BearingStudy &s, const Add &add)
 {
   const BearingQuestion &q = s.question;
   if (std::isfinite(q.axial_displacement))
     add(
-        "axial_load", "N", [](const auto &state) { return state.load[2]; }, true,
+        row::bearing::axial_load.of(prefix), [](const auto &state) { return state.load[2]; }, true,
         ", under the imposed axial displacement");
   else if (q.axial != 0)
     add(
-        "axial_displacement", "m", [](const auto &state) { return state.motion[2]; }, true,
+        row::bearing::axial_displacement.of(prefix), [](const auto &state) { return state.motion[2]; }, true,
         ", of the inner ring from its concentric place");
   if (std::isfinite(q.moment))
     add(
-        "tilt", "rad", [](const auto &state) { return state.motion[4]; }, true,
+        row::bearing::tilt.of(prefix), [](const auto &state) { return state.motion[4]; }, true,
         ", of the inner ring under the moment");
   else if (q.tilt != 0)
     add(
-        "moment", "N m", [](const auto &state) { return state.load[4]; }, true, ", that holds the imposed tilt");
+        row::bearing::moment.of(prefix), [](const auto &state) { return state.load[4]; }, true,
+        ", that holds the imposed tilt");
 }
 
-void add_rollers(const BearingStudy &s, const Add &add)
+void add_rollers(const std::string &prefix, const BearingStudy &s, const Add &add)
 {
-  add("roller_secant", "N/m", of_heaviest(&RowRollers::secant), false, ", heaviest roller between its raceways");
-  add("roller_tangent", "N/m", of_heaviest(&RowRollers::tangent), false, ", heaviest roller between its raceways");
-  add("roller_max", "N", of_heaviest(&RowRollers::load), false, ", heaviest roller");
+  add(row::bearing::roller_secant.of(prefix), of_heaviest(&RowRollers::secant), false,
+      ", heaviest roller between its raceways");
+  add(row::bearing::roller_tangent.of(prefix), of_heaviest(&RowRollers::tangent), false,
+      ", heaviest roller between its raceways");
+  add(row::bearing::roller_max.of(prefix), of_heaviest(&RowRollers::load), false, ", heaviest roller");
   const bool tilted = s.question.tilt != 0 || std::isfinite(s.question.moment);
   for (Eigen::Index r = 0; s.question.radial > 0 && r < s.at.row_share.size(); ++r)
     add(
-        fmt::format("row{}_share", r + 1), "1", [r](const auto &state) { return state.row_share[r]; }, tilted, "");
+        row::bearing::row_share.of(prefix, std::to_string(r + 1)),
+        [r](const auto &state) { return state.row_share[r]; }, tilted, "");
   if (!(s.question.bearing.cup_angle > 0))
     return;
   for (Eigen::Index r = 0; r < s.at.row_axial.size(); ++r)
     add(
-        fmt::format("row{}_axial", r + 1), "N", [r](const auto &state) { return state.row_axial[r]; }, true,
-        ", axial force of the row on the cup");
+        row::bearing::row_axial.of(prefix, std::to_string(r + 1)),
+        [r](const auto &state) { return state.row_axial[r]; }, true, ", axial force of the row on the cup");
   add(
-      "rib_max", "N", [](const auto &state) { return state.rib_force.maxCoeff(); }, false,
+      row::bearing::rib_max.of(prefix), [](const auto &state) { return state.rib_force.maxCoeff(); }, false,
       ", heaviest roller on the cone's rib");
 }
 }  // namespace
@@ -175,43 +184,43 @@ void add_rollers(const BearingStudy &s, const Add &add)
 void add_bearing_results(RunContext &run, const std::string &prefix, const BearingStudy &s,
                          const std::vector<std::string> &inputs)
 {
-  const Add add = [&](const std::string &name, const std::string &unit, const StateNumber &number,
-                      const bool of_arrangement, const std::string &more) {
+  const Add add = [&](const ResultName &name, const StateNumber &number, const bool of_arrangement,
+                      const std::string &more) {
     Parameter p      = plain(s, inputs);
     p.value          = number(s.at);
-    p.unit           = unit;
-    p.error_estimate = error_of(s, number) + estimate_error(s, name);
+    p.unit           = name.row().unit;
+    p.error_estimate = error_of(s, number) + estimate_error(s, name.row());
     p.checks         = comparisons(s, number, of_arrangement);
     p.method += more;
-    run.results.add(prefix + "." + name, p);
+    run.results.add(name, p);
   };
-  run.results.add(prefix + ".tangent", tangent_of(s, inputs));
+  run.results.add(row::bearing::tangent.of(prefix), tangent_of(s, inputs));
   if (s.question.radial > 0) {
     Parameter secant      = plain(s, inputs);
     secant.value          = s.secant;
     secant.error_estimate = with_estimates(s, error_of(s, bearing::radial_secant));
     secant.checks         = s.secant_checks;
-    run.results.add(prefix + ".secant", secant);
+    run.results.add(row::bearing::secant.of(prefix), secant);
   }
-  run.results.add(prefix + ".tangent_across", across_of(s, inputs));
-  add_stiffnesses(s, add);
-  add_motions(s, add);
-  add_rollers(s, add);
-  const auto state = [&](const std::string &name, const std::string &unit, const double value,
-                         const std::string &more, std::vector<Check> checks) {
+  run.results.add(row::bearing::tangent_across.of(prefix), across_of(s, inputs));
+  add_stiffnesses(prefix, s, add);
+  add_motions(prefix, s, add);
+  add_rollers(prefix, s, add);
+  const auto state = [&](const RowOf<1> &row, const double value, const std::string &more,
+                         std::vector<Check> checks) {
     Parameter p = plain(s, inputs);
     p.value     = value;
-    p.unit      = unit;
+    p.unit      = row.unit;
     p.checks    = std::move(checks);
     p.method += more;
-    run.results.add(prefix + "." + name, p);
+    run.results.add(row.of(prefix), p);
   };
-  Eigen::Index row, roller;
-  s.at.roller_load.maxCoeff(&row, &roller);
+  Eigen::Index of_row, roller;
+  s.at.roller_load.maxCoeff(&of_row, &roller);
   // Both flanks carry alike without a load across; the angle is counted without its sign.
-  state("heaviest_angle", "rad", std::abs(std::remainder(s.at.azimuth[roller], 2 * M_PI)),
+  state(row::bearing::heaviest_angle, std::abs(std::remainder(s.at.azimuth[roller], 2 * M_PI)),
         ", of the heaviest roller from the line of the load", {});
-  state("loaded_rollers", "1", s.at.loaded_rollers.maxCoeff(),
+  state(row::bearing::loaded_rollers, s.at.loaded_rollers.maxCoeff(),
         fmt::format(", in the fullest row; {} of {} in all rows", s.at.loaded_rollers.sum(),
                     s.at.roller_load.size()),
         {{"ISO/TS 16281, rigid rings", double(s.standard.loaded_rollers.maxCoeff()), ""}});

@@ -11,6 +11,7 @@
 #include "core/model/contact_settings.h"
 #include "core/model/four_high.h"
 #include "core/model/roll.h"
+#include "core/records/rows_of_bearing.h"
 #include "dynamics/response/mill_model.h"
 #include "reduce/stand/lumped_stand.h"
 #include <algorithm>
@@ -124,8 +125,8 @@ public:
       out.film_damper[i == 0 ? 0 : 1] = 2 * study.solution.at.damping(0, 0);
     if (pass > 0)
       return;
-    run.results.add(std::string(seat.name) + ".tangent", out.Kzc[i]);
-    run.results.add(std::string(seat.name) + ".tangent_across", out.Kzc_across[i]);
+    run.results.add(row::bearing::tangent.of(seat.name), out.Kzc[i]);
+    run.results.add(row::bearing::tangent_across.of(seat.name), out.Kzc_across[i]);
     if (warned)
       return;
     warned = true;

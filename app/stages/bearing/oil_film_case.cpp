@@ -3,6 +3,8 @@
 #include "core/base/files.h"
 #include "core/case/provenance.h"
 #include "core/records/csv.h"
+#include "core/records/result_names.h"
+#include "core/records/rows_of_bearing.h"
 #include <algorithm>
 #include <cmath>
 
@@ -134,8 +136,8 @@ void solve_oil_film_case(RunContext &run, const BearingCase &spec, const OilFilm
   q.speed_key       = "load.speed";
   const auto study  = study_oil_film(run, q);
   const auto inputs = bearing_case_keys(spec);
-  run.results.add("Kzc.tangent", film_stiffness(study, inputs));
-  run.results.add("Kzc.tangent_across", film_stiffness(study, inputs, true));
+  run.results.add(row::bearing::tangent.of(family::bearing), film_stiffness(study, inputs));
+  run.results.add(row::bearing::tangent_across.of(family::bearing), film_stiffness(study, inputs, true));
   add_oil_film_results(run, study, inputs);
   write_oil_film(run, study);
   note_oil_film(run, study, false);

@@ -5,6 +5,7 @@
 #include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/oil_film/closed_forms.h"
 #include "reduce/bearing/oil_film/parabolic_film.h"
 #include <Eigen/LU>
@@ -123,26 +124,25 @@ Parameter film_entry(const OilFilmStudy &s, const std::vector<std::string> &inpu
   return p;
 }
 
-void add_matrices(RunContext &run, const std::string &prefix, const OilFilmStudy &s, const SimplerFilm &other,
+void add_matrices(RunContext &run, const OilFilmStudy &s, const SimplerFilm &other,
                   const std::vector<std::string> &inputs)
 {
-  const char *axes[] = {"x", "y"};
+  const std::string &name = s.question.bearing.name;
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
       Parameter k = film_entry(s, inputs, &OilFilmState::stiffness, i, j);
-      k.unit      = "N/m";
+      k.unit      = row::film::stiffness[i][j]->unit;
       k.checks    = {{parabola_name, other.stiffness(i, j), rigid_note(s.question)}};
       k.method += i == j ? "" : ", force along the first axis by motion along the second";
-      run.results.add(prefix + "k_" + axes[i] + axes[j], k);
+      run.results.add(row::film::stiffness[i][j]->of(name), k);
       Parameter b = film_entry(s, inputs, &OilFilmState::damping, i, j);
-      b.unit      = "N s/m";
+      b.unit      = row::film::damping[i][j]->unit;
       b.checks    = {{"short bearing (29.14)", other.short_damping(i, j), "L/D -> 0"}};
-      run.results.add(prefix + "b_" + axes[i] + axes[j], b);
+      run.results.add(row::film::damping[i][j]->of(name), b);
     }
 }
 
-void add_layers(RunContext &run, const std::string &prefix, const OilFilmStudy &s,
-                const std::vector<std::string> &inputs)
+void add_layers(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs)
 {
   if (!std::isfinite(s.solution.at.layer_stiffness))
     return;
@@ -156,7 +156,7 @@ void add_layers(RunContext &run, const std::string &prefix, const OilFilmStudy &
   p.method = "layers of bush and sleeve under the film's pressure, W^2/(C int p^2 dA), (29.16)";
   p.error_estimate =
       mesh_pair_error(s.solution.fine.layer_stiffness, s.solution.coarse.layer_stiffness, second_order);
-  run.results.add(prefix + "layer_stiffness", p);
+  run.results.add(row::film::layer_stiffness.of(rigid.name), p);
   Parameter series = plain_film(s, inputs);
   series.unit      = "N/m";
   series.method    = "rigid film along the load and layers as plain springs in series";
@@ -165,7 +165,7 @@ void add_layers(RunContext &run, const std::string &prefix, const OilFilmStudy &
     series.value      = 1 / (1 / film + 1 / p.value);
     series.checks     = {
             {"film and layers solved together", s.solution.at.stiffness(0, 0), "the layers reshape the film"}};
-    run.results.add(prefix + "series_stiffness", series);
+    run.results.add(row::film::series_stiffness.of(rigid.name), series);
   } catch (const SolverError &) {
     run.assume(
         fmt::format("bearing.{}: between rigid surfaces no film carries this load; plain springs in series are "
@@ -188,49 +188,49 @@ Parameter film_stiffness(const OilFilmStudy &s, const std::vector<std::string> &
 
 void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs)
 {
-  const std::string prefix  = "bearing." + s.question.bearing.name + ".film.";
+  const std::string &name   = s.question.bearing.name;
   const OilFilmState &state = s.solution.at;
   const SimplerFilm other   = simpler_film(s.question, state);
   const std::string note    = rigid_note(s.question);
-  const auto add            = [&](const char *name, const char *unit, double OilFilmState::*number,
-                       std::vector<Check> checks = {}, const double spread = 0) {
+  const auto add = [&](const RowOf<1> &row, double OilFilmState::*number, std::vector<Check> checks = {},
+                       const double spread = 0) {
     Parameter p      = plain_film(s, inputs);
     p.value          = state.*number;
-    p.unit           = unit;
+    p.unit           = row.unit;
     p.error_estimate = mesh_pair_error(s.solution.fine.*number, s.solution.coarse.*number, second_order) + spread;
     p.checks         = std::move(checks);
-    run.results.add(prefix + name, p);
+    run.results.add(row.of(name), p);
   };
   const double c = s.question.bearing.clearance;
-  add("eccentricity", "1", &OilFilmState::eccentricity,
+  add(row::film::eccentricity, &OilFilmState::eccentricity,
       {{parabola_name, other.eccentricity, note}, {short_name, other.short_eccentricity, "L/D -> 0"}});
-  add("attitude", "rad", &OilFilmState::attitude,
+  add(row::film::attitude, &OilFilmState::attitude,
       {{parabola_name, other.attitude, note},
        {short_name, bearing::ocvirk_attitude(other.short_eccentricity), "L/D -> 0"}});
-  add("minimum_film", "m", &OilFilmState::least_film, {{parabola_name, c * (1 - other.eccentricity), note}});
-  add("peak_pressure", "Pa", &OilFilmState::peak_pressure, {{short_name, other.short_peak, "L/D -> 0"}});
+  add(row::film::minimum_film, &OilFilmState::least_film, {{parabola_name, c * (1 - other.eccentricity), note}});
+  add(row::film::peak_pressure, &OilFilmState::peak_pressure, {{short_name, other.short_peak, "L/D -> 0"}});
   const double streamers = std::abs(state.power_streamers / state.power_loss - 1);
   const double w         = s.question.load.speed;
-  add("power_loss", "W", &OilFilmState::power_loss,
+  add(row::film::power_loss, &OilFilmState::power_loss,
       {{"full film of the parabola's eccentricity", other.full_friction * w, note},
        {"oil in streamers behind the rupture", state.power_streamers, "part of the error"}},
       streamers);
-  add("friction_torque", "N m", &OilFilmState::friction_torque,
+  add(row::film::friction_torque, &OilFilmState::friction_torque,
       {{"full film of the parabola's eccentricity", other.full_friction, note}}, streamers);
-  add("side_flow", "m3/s", &OilFilmState::side_flow,
+  add(row::film::side_flow, &OilFilmState::side_flow,
       {{"short bearing, 2 e R c w L/2", other.short_flow, "L/D -> 0"}});
   const OilFilmBearing &b = s.question.bearing;
   const double warming = b.heat_share * other.full_friction * w / (b.oil_density * b.oil_heat * other.short_flow);
-  add("temperature", "K", &OilFilmState::temperature,
+  add(row::film::temperature, &OilFilmState::temperature,
       {{"by full film and short bearing", b.inlet_temperature + b.warming_share * warming, note}});
-  add("outlet_temperature", "K", &OilFilmState::outlet_temperature,
+  add(row::film::outlet_temperature, &OilFilmState::outlet_temperature,
       {{"by full film and short bearing", b.inlet_temperature + warming, note}});
-  add("viscosity", "Pa s", &OilFilmState::viscosity);
-  add("sommerfeld", "1", &OilFilmState::sommerfeld,
+  add(row::film::viscosity, &OilFilmState::viscosity);
+  add(row::film::sommerfeld, &OilFilmState::sommerfeld,
       {{parabola_name,
         bearing::sommerfeld_number(bearing::parabolic_force(b.length / b.diameter, state.eccentricity).norm()),
         note}});
-  add_matrices(run, prefix, s, other, inputs);
+  add_matrices(run, s, other, inputs);
   Parameter still      = plain_film(s, inputs);
   still.unit           = "N/m";
   still.value          = 1 / state.stiffness.inverse()(0, 0);
@@ -238,15 +238,15 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
                                          1 / s.solution.coarse.stiffness.inverse()(0, 0), second_order);
   still.method += ", along the load, free to move across";
   still.checks = {{"difference of two loads", s.static_slope, ""}};
-  run.results.add(prefix + "k_static", still);
+  run.results.add(row::film::k_static.of(name), still);
   Parameter least = plain_film(s, inputs);
   least.unit      = "Hz";
   least.value     = s.least_speed / (2 * M_PI);
   least.method += ", least speed of the sleeve at which a film carries this load";
-  run.results.add(prefix + "least_speed", least);
+  run.results.add(row::film::least_speed.of(name), least);
   if (s.question.load.tilt.norm() > 0)
-    add("tilting_stiffness", "N m/rad", &OilFilmState::tilting_stiffness);
-  add_layers(run, prefix, s, inputs);
+    add(row::film::tilting_stiffness, &OilFilmState::tilting_stiffness);
+  add_layers(run, s, inputs);
 }
 
 void note_oil_film(RunContext &run, const OilFilmStudy &s, const bool in_chain)

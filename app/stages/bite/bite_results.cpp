@@ -4,6 +4,7 @@
 #include "core/base/force_text.h"
 #include "core/records/bite_model.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_bite.h"
 #include "reduce/bite/slab/neutral_point.h"
 #include "reduce/bite/slab/path_stiffness.h"
 #include <algorithm>
@@ -80,19 +81,18 @@ double combined_in(const BiteAnswer &a)
 struct Adder {
   RunContext &run;
   const BiteStudy &study;
-  std::string prefix;
-  void operator()(const std::string &name, const std::string &unit, const double value, const double error,
-                  std::vector<Check> checks = {}, const std::string &more = "") const
+  void operator()(const RowOf<1> &row, const double value, const double error, std::vector<Check> checks = {},
+                  const std::string &more = "") const
   {
     if (std::isnan(value))
       return;
     Parameter p      = plain(study, study.chosen());
-    p.unit           = unit;
+    p.unit           = row.unit;
     p.value          = value;
     p.error_estimate = error;
     p.checks         = std::move(checks);
     p.method += more;
-    run.results.add(prefix + name, p);
+    run.results.add(row.of(study.question.pass), p);
   }
 };
 
@@ -101,18 +101,18 @@ void add_every_model(RunContext &run, const BiteStudy &s)
   for (const BiteAnswer &answer : s.answers) {
     if (!answer.refused.empty())
       continue;
-    const auto add = [&](const char *name, const char *unit, const double value) {
+    const auto add = [&](const RowOf<2> &row, const double value) {
       Parameter p = plain(s, answer);
-      p.unit      = unit;
+      p.unit      = row.unit;
       p.value     = value;
-      run.results.add("bite." + s.question.pass + "." + answer.key + "." + name, p);
+      run.results.add(row.of(s.question.pass, answer.key), p);
     };
-    add("force", "N", answer.state.force);
-    add("torque", "N m", answer.state.torque);
-    add("forward_slip", "1", answer.state.forward_slip);
-    add("neutral_angle", "rad", bite::neutral_angle(s.question.bite, answer.state));
-    add("flattened_radius", "m", answer.state.flattened_radius);
-    add("plastic_slope", "N/m", answer.stiffness.plastic_slope);
+    add(row::bite_model::force, answer.state.force);
+    add(row::bite_model::torque, answer.state.torque);
+    add(row::bite_model::forward_slip, answer.state.forward_slip);
+    add(row::bite_model::neutral_angle, bite::neutral_angle(s.question.bite, answer.state));
+    add(row::bite_model::flattened_radius, answer.state.flattened_radius);
+    add(row::bite_model::plastic_slope, answer.stiffness.plastic_slope);
   }
 }
 
@@ -121,25 +121,26 @@ void add_balances(RunContext &run, const BiteStudy &s)
   if (!s.flow)
     return;
   const fem::StripFlow &f = s.flow->fine;
-  const auto add          = [&](const char *name, const char *unit, const double value, const char *how) {
+  const auto add          = [&](const RowOf<2> &row, const double value, const char *how) {
     Parameter p = plain(s, *s.find("fe"));
-    p.unit      = unit;
+    p.unit      = row.unit;
     p.value     = value;
     p.method += how;
-    run.results.add("bite." + s.question.pass + ".fe." + name, p);
+    run.results.add(row.of(s.question.pass, word_of(BiteModel::fe)), p);
   };
-  add("flux_balance", "1", f.balance.flux, ", flow out over flow in minus one");
-  add("force_balance", "1", f.balance.force_x, ", horizontal forces over k h1");
-  add("power_balance", "1", f.balance.power, ", power of rolls and tensions over power dissipated minus one");
-  add("exit_thickness", "m", f.exit_thickness, ", of the strip far behind the bite");
-  add("entry_position", "m", f.entry_position, ", where the contact begins");
-  add("exit_position", "m", f.state.exit_position, ", where the contact ends");
+  add(row::bite_model::flux_balance, f.balance.flux, ", flow out over flow in minus one");
+  add(row::bite_model::force_balance, f.balance.force_x, ", horizontal forces over k h1");
+  add(row::bite_model::power_balance, f.balance.power,
+      ", power of rolls and tensions over power dissipated minus one");
+  add(row::bite_model::exit_thickness, f.exit_thickness, ", of the strip far behind the bite");
+  add(row::bite_model::entry_position, f.entry_position, ", where the contact begins");
+  add(row::bite_model::exit_position, f.state.exit_position, ", where the contact ends");
   if (!s.flow->elastic)
     return;
-  add("smallest_thickness", "m", s.flow->smallest_thickness, ", of the strip under the rolls");
-  add("elastic_entry", "m", s.flow->elastic_entry, ", contact before the surface of the strip yields");
-  add("elastic_exit", "m", s.flow->elastic_exit, ", contact behind its last yielding");
-  add("elastic_power", "1", s.flow->elastic_power, ", elastic energy carried off over the power spent");
+  add(row::bite_model::smallest_thickness, s.flow->smallest_thickness, ", of the strip under the rolls");
+  add(row::bite_model::elastic_entry, s.flow->elastic_entry, ", contact before the surface of the strip yields");
+  add(row::bite_model::elastic_exit, s.flow->elastic_exit, ", contact behind its last yielding");
+  add(row::bite_model::elastic_power, s.flow->elastic_power, ", elastic energy carried off over the power spent");
 }
 }  // namespace
 
@@ -152,12 +153,12 @@ void add_thicknesses(const BiteStudy &s, const Adder &add)
   const double leaving = fe ? s.flow->fine.exit_thickness
                             : bite::leaving_thickness(s.question.bite, s.chosen().state,
                                                       free_slab ? bite::Arc::elastic : bite::Arc::rigid);
-  add("exit_thickness", "m", leaving, not_given, {},
+  add(row::bite::exit_thickness, leaving, not_given, {},
       ", of the strip that leaves the stand, under its front tension");
   if (fe && s.flow->elastic)
-    add("smallest_thickness", "m", s.flow->smallest_thickness, not_given, {}, ", under the rolls, loaded");
+    add(row::bite::smallest_thickness, s.flow->smallest_thickness, not_given, {}, ", under the rolls, loaded");
   else if (free_slab)
-    add("smallest_thickness", "m", s.question.bite.strip.exit_thickness, not_given, {},
+    add(row::bite::smallest_thickness, s.question.bite.strip.exit_thickness, not_given, {},
         ", under the rolls, loaded: as given");
 }
 }  // namespace
@@ -166,17 +167,19 @@ namespace {
 // What chose the solver, theory.md 8.10.
 void add_regime(const BiteStudy &s, const Adder &add)
 {
-  add("friction_margin", "1", s.regime.friction_margin, not_given, {},
+  add(row::bite::friction_margin, s.regime.friction_margin, not_given, {},
       ", friction over the least that draws the strip in, by Karman's slab");
-  add("elastic_share", "1", s.regime.elastic_share, not_given, {}, ", length of the elastic zones over the arc");
-  add("arc_over_thickness", "1", s.regime.arc_over_thickness, not_given, {}, ", of a rigid roll, mean thickness");
+  add(row::bite::elastic_share, s.regime.elastic_share, not_given, {},
+      ", length of the elastic zones over the arc");
+  add(row::bite::arc_over_thickness, s.regime.arc_over_thickness, not_given, {},
+      ", of a rigid roll, mean thickness");
 }
 }  // namespace
 
 void add_bite_results(RunContext &run, const BiteStudy &s)
 {
   const bite::BiteState &state = s.chosen().state;
-  const Adder add{run, s, "bite." + s.question.pass + "."};
+  const Adder add{run, s};
   const double coarse_force  = s.flow ? s.flow->coarse_force : not_given;
   const double coarse_torque = s.flow ? s.flow->coarse_torque : not_given;
   auto checks                = comparisons(s, force_in);
@@ -189,42 +192,39 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
     return checks;
   };
   const double error = bite_error(s, state.force, coarse_force, force_in);
-  add("force", "N", state.force, error, std::move(checks));
-  add("torque", "N m", state.torque, bite_error(s, state.torque, coarse_torque, torque_in),
+  add(row::bite::force, state.force, error, std::move(checks));
+  add(row::bite::torque, state.torque, bite_error(s, state.torque, coarse_torque, torque_in),
       with_measured(comparisons(s, torque_in), s.question.measured_torque), ", of one roll");
-  add("friction", "1", state.friction, not_given);
-  add("film_thickness", "m", state.film_thickness, not_given);
-  add("flattened_radius", "m", state.flattened_radius, not_given,
+  add(row::bite::friction, state.friction, not_given);
+  add(row::bite::film_thickness, state.film_thickness, not_given);
+  add(row::bite::flattened_radius, state.flattened_radius, not_given,
       comparisons(s, [](const BiteAnswer &a) { return a.state.flattened_radius; }));
-  add("arc_length", "m", state.arc_length, not_given);
-  add("sticking_length", "m", state.sticking_length, not_given);
-  add("forward_slip", "1", state.forward_slip,
+  add(row::bite::arc_length, state.arc_length, not_given);
+  add(row::bite::sticking_length, state.sticking_length, not_given);
+  add(row::bite::forward_slip, state.forward_slip,
       bite_error(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in),
       with_measured(comparisons(s, slip_in), s.question.measured_slip));
   const auto neutral = [&](const BiteAnswer &a) { return bite::neutral_angle(s.question.bite, a.state); };
-  add("neutral_angle", "rad", neutral(s.chosen()), not_given, comparisons(s, neutral),
+  add(row::bite::neutral_angle, neutral(s.chosen()), not_given, comparisons(s, neutral),
       ", at the axis of the roll: asin of its distance from the line of centres over the roll's own radius");
-  add("peak_pressure", "Pa", state.peak_pressure, not_given,
+  add(row::bite::peak_pressure, state.peak_pressure, not_given,
       comparisons(s, [](const BiteAnswer &a) { return a.state.peak_pressure; }));
   add_thicknesses(s, add);
-  add("entry_speed", "m/s", state.entry_speed, not_given);
-  add("exit_speed", "m/s", state.exit_speed, not_given);
-  const std::pair<const char *, Input> inputs[] = {
-      {"force_by_entry_thickness", Input::entry_thickness},
-      {"force_by_exit_thickness", Input::exit_thickness},
-      {"force_by_entry_tension", Input::entry_tension},
-      {"force_by_exit_tension", Input::exit_tension},
-      {"force_by_friction", Input::friction},
-      {"force_by_flow_stress", Input::flow_stress},
-      {"force_by_roll_speed", Input::roll_speed},
+  add(row::bite::entry_speed, state.entry_speed, not_given);
+  add(row::bite::exit_speed, state.exit_speed, not_given);
+  const std::pair<const RowOf<1> *, Input> inputs[] = {
+      {&row::bite::force_by_entry_thickness, Input::entry_thickness},
+      {&row::bite::force_by_exit_thickness, Input::exit_thickness},
+      {&row::bite::force_by_entry_tension, Input::entry_tension},
+      {&row::bite::force_by_exit_tension, Input::exit_tension},
+      {&row::bite::force_by_friction, Input::friction},
+      {&row::bite::force_by_flow_stress, Input::flow_stress},
+      {&row::bite::force_by_roll_speed, Input::roll_speed},
   };
-  const char *const units[] = {"N/m", "N/m", "m2", "m2", "N", "N", "N s/m"};
-  for (int i = 0; i < 7; ++i) {
-    const Input input = inputs[i].second;
-    add(inputs[i].first, units[i], by(state.force_by, input), not_given,
-        comparisons(s, [input](const BiteAnswer &a) { return by(a.state.force_by, input); }),
+  for (const auto &[row, input] : inputs)
+    add(*row, by(state.force_by, input), not_given,
+        comparisons(s, [input = input](const BiteAnswer &a) { return by(a.state.force_by, input); }),
         ", exact derivative, arc held");
-  }
   add_every_model(run, s);
   add_balances(run, s);
   add_regime(s, add);
@@ -334,11 +334,11 @@ BiteSpring bite_spring(const BiteStudy &s)
 
 void add_bite_spring(RunContext &run, const BiteSpring &spring)
 {
-  run.results.add("K4.plastic_slope", spring.plastic_slope);
-  run.results.add("K4.flattening", spring.flattening);
-  run.results.add("K4.combined", spring.combined);
+  run.results.add(row::bite_spring::plastic_slope.of(), spring.plastic_slope);
+  run.results.add(row::bite_spring::flattening.of(), spring.flattening);
+  run.results.add(row::bite_spring::combined.of(), spring.combined);
   if (!std::isnan(spring.path_plateau.value))
-    run.results.add("K4.path_plateau", spring.path_plateau);
+    run.results.add(row::bite_spring::path_plateau.of(), spring.path_plateau);
 }
 
 namespace {

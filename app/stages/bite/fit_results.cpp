@@ -3,6 +3,7 @@
 #include "core/base/short_number.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_bite.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -38,11 +39,6 @@ FittedNumber number_of(const FitUnknown &unknown, const Strip &start)
     if (constant.member == unknown.constant)
       return {unknown.name, constant.si_unit, law.*constant.member};
   return {unknown.name, "1", 1};
-}
-
-std::string name_in_fit(const std::string &name)
-{
-  return result_name({family::bite, bite_fit, name});
 }
 
 const Strip &start_of(const FitAnswer &answer)
@@ -117,19 +113,19 @@ void add_numbers(RunContext &run, const StripFit &fit)
     if (!fit.models.empty() && slab.problem.unknowns.size() == answer.problem.unknowns.size())
       p.checks.push_back(
           {"by Karman's slab alone", number.at(slab.best.x[Index(i)]), "without the model of the run"});
-    run.results.add(name_in_fit(number.name), p);
+    run.results.add(row::bite_fit::number.of(number.name), p);
     const std::string interval = "end of the 95 % interval, other numbers following";
     const std::string open     = "; no such pass exists beyond";
-    run.results.add(name_in_fit(number.name + "_low"),
+    run.results.add(row::bite_fit::number_low.of(number.name),
                     plain(fit, number.unit, low, interval + (in.low_open ? open : "")));
-    run.results.add(name_in_fit(number.name + "_high"),
+    run.results.add(row::bite_fit::number_high.of(number.name),
                     plain(fit, number.unit, high, interval + (in.high_open ? open : "")));
   }
   for (const bite::KeptUnknown &kept : answer.kept) {
     const FittedNumber number = number_of(kept.unknown, start_of(answer));
     Parameter p = plain(fit, number.unit, number.base, "kept, for the measured values do not tell it");
     p.source    = Source::given;
-    run.results.add(name_in_fit(number.name), p);
+    run.results.add(row::bite_fit::number.of(number.name), p);
   }
 }
 
@@ -143,24 +139,24 @@ void add_quality(RunContext &run, const StripFit &fit)
   if (friction && stress) {
     const Eigen::MatrixXd c = covariance_of(answer.best);
     const auto i = Index(*friction), j = Index(*stress);
-    run.results.add(name_in_fit("correlation"), plain(fit, "1", c(i, j) / std::sqrt(c(i, i) * c(j, j)),
-                                                      "of friction and flow stress, at the fitted point"));
+    run.results.add(row::bite_fit::correlation.of(), plain(fit, "1", c(i, j) / std::sqrt(c(i, i) * c(j, j)),
+                                                           "of friction and flow stress, at the fitted point"));
   }
-  run.results.add(name_in_fit("misfit"),
+  run.results.add(row::bite_fit::misfit.of(),
                   plain(fit, "1", answer.best.misfit, "sum of squares of model less measured over deviation"));
-  run.results.add(name_in_fit("freedom"), plain(fit, "1", double(Index(data.size()) - n), "data less unknowns"));
+  run.results.add(row::bite_fit::freedom.of(),
+                  plain(fit, "1", double(Index(data.size()) - n), "data less unknowns"));
   const bite::FitDirection worst = directions_of(answer.best).front();
-  run.results.add(name_in_fit("worst_deviation"),
+  run.results.add(row::bite_fit::worst_deviation.of(),
                   plain(fit, "1", worst.deviation,
                         "standard deviation of logarithms along the direction known worst: " +
                             direction_text(worst, answer.problem.unknowns)));
   for (Index i = 0; i < n; ++i)
-    run.results.add(name_in_fit("worst_" + answer.problem.unknowns[std::size_t(i)].name),
+    run.results.add(row::bite_fit::worst.of(answer.problem.unknowns[std::size_t(i)].name),
                     plain(fit, "1", worst.unit[i], "share in the direction known worst, of logarithms"));
   for (std::size_t i = 0; i < data.size(); ++i)
     run.results.add(
-        name_in_fit(
-            fmt::format("residual.{}.{}", answer.problem.passes[data[i].pass].name, word_of(data[i].kind))),
+        row::bite_fit::residual.of(answer.problem.passes[data[i].pass].name, word_of(data[i].kind)),
         plain(fit, "1", answer.best.residual[Index(i)], "model less measured, in standard deviations"));
 }
 

@@ -14,7 +14,6 @@ struct ScheduleQuestion {
   std::vector<KeyList> keys;  ///< of the case, behind each pass
   BiteSetup setup;            ///< of the models that are compared with the closed theories
   std::string roll_key;       ///< of the roll at the strip, "roll.0.barrel_diameter"
-  std::string family;         ///< first part of the names of the results, "cluster"
   bool with_models = true;    ///< also the slab theories and finite elements of [bite]
 };
 

@@ -1,6 +1,7 @@
 #include "app/stages/bite/schedule_results.h"
 #include "app/stages/contact/contact_stage.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_cluster.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -21,33 +22,30 @@ OperatingPoint pass_at(const PassForce &pass)
 /// Adds results of one pass, or of all of them.
 class ScheduleAdder {
 public:
-  ScheduleAdder(RunContext &run_, const ScheduleQuestion &question_, std::string subject_, OperatingPoint at_,
-                KeyList keys_)
-      : run(run_), question(question_), subject(std::move(subject_)), at(std::move(at_)), keys(std::move(keys_))
+  ScheduleAdder(RunContext &run_, std::string subject_, OperatingPoint at_, KeyList keys_)
+      : run(run_), subject(std::move(subject_)), at(std::move(at_)), keys(std::move(keys_))
   {
   }
-  void operator()(const std::string &name, const double value, const char *unit, const std::string &method,
+  void operator()(const RowOf<1> &row, const double value, const std::string &method,
                   std::vector<Check> checks = {}, const std::string &lacks = "friction and flow stress",
                   const Source source = Source::computed) const
   {
     if (std::isnan(value))
       return;
     Parameter p;
-    p.value                = value;
-    p.unit                 = unit;
-    p.source               = source;
-    p.method               = method;
-    p.at                   = at;
-    p.checks               = std::move(checks);
-    p.error_lacks          = {lacks};
-    const std::string full = result_name({question.family, subject, name});
-    p.inputs               = keys;
-    run.results.add(full, p);
+    p.value       = value;
+    p.unit        = row.unit;
+    p.source      = source;
+    p.method      = method;
+    p.at          = at;
+    p.checks      = std::move(checks);
+    p.error_lacks = {lacks};
+    p.inputs      = keys;
+    run.results.add(row.of(subject), p);
   }
 
 private:
   RunContext &run;
-  const ScheduleQuestion &question;
   std::string subject;
   OperatingPoint at;
   KeyList keys;
@@ -74,7 +72,7 @@ std::vector<Check> by_other_theories(const PassForce &pass)
 
 void add_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p, const PassForce &pass)
 {
-  const ScheduleAdder add(run, q, pass.name, pass_at(pass), q.keys[p]);
+  const ScheduleAdder add(run, pass.name, pass_at(pass), q.keys[p]);
   const bool fitted = !std::isnan(pass.flat.flow_stress);
   if (fitted) {
     std::vector<Check> checks{
@@ -83,25 +81,26 @@ void add_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p, c
       checks.push_back({"flow stress law of the case at the exit", pass.law_stress, ""});
     for (const Check &other : by_other_theories(pass))
       checks.push_back(other);
-    add("flow_stress", pass.flat.flow_stress, "Pa", fit_text("flow stress", pass, "Hitchcock's arc"), checks,
-        "one equation for two unknowns, friction is taken as it is");
-    add("flow_stress_unflattened", pass.rigid.flow_stress, "Pa",
+    add(row::schedule::flow_stress, pass.flat.flow_stress, fit_text("flow stress", pass, "Hitchcock's arc"),
+        checks, "one equation for two unknowns, friction is taken as it is");
+    add(row::schedule::flow_stress_unflattened, pass.rigid.flow_stress,
         fit_text("flow stress", pass, "the roll's own radius"), {},
         "one equation for two unknowns, friction is taken as it is");
     std::vector<Check> radii;
     if (pass.radius_beyond != pass.flat.radius)
       radii.push_back({"power 2/3 beyond R'/R = 5.235 (39.1)", pass.radius_beyond, ""});
-    add("flattened_radius", pass.flat.radius, "m", "Hitchcock (8.9) under the " + pass.fitted_to_what, radii,
-        "that the arc stays a circle");
+    add(row::schedule::flattened_radius, pass.flat.radius, "Hitchcock (8.9) under the " + pass.fitted_to_what,
+        radii, "that the arc stays a circle");
   } else {
-    add("flow_stress", pass.law_stress, "Pa", "flow stress law of the case at the exit");
+    add(row::schedule::flow_stress, pass.law_stress, "flow stress law of the case at the exit");
   }
-  add("friction", pass.friction, "1", "friction law of the strip at the speed of the pass", {},
+  add(row::schedule::friction, pass.friction, "friction law of the strip at the speed of the pass", {},
       "the friction law");
   const std::string work =
       fitted ? "homogeneous deformation (39.6) with the fitted flow stress" : "homogeneous deformation (39.6)";
-  add("deformation_power", pass.power, "W", work, {}, "a lower bound: friction and redundant work come on top");
-  add("deformation_torque", pass.torque, "N m", work + ", one roll", {},
+  add(row::schedule::deformation_power, pass.power, work, {},
+      "a lower bound: friction and redundant work come on top");
+  add(row::schedule::deformation_torque, pass.torque, work + ", one roll", {},
       "a lower bound: friction and redundant work come on top");
 }
 
@@ -110,17 +109,17 @@ void add_common(RunContext &run, const ScheduleQuestion &q, const ScheduleRecord
   for (const ScheduleLaw &law : record.laws) {
     if (!law.flattened)
       continue;
-    const ScheduleAdder add(run, q, schedule_subject, fmt::format("{} passes", law.data), keys_of_all(q));
+    const ScheduleAdder add(run, schedule_subject, fmt::format("{} passes", law.data), keys_of_all(q));
     const std::string how = fmt::format("fit of {} unknowns to {} passes, flow stress on Hitchcock's arc (39.4)",
                                         law.unknowns, law.data);
-    add("hardening_stress", law.Y, "Pa", how, {}, "what the fitted stresses lack");
-    add("hardening_exponent", law.n, "1", how, {}, "what the fitted stresses lack");
+    add(row::schedule::hardening_stress, law.Y, how, {}, "what the fitted stresses lack");
+    add(row::schedule::hardening_exponent, law.n, how, {}, "what the fitted stresses lack");
   }
   for (const DynamicForces &dynamics : record.dynamics) {
     if (!dynamics.flattened)
       continue;
-    const ScheduleAdder add(run, q, schedule_subject, fmt::format("{} passes", dynamics.data), keys_of_all(q));
-    add("dynamic_constant", dynamics.common, "m2/s",
+    const ScheduleAdder add(run, schedule_subject, fmt::format("{} passes", dynamics.data), keys_of_all(q));
+    add(row::schedule::dynamic_constant, dynamics.common,
         fmt::format("fit of one unknown to {} dynamic forces, geometric mean (39.8)", dynamics.data), {},
         "span, amplitude and mode of the strip are not known");
   }
@@ -132,13 +131,14 @@ void add_dynamic(RunContext &run, const ScheduleQuestion &q, const ScheduleRecor
     for (const DynamicForce &force : dynamics.passes) {
       if (!dynamics.flattened)
         continue;
-      const ScheduleAdder add(run, q, force.name, "", keys_of_all(q));
+      const ScheduleAdder add(run, force.name, "", keys_of_all(q));
       std::vector<Check> checks;
       if (force.printed > 0)
         checks.push_back(check(CheckId::published, force.printed, force.in_fit ? "in the fit" : "blind test"));
-      add("dynamic_force", force.with_common, "N", "one constant for all passes (39.8), (39.9)", checks,
+      add(row::schedule::dynamic_force, force.with_common, "one constant for all passes (39.8), (39.9)", checks,
           "span, amplitude and mode of the strip are not known");
-      add("force_per_displacement", force.per_displacement, "N/m", "slope of (39.9), with the fitted flow stress");
+      add(row::schedule::force_per_displacement, force.per_displacement,
+          "slope of (39.9), with the fitted flow stress");
     }
 }
 }  // namespace

@@ -6,6 +6,7 @@
 #include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_contact.h"
 #include "fem/roll/contact_readings.h"
 #include "fem/roll/frictional_pair.h"
 #include <cmath>
@@ -57,7 +58,7 @@ void add_contact_length(RunContext &run, const ContactModel &m, const std::strin
   Parameter p = computed("m", length, std::max(mesh_pair_error(length, coarse), edge / length), load,
                          "contact FEM, stations that carry load, held as in the stand");
   p.checks.push_back({"length over which the barrels face each other", whole, ""});
-  run.results.add("contact." + name + ".contact_length", p);
+  run.results.add(row::contact::contact_length.of(name), p);
   if (!middle)
     run.warn(of_contact(WarningId::contact_partly_open, name,
                         fmt::format("at {} the rolls do not touch at mid-length, only over {:.0f} of {:.0f} mm",
@@ -90,7 +91,7 @@ void add_path_plateau(RunContext &run, const ContactModel &m, const std::string 
                       load / point.approach * path.tributary_length / m.closed_form.length,
                       "the plateau grows with the length that belongs to a node: no property of the contact"});
   p.checks.push_back({"mesh twice as coarse, for the same length", scaled, ""});
-  run.results.add(K + ".path_plateau", p);
+  run.results.add(row::roll_contact::path_plateau.of(K), p);
 }
 
 void add_joint(RunContext &run, const ContactModel &m, const std::string &name, const double load,
@@ -110,26 +111,27 @@ void add_joint(RunContext &run, const ContactModel &m, const std::string &name, 
   const std::string method =
       "contact FEM, slope over the load fitted, frictionless, " + m.whole.reference + ", theory.md (2.14)";
   // Own to each entry: two meshes, and how far the active set of this one load stands from the fit.
-  const auto add = [&](const char *what, const char *unit, const int row, const int column, const char *check,
+  const auto add = [&](const RowOf<1> &made, const int row, const int column, const char *check,
                        const double reference) {
     const double value = fine(row, column);
     const double error =
         value == 0 ? 0
                    : std::max(mesh_pair_error(value, coarse(row, column)), difference(exact(row, column), value));
-    Parameter p = computed(unit, value, error, load, method);
+    Parameter p = computed(made.unit, value, error, load, method);
     p.checks.push_back({check, reference, "uniform load, no barrel ends"});
     p.checks.push_back({"mesh twice as coarse", coarse(row, column), ""});
-    run.results.add("contact." + name + ".joint." + what, p);
+    run.results.add(made.of(name), p);
   };
-  add("yy", "N/m", 1, 1, "Hertz line contact (3.5b)", hertz.tangent);
-  add("rx_rx", "N m", 3, 3, "the same spread over the length, K L^2/12", hertz.tangent * L * L / 12);
-  add("xx", "N/m", 0, 0, "geometric term of the force, -F over the distance of the axes", -load / axes);
-  add("ry_ry", "N m", 4, 4, "geometric term of a uniform load, -F L^2/12 over it", -load * L * L / 12 / axes);
+  add(row::contact::joint_yy, 1, 1, "Hertz line contact (3.5b)", hertz.tangent);
+  add(row::contact::joint_rx_rx, 3, 3, "the same spread over the length, K L^2/12", hertz.tangent * L * L / 12);
+  add(row::contact::joint_xx, 0, 0, "geometric term of the force, -F over the distance of the axes", -load / axes);
+  add(row::contact::joint_ry_ry, 4, 4, "geometric term of a uniform load, -F L^2/12 over it",
+      -load * L * L / 12 / axes);
   if (fine(2, 2) != 0)
-    add("zz", "N/m", 2, 2, "straight profiles", 0);
+    add(row::contact::joint_zz, 2, 2, "straight profiles", 0);
   if (m.extent == fem::Extent::whole) {
-    add("y_rx", "N", 1, 3, "the same on both sides", 0);
-    add("y_z", "N/m", 1, 2, "straight profiles", 0);
+    add(row::contact::joint_y_rx, 1, 3, "the same on both sides", 0);
+    add(row::contact::joint_y_z, 1, 2, "straight profiles", 0);
   }
 }
 
@@ -169,7 +171,7 @@ void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m,
   p.checks.push_back({"effect of friction on a mesh twice as coarse", tangent.value * coarse.ratio, ""});
   p.checks.push_back(
       {"the same in twice as many load steps", tangent.value * twice.ratio, "the load path matters"});
-  run.results.add(K + ".friction_tangent", p);
+  run.results.add(row::roll_contact::friction_tangent.of(K), p);
 }
 
 // Where the force stands and how the axes are tilted: one is imposed, the other follows.
@@ -180,16 +182,16 @@ void add_one_sidedness(RunContext &run, const ContactModel &m, const std::string
   const auto fine = fem::solve_load(m.in_stand, load), coarse = fem::solve_load(m.in_stand_coarse, load),
              mirrored = fem::solve_load(m.mirrored, load);
   const double L      = m.closed_form.length;
-  const auto add      = [&](const char *what, const char *unit, const double value, const double on_coarse,
-                       const double scale, const double reference) {
+  const auto add      = [&](const RowOf<1> &row, const double value, const double on_coarse, const double scale,
+                       const double reference) {
     const double error = mesh_pair_safety * std::abs(on_coarse - value) / std::max(std::abs(value), 1e-6 * scale);
-    Parameter p        = computed(unit, value, error, load, "contact FEM, held as in the stand");
+    Parameter p        = computed(row.unit, value, error, load, "contact FEM, held as in the stand");
     p.checks.push_back({"squeezed between mirrored contacts", reference, "another way of holding the rolls"});
     p.checks.push_back({"mesh twice as coarse", on_coarse, ""});
-    run.results.add("contact." + name + "." + what, p);
+    run.results.add(row.of(name), p);
   };
-  add("tilt", "rad", fine.tilt, coarse.tilt, fine.approach / L, mirrored.tilt);
-  add("load_offset", "m", fine.moment / load, coarse.moment / load, L, mirrored.moment / load);
+  add(row::contact::tilt, fine.tilt, coarse.tilt, fine.approach / L, mirrored.tilt);
+  add(row::contact::load_offset, fine.moment / load, coarse.moment / load, L, mirrored.moment / load);
 }
 
 void add_largest_pressure(RunContext &run, const ContactModel &m, const FourHigh &stand, const std::string &name,
@@ -205,7 +207,7 @@ void add_largest_pressure(RunContext &run, const ContactModel &m, const FourHigh
   p.checks.push_back(
       {"squeezed between mirrored contacts", largest(m.mirrored), "another way of holding the rolls"});
   p.checks.push_back({"mesh twice as coarse", coarse, ""});
-  run.results.add("contact." + name + ".largest_pressure", p);
+  run.results.add(row::contact::largest_pressure.of(name), p);
   if (peak > 5 * stand.steel.yield_stress)
     run.warn(of_contact(WarningId::contact_yield, name,
                         fmt::format("the largest pressure of {:.0f} MPa at {} is above five times "

@@ -14,6 +14,7 @@
 #include "core/process/parallel.h"
 #include "core/records/contact_name.h"
 #include "core/records/record_text.h"
+#include "core/records/rows_of_contact.h"
 #include "fem/body/on_mesh.h"
 #include <algorithm>
 #include <cmath>
@@ -77,7 +78,7 @@ const char *const fourier_solver = "Fourier solver";
 const char *const coarse_mesh    = "mesh twice as coarse";
 
 // Of a line contact the tangent compliance falls by A/F per newton (3.5b).
-void add_curvature(RunContext &run, const Study &s, const std::string &prefix, const double F, const double fine,
+void add_curvature(RunContext &run, const Study &s, const std::string &pass, const double F, const double fine,
                    const double coarse, const double second)
 {
   if (std::isnan(fine))
@@ -91,19 +92,19 @@ void add_curvature(RunContext &run, const Study &s, const std::string &prefix, c
       {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
   add_check(curvature, coarse_mesh, coarse);
   add_check(curvature, fourier_solver, second);
-  run.results.add(prefix + s.K + ".curvature", curvature);
+  run.results.add(row::roll_contact::curvature.of(pass, s.K), curvature);
 }
 
 // Tangent and secant with the rolls held as in the stand: by the same comparisons as those between mirrored
 // contacts, each for its own quantity.
-void add_held(RunContext &run, const Study &s, const std::string &prefix, const double F, const ContactSlope &held,
+void add_held(RunContext &run, const Study &s, const std::string &pass, const double F, const ContactSlope &held,
               const Parameter &tangent, const Parameter &secant)
 {
   const auto coarse = slope_at(s.model->in_stand_coarse, s.in_stand_coarse, F, Role::companion);
   std::optional<ContactSlope> second;
   if (s.second)
     second = slope_of(s.second->in_stand, F);
-  const auto add = [&](const char *what, const double value, const double on_coarse, const double exact,
+  const auto add = [&](const RowOf<2> &row, const double value, const double on_coarse, const double exact,
                        const double by_second, const Parameter &mirrored) {
     Parameter h      = blank("N/m", F, s.in_stand.reference);
     h.value          = value;
@@ -113,14 +114,16 @@ void add_held(RunContext &run, const Study &s, const std::string &prefix, const 
     h.checks.push_back({coarse_mesh, on_coarse, ""});
     add_check(h, fourier_solver, by_second);
     h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
-    run.results.add(prefix + s.K + ".in_stand_" + what, h);
+    run.results.add(row.of(pass, s.K), h);
   };
-  add("tangent", held.tangent, coarse.tangent, held.exact, second ? second->tangent : not_given, tangent);
-  add("secant", held.secant, coarse.secant, held.secant, second ? second->secant : not_given, secant);
+  add(row::roll_contact::in_stand_tangent, held.tangent, coarse.tangent, held.exact,
+      second ? second->tangent : not_given, tangent);
+  add(row::roll_contact::in_stand_secant, held.secant, coarse.secant, held.secant,
+      second ? second->secant : not_given, secant);
 }
 
 // K.tangent, K.secant and their values with the rolls held as in the stand, at one working load.
-std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &prefix, const double F)
+std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &pass, const double F)
 {
   const auto fine             = slope_at(s.model->mirrored, s.mirrored, F);
   const auto coarse           = slope_at(s.model->coarse, s.coarse, F, Role::companion);
@@ -157,24 +160,24 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
     add_check(tangent, fourier_solver, second->tangent);
     add_check(secant, fourier_solver, second->secant);
   }
-  run.results.add(prefix + s.K + ".tangent", tangent);
-  run.results.add(prefix + s.K + ".secant", secant);
-  add_curvature(run, s, prefix, F, fine.curvature, coarse.curvature, second ? second->curvature : not_given);
-  add_held(run, s, prefix, F, held, tangent, secant);
+  run.results.add(row::roll_contact::tangent.of(pass, s.K), tangent);
+  run.results.add(row::roll_contact::secant.of(pass, s.K), secant);
+  add_curvature(run, s, pass, F, fine.curvature, coarse.curvature, second ? second->curvature : not_given);
+  add_held(run, s, pass, F, held, tangent, secant);
   const double effect = held.tangent / fine.tangent - 1;
   const Warning warning{
       WarningId::contact_held,
       "",
-      fmt::format("{}{}.tangent is that of rolls squeezed between mirrored contacts, the spring in series with "
+      fmt::format("{} is that of rolls squeezed between mirrored contacts, the spring in series with "
                   "the bending of the backup roll",
-                  prefix, s.K),
+                  row::roll_contact::tangent.of(pass, s.K).text()),
       fmt::format("held as in the stand the same pair has {:+.1f} %", 100 * effect),
       "",
-      {prefix + s.K}};
+      {result_name({pass, s.K})}};
   // Both are true, of two datums; a quarter of difference is more than any usual stand has.
   if (std::abs(effect) > 0.25)
     run.warn(warning);
-  else if (prefix.empty())
+  else if (pass.empty())
     run.assume(text_of(warning));
   if (middle.half_width[mid] == 0)
     run.warn(of_contact(WarningId::contact_partly_open, s.name,
@@ -214,26 +217,25 @@ void add_section(RunContext &run, Study &s, const FourHigh &stand, const double 
   // Half width and peak are fitted apart (1.4); a parabola of them must carry the line load again.
   const double misfit =
       std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
-  const auto add = [&](const std::string &what, const std::string &unit, const double value, const double second,
-                       const double other, const double closed, const std::string &reference,
-                       const double least_error) {
-    Parameter p      = blank(unit, F, reference);
+  const auto add = [&](const RowOf<1> &row, const double value, const double second, const double other,
+                       const double closed, const std::string &reference, const double least_error) {
+    Parameter p      = blank(row.unit, F, reference);
     p.value          = value;
     p.error_estimate = std::max(mesh_pair_error(value, second), least_error);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({coarse_mesh, second, ""});
     add_check(p, fourier_solver, other);
-    run.results.add("contact." + s.name + "." + what, p);
+    run.results.add(row.of(s.name), p);
   };
   const auto at_middle = [&](const Eigen::VectorXd &values) {
     return s.second ? values[s.model->mirrored.grid.whole ? values.size() / 2 : 0] : not_given;
   };
   const BarrelProfile other = s.second ? s.second->mirrored_at : BarrelProfile();
-  add("half_width", "m", fine.half_width[mid], coarse.half_width[mid2], at_middle(other.half_width),
+  add(row::contact::half_width, fine.half_width[mid], coarse.half_width[mid2], at_middle(other.half_width),
       hertz.half_width, "at mid-length", misfit);
-  add("peak_pressure", "Pa", fine.peak_pressure[mid], coarse.peak_pressure[mid2], at_middle(other.peak_pressure),
-      hertz.peak_pressure, "at mid-length", misfit);
-  add("approach", "m", point.approach, point2.approach,
+  add(row::contact::peak_pressure, fine.peak_pressure[mid], coarse.peak_pressure[mid2],
+      at_middle(other.peak_pressure), hertz.peak_pressure, "at mid-length", misfit);
+  add(row::contact::approach, point.approach, point2.approach,
       s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference, 0);
   if (s.second) {
     add_line_load_spread(run, s.name, held, s.second->in_stand_at);
@@ -400,7 +402,7 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, Study &s, con
   SolvedContact out;
   out.curve = s.mirrored;
   for (std::size_t p = 0; p < loads.size(); ++p) {
-    const auto [tangent, secant] = add_stiffness(run, s, p == 0 ? "" : stand.passes[p].name + ".", loads[p]);
+    const auto [tangent, secant] = add_stiffness(run, s, p == 0 ? "" : stand.passes[p].name, loads[p]);
     out.tangent.push_back(tangent);
     out.secant.push_back(secant);
   }

@@ -7,6 +7,7 @@
 #include "app/stages/contact/half_plane_stage.h"
 #include "app/stages/contact/space_stage.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/rows_of_contact.h"
 #include "fem/roll/contact_study.h"
 #include "meshes/roll/contact_mesh_size.h"
 #include <algorithm>
@@ -134,11 +135,10 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
   const double misfit      = misfit_of(a.value, c.at);
   const bool by_elements   = engine != PlaneEngine::half_planes;
   const LineValues other   = by_elements ? half_plane_values(spec, c.at, true) : LineValues{};
-  const auto scalar        = [&](const std::string &what, const std::string &unit, double LineValues::*member,
-                          std::vector<Check> checks) {
+  const auto scalar        = [&](const RowOf<0> &row, double LineValues::*member, std::vector<Check> checks) {
     Parameter s;
     s.value          = a.value.*member;
-    s.unit           = unit;
+    s.unit           = row.unit;
     s.method         = a.method;
     s.at             = {"{}", {{c.at, "N/mm"}}};
     s.error_estimate = mesh_pair_error(s.value, a.second.*member);
@@ -150,20 +150,20 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
     if (by_elements)
       s.checks.push_back({"half planes, boundary elements (sec. 33.2)", other.*member, ""});
     s.checks.push_back({a.coarser, a.second.*member, ""});
-    run.results.add("contact.line." + what, s);
+    run.results.add(row.of(), s);
   };
   const char *johnson = engine == PlaneEngine::two_cylinders ? "Johnson, axis to axis " : "Johnson ";
-  scalar("half_width", "m", &LineValues::half_width, {{"Hertz (3.2)", closed.half_width, ""}});
-  scalar("peak_pressure", "Pa", &LineValues::peak_pressure, {{"Hertz (3.3)", closed.peak_pressure, ""}});
-  scalar("approach", "m", &LineValues::approach, {{johnson + std::string("(3.4)"), closed.approach, ""}});
+  scalar(row::line::half_width, &LineValues::half_width, {{"Hertz (3.2)", closed.half_width, ""}});
+  scalar(row::line::peak_pressure, &LineValues::peak_pressure, {{"Hertz (3.3)", closed.peak_pressure, ""}});
+  scalar(row::line::approach, &LineValues::approach, {{johnson + std::string("(3.4)"), closed.approach, ""}});
   std::vector<Check> slopes{{johnson + std::string("(3.5b)"), closed.tangent, ""}};
   if (std::isfinite(a.exact))
     slopes.push_back({"active set of this one load (2.8)", a.exact, "steps as nodes come into contact"});
-  scalar("tangent", "N/m2", &LineValues::tangent, std::move(slopes));
+  scalar(row::line::tangent, &LineValues::tangent, std::move(slopes));
   std::vector<Check> secants{check(CheckId::johnson_secant, closed.secant)};
   if (const auto steel = one_steel(spec))
     secants.push_back({"Foeppl (3.8)", reduce::secant_laws(*steel, c.at).foeppl, "another datum"});
-  scalar("secant", "N/m2", &LineValues::secant, std::move(secants));
+  scalar(row::line::secant, &LineValues::secant, std::move(secants));
 }
 
 // Laws of rolls of one steel, or what holds for any two bodies.

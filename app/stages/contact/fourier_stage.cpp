@@ -5,6 +5,7 @@
 #include "core/model/four_high.h"
 #include "core/records/contact_name.h"
 #include "core/records/record_text.h"
+#include "core/records/rows_of_contact.h"
 #include "fem/members.h"
 #include "fem/roll/contact_study.h"
 #include "fem/roll/fourier_contact.h"
@@ -159,6 +160,6 @@ void add_line_load_spread(RunContext &run, const std::string &name, const Barrel
              "the stand, nine half widths at each end of the contact left out";
   p.at     = at_force(first.load);
   p.checks.push_back({"two engines that agree", 0, "meshes, elements and treatment of the contact differ"});
-  run.results.add("contact." + name + ".line_load_spread", p);
+  run.results.add(row::contact::line_load_spread.of(name), p);
 }
 }  // namespace mill

@@ -2,6 +2,7 @@
 #include "app/run/curve_files.h"
 #include "app/stages/contact/body_pair.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/rows_of_contact.h"
 #include "fem/contact/half_plane_contact.h"
 #include "fem/contact/hertz.h"
 #include "fem/contact/partial_slip.h"
@@ -82,24 +83,24 @@ void add_slip(RunContext &run, const TwoCylinders &pair, const SlipValues &s)
   const SlipValues coarse = partial_slip(pair, false);
   const ClosedSlip closed = closed_slip(pair);
   const bool coupled      = half_spaces_of(pair).coupling != 0;
-  const auto add          = [&](const char *what, const char *unit, const double value, const double other,
-                       const std::string &form, const double check) {
+  const auto add = [&](const RowOf<0> &row, const double value, const double other, const std::string &form,
+                       const double check) {
     Parameter p;
     p.value  = value;
-    p.unit   = unit;
+    p.unit   = row.unit;
     p.method = "half planes with stick and slip (sec. 33.4), displacements with the datum of the normal approach";
     p.at     = {"{}, {} across", {{pair.contact.at, "N/mm"}, {pair.contact.tangential_load, "N/mm"}}};
     p.error_estimate = mesh_pair_error(value, other);
     p.checks         = {{form, check, coupled ? "equal materials: pressure and shear apart" : ""},
                         {"strips twice as wide", other, ""}};
-    run.results.add(std::string("contact.line.") + what, p);
+    run.results.add(row.of(), p);
   };
-  add("stick_half_width", "m", s.stick, coarse.stick, "Cattaneo (33.5)", closed.stick);
-  add("tangential_displacement", "m", s.displacement, coarse.displacement, "Cattaneo (33.10)",
+  add(row::line::stick_half_width, s.stick, coarse.stick, "Cattaneo (33.5)", closed.stick);
+  add(row::line::tangential_displacement, s.displacement, coarse.displacement, "Cattaneo (33.10)",
       closed.displacement);
-  add("tangential_stiffness", "N/m2", s.first_stiffness, coarse.first_stiffness, "no slip (33.10)",
+  add(row::line::tangential_stiffness, s.first_stiffness, coarse.first_stiffness, "no slip (33.10)",
       closed.first_stiffness);
-  add("tangential_tangent", "N/m2", s.tangent, coarse.tangent, "Cattaneo (33.10)", closed.tangent);
+  add(row::line::tangential_tangent, s.tangent, coarse.tangent, "Cattaneo (33.10)", closed.tangent);
 }
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include "app/stages/contact/contact_slope.h"
 #include "app/stages/contact/space_contact.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/rows_of_contact.h"
 #include "fem/contact/hertz.h"
 #include "fem/roll/contact_study.h"
 #include <algorithm>
@@ -49,14 +50,14 @@ double palmgren(const double load, const double length)
   return 3.84e-8 * std::pow(load, 0.9) / std::pow(1e3 * length, 0.8);
 }
 
-void add(RunContext &run, const SpaceRun &s, const std::string &what, const std::string &unit, const double value,
-         const double coarse, std::vector<Check> checks, const double safety = mesh_pair_safety)
+void add(RunContext &run, const SpaceRun &s, const RowOf<0> &row, const double value, const double coarse,
+         std::vector<Check> checks, const double safety = mesh_pair_safety)
 {
   if (!std::isfinite(value))
     return;
   Parameter p;
   p.value          = value;
-  p.unit           = unit;
+  p.unit           = row.unit;
   p.method         = "half spaces, boundary elements (sec. 33.3), between points far from the contact";
   p.at             = {"{}", {{s.load(), "N"}}};
   p.error_estimate = mesh_pair_error(value, coarse, 2, safety);
@@ -64,7 +65,7 @@ void add(RunContext &run, const SpaceRun &s, const std::string &what, const std:
     p.error_estimate = std::max(p.error_estimate, difference(checks.front().value, value));
   p.checks = std::move(checks);
   p.checks.push_back({"grid twice as coarse", coarse, ""});
-  run.results.add("contact.space." + what, p);
+  run.results.add(row.of(), p);
 }
 
 // Hertz' ellipse where the faces do not cut it, Hertz' line and Lundberg's approach where the contact is as long
@@ -104,12 +105,12 @@ void add_scalars(RunContext &run, const SpaceRun &s)
               "percents",
               "",
               {"contact.space"}});
-  add(run, s, "half_width", "m", s.fine.half_width, s.coarse.half_width, width);
-  add(run, s, "peak_pressure", "Pa", s.fine.peak_pressure, s.coarse.peak_pressure, pressure);
-  add(run, s, "approach", "m", a.approach, b.approach, approach);
-  add(run, s, "tangent", "N/m", s.fine.tangent, s.coarse.tangent, tangent);
-  add(run, s, "secant", "N/m", a.load / a.approach, b.load / b.approach, secant);
-  add(run, s, "loaded_length", "m", s.fine.length, s.coarse.length,
+  add(run, s, row::space::half_width, s.fine.half_width, s.coarse.half_width, width);
+  add(run, s, row::space::peak_pressure, s.fine.peak_pressure, s.coarse.peak_pressure, pressure);
+  add(run, s, row::space::approach, a.approach, b.approach, approach);
+  add(run, s, row::space::tangent, s.fine.tangent, s.coarse.tangent, tangent);
+  add(run, s, row::space::secant, a.load / a.approach, b.load / b.approach, secant);
+  add(run, s, row::space::loaded_length, s.fine.length, s.coarse.length,
       s.point ? std::vector<Check>{{"Hertz, ellipse (10.5)", 2 * s.ellipse().semi_y, ""}}
       : std::isfinite(s.shape.length) && s.long_line()
           ? std::vector<Check>{{"slices apart (33.7)", s.shape.slices(s.load(), s.pair.space.tilt).length, ""}}
@@ -132,10 +133,10 @@ void add_edges(RunContext &run, const SpaceRun &s)
   }
   const auto ratio = [&](const SpaceAnswer &a) { return a.state.line_load.maxCoeff() / s.face_load(); };
   const auto edge  = [&](const SpaceAnswer &a) { return a.state.peak_pressure.maxCoeff() / a.peak_pressure; };
-  add(run, s, "line_load_ratio", "1", ratio(s.fine), ratio(s.coarse), {{"even line load", 1, ""}},
+  add(run, s, row::space::line_load_ratio, ratio(s.fine), ratio(s.coarse), {{"even line load", 1, ""}},
       unseen_order_safety);
   if (s.fine.state.line_load[s.fine.row] > 0)
-    add(run, s, "edge_factor", "1", edge(s.fine), edge(s.coarse), {{"even line load", 1, ""}},
+    add(run, s, row::space::edge_factor, edge(s.fine), edge(s.coarse), {{"even line load", 1, ""}},
         unseen_order_safety);
 }
 
@@ -151,7 +152,7 @@ void add_moment(RunContext &run, const SpaceRun &s)
   else if (s.long_line())
     checks.push_back({"slices apart (33.11)", s.shape.slices(s.load(), tilt).moment,
                       "slices that do not feel each other deflect more evenly"});
-  add(run, s, "moment", "N m", s.fine.state.moment, s.coarse.state.moment, checks);
+  add(run, s, row::space::moment, s.fine.state.moment, s.coarse.state.moment, checks);
 }
 
 void write_length(RunContext &run, const SpaceRun &s)
@@ -273,25 +274,24 @@ void solve_slip(RunContext &run, const SpaceRun &s)
   } else if (s.long_line()) {
     stick = {{"Cattaneo, line (33.5)", contact::cattaneo_line(s.line(), share).stick, even_load}};
   }
-  const auto put = [&](const char *what, const char *unit, const double value, const double other,
-                       std::vector<Check> checks) {
+  const auto put = [&](const RowOf<0> &row, const double value, const double other, std::vector<Check> checks) {
     if (!std::isfinite(value))
       return;
     Parameter p;
     p.value          = value;
-    p.unit           = unit;
+    p.unit           = row.unit;
     p.method         = "half spaces with stick and slip (sec. 33.4), between points far from the contact";
     p.at             = {std::string("{}, {} ") + word_of(c.tangential_direction) + " the axes",
                         {{c.at, "N"}, {c.tangential_load, "N"}}};
     p.error_estimate = mesh_pair_error(value, other);
     p.checks         = std::move(checks);
     p.checks.push_back({"coarser grid", other, ""});
-    run.results.add(std::string("contact.space.") + what, p);
+    run.results.add(row.of(), p);
   };
-  put("stick_half_width", "m", fine.stick_half_width, coarse.stick_half_width, stick);
-  put("tangential_displacement", "m", fine.displacement, coarse.displacement, displacement);
-  put("tangential_stiffness", "N/m", fine.first_stiffness, coarse.first_stiffness, first);
-  put("tangential_tangent", "N/m", fine.tangent, coarse.tangent, tangent);
+  put(row::space::stick_half_width, fine.stick_half_width, coarse.stick_half_width, stick);
+  put(row::space::tangential_displacement, fine.displacement, coarse.displacement, displacement);
+  put(row::space::tangential_stiffness, fine.first_stiffness, coarse.first_stiffness, first);
+  put(row::space::tangential_tangent, fine.tangent, coarse.tangent, tangent);
   write_slip(run, fine, c.friction);
 }
 }  // namespace

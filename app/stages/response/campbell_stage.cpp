@@ -3,6 +3,8 @@
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_response.h"
+#include "core/records/rows_of_stand.h"
 #include "dynamics/response/campbell.h"
 #include "reduce/bearing/pass_frequencies.h"
 #include <algorithm>
@@ -27,7 +29,7 @@ std::vector<CampbellMode> named_modes(const RunContext &run, const reduce::Stand
 {
   std::vector<CampbellMode> modes;
   for (const reduce::ModeName &mode : model.names)
-    if (const Parameter *f = run.find(result_name({family::mode, mode.key, "frequency"})); f && !mode.key.empty())
+    if (const Parameter *f = run.find(row::modes::frequency.of("", mode.key)); f && !mode.key.empty())
       modes.push_back({mode.key, mode.name, f->value, f->error_estimate});
   return modes;
 }
@@ -115,7 +117,7 @@ std::string crossings_csv(const CampbellRecord &record)
 KeyList keys_of(const RunContext &run, const CampbellMode &mode, const CampbellLine &line,
                 const TurningStand &stand)
 {
-  KeyList keys = run.find(result_name({family::mode, mode.key, "frequency"}))->inputs;
+  KeyList keys = run.find(row::modes::frequency.of("", mode.key))->inputs;
   for (const TurningRoll &roll : stand.rolls)
     if (line.shaft == word_of(roll.kind)) {
       keys = joined(std::move(keys), KeyList{roll.diameter_key});
@@ -151,7 +153,7 @@ void add_results(RunContext &run, const CampbellRecord &record, const TurningSta
     p.at = {"working range {} .. {}", {{record.working[0], "m/s", "g"}, {record.working[1], "m/s", "g"}}};
     p.error_estimate = mode.error_estimate;
     if (std::isnan(p.error_estimate))
-      p.error_lacks = run.find(result_name({family::mode, mode.key, "frequency"}))->error_lacks;
+      p.error_lacks = run.find(row::modes::frequency.of("", mode.key))->error_lacks;
     p.inputs    = keys_of(run, mode, line, stand);
     Parameter d = p;
     d.value     = crossing->distance;
@@ -163,8 +165,8 @@ void add_results(RunContext &run, const CampbellRecord &record, const TurningSta
       d.error_estimate = not_given;
       d.error_lacks    = {"a distance of zero has no relative error"};
     }
-    run.results.add(result_name({family::campbell, mode.key, "speed"}), p);
-    run.results.add(result_name({family::campbell, mode.key, "distance"}), d);
+    run.results.add(row::response::campbell_speed.of(mode.key), p);
+    run.results.add(row::response::campbell_distance.of(mode.key), d);
   }
 }
 }  // namespace

@@ -3,6 +3,7 @@
 #include "app/stages/stand/mode_results.h"
 #include "core/case/provenance.h"
 #include "core/records/detailed_model.h"
+#include "core/records/rows_of_stand.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ void run_detailed_model(RunContext &run, const Lumped &lumped, const Goal goal, 
     f.method      = "matrices of model " + files.name;
     f.error_lacks = keys_in("model", "mass stiffness");
     f.inputs      = keys_in("model", "mass stiffness");
-    run.results.add(fmt::format("f{}", i + 1), f);
+    run.results.add(row::modes::vertical.of("", std::to_string(i + 1)), f);
   }
   run.assume(fmt::format("modal damping of {:g} % in every mode", 100 * settings.modal_damping));
   if (goal < Goal::simulate)

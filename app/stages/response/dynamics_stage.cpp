@@ -7,6 +7,8 @@
 #include "core/case/provenance.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_response.h"
+#include "core/records/rows_of_stand.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
 #include "dynamics/response/response.h"
@@ -191,7 +193,7 @@ void add_vertical_modes(RunContext &run, const LumpedModel &model, const Dynamic
     f.at     = model.at;
     state_error(f, modes, i, model);
     f.inputs = chain_mode_keys(model, settings, half[std::size_t(i)]);
-    run.results.add(name_in_state(named, "f" + std::to_string(i + 1)), f);
+    run.results.add(row::modes::vertical.of(word_of_state(named), std::to_string(i + 1)), f);
   }
 }
 }  // namespace
@@ -229,7 +231,7 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.at          = model.at;
     f.inputs      = horizontal_mode_keys(model, label, !std::isnan(chock_seat));
     f.error_lacks = {"mass that moves along the pass line: the vertical equivalent mass is used"};
-    run.results.add("fh" + std::to_string(i + 1), f);
+    run.results.add(row::modes::horizontal.of(std::to_string(i + 1)), f);
   }
   if (std::isnan(chock_seat))
     run.assume("the seats of the work-roll chocks in the housing are rigid (frame.chock_to_housing_stiffness "
@@ -379,11 +381,11 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   const Eigen::MatrixXd coarse =
       curves ? every_other(response.acceleration)
              : dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate).acceleration;
-  const auto add = [&](const std::string &what, const std::string &roll, const double value, const double second,
+  const auto add = [&](const RowOf<2> &row, const std::string &roll, const double value, const double second,
                        std::vector<Check> checks) {
     Parameter p;
     p.value  = value;
-    p.unit   = "g";
+    p.unit   = row.unit;
     p.method = model.method +
                (curves ? ", curves of the contacts, Runge-Kutta of order 8" : ", exact first-order hold") +
                ", force " + word_of(settings.force_meaning);
@@ -394,7 +396,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     p.inputs      = model.inputs;
     p.checks      = std::move(checks);
     p.checks.push_back({"half the output rate", second, "what the sampling moves"});
-    run.results.add(pass.name + "." + what + "." + roll, p);
+    run.results.add(row.of(pass.name, roll), p);
   };
   std::vector<Check> measured_rms[2], measured_peak[2];
   if (!pass.measured_file.empty()) {
@@ -430,8 +432,8 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     if (!std::isnan(pass.measured_peak_g[r]))
       measured_peak[r].push_back(
           check(CheckId::measured, pass.measured_peak_g[r], "peak of a record that is not at hand"));
-    add("peak_g", names[r], in_g(fine.peak), in_g(half.peak), with_runs(measured_peak[r], true));
-    add("rms_g", names[r], in_g(fine.rms), in_g(half.rms), with_runs(measured_rms[r], false));
+    add(row::response::peak, names[r], in_g(fine.peak), in_g(half.peak), with_runs(measured_peak[r], true));
+    add(row::response::rms, names[r], in_g(fine.rms), in_g(half.rms), with_runs(measured_rms[r], false));
   }
 
   run.out.write_table(file, dynamics::response_table(response));

@@ -7,6 +7,7 @@
 #include "core/numerics/root_search.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_response.h"
 #include "dynamics/response/accelerance.h"
 #include "dynamics/response/response_band.h"
 #include "reduce/stand/mode_names.h"
@@ -245,10 +246,9 @@ private:
     } else
       f.error_lacks = {"no mode within its bandwidth"};
     add_others(p, f, force, r.places[place]);
-    const std::vector<std::string> pair{family::frf, result_word(force_name(r, force)),
-                                        result_word(r.places[place])};
-    run.results.add(result_name({pair[0], pair[1], pair[2], "peak"}), p);
-    run.results.add(result_name({pair[0], pair[1], pair[2], "frequency"}), f);
+    const std::string excited = result_word(force_name(r, force)), seen = result_word(r.places[place]);
+    run.results.add(row::response::frf_peak.of(excited, seen), p);
+    run.results.add(row::response::frf_frequency.of(excited, seen), f);
   }
 
   // What the other models make of the same pair, for the force in the bite.

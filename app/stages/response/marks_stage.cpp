@@ -1,6 +1,7 @@
 #include "app/stages/response/marks_stage.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_response.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -23,35 +24,34 @@ void add_results(Results &results, const MarksRecord &record, const dynamics::Ma
                  const std::map<std::string, KeyList> &mode_keys)
 {
   const MarksQuestion &q = record.question;
-  const auto add         = [&](const std::vector<std::string> &name, const double value, const char *unit,
-                       const std::string &method, const double error, const KeyList &inputs) {
+  const auto add = [&](const ResultName &name, const double value, const std::string &method, const double error,
+                       const KeyList &inputs) {
     Parameter p;
     p.value          = value;
-    p.unit           = unit;
+    p.unit           = name.row().unit;
     p.method         = method;
     p.at             = operating_point(q);
     p.error_estimate = error;
     if (std::isnan(error))
       p.error_lacks = {"its own accuracy is not known"};
     p.inputs = inputs;
-    results.add(result_name(name), p);
+    results.add(name, p);
   };
-  add({marks_family, "frequency"}, record.frequency, "Hz", "speed over spacing (40.1)", q.accuracy, {});
+  add(row::marks::frequency.of(), record.frequency, "speed over spacing (40.1)", q.accuracy, {});
   for (const RollMarks &roll : record.rolls) {
     KeyList key;
     for (const dynamics::MarkRoll &source : sources.rolls)
       if (source.name == roll.roll)
         key = {source.diameter_key};
     const std::string word = result_word(roll.roll);
-    add({marks_family, word, "per_turn"}, roll.per_turn, "1", "circumference over spacing (40.2), " + roll.verdict,
+    add(row::marks::per_turn.of(word), roll.per_turn, "circumference over spacing (40.2), " + roll.verdict,
         q.accuracy, key);
-    add({marks_family, word, "rotation"}, roll.rotation, "Hz", "speed over circumference (40.1)", not_given, key);
+    add(row::marks::rotation.of(word), roll.rotation, "speed over circumference (40.1)", not_given, key);
   }
   for (const ModeMarks &mode : record.modes) {
     const auto keys = mode_keys.find(mode.key);
-    add({marks_family, mode.key, "speed"}, mode.speed, "m/s",
-        "frequency times spacing (40.1), mode " + record.model, std::hypot(q.accuracy, mode.error_estimate),
-        keys == mode_keys.end() ? KeyList() : keys->second);
+    add(row::marks::speed.of(mode.key), mode.speed, "frequency times spacing (40.1), mode " + record.model,
+        std::hypot(q.accuracy, mode.error_estimate), keys == mode_keys.end() ? KeyList() : keys->second);
   }
 }
 }  // namespace

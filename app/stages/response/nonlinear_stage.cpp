@@ -6,6 +6,7 @@
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_response.h"
 #include "dynamics/nonlinear/mode_study.h"
 #include "dynamics/response/spectrum.h"
 #include <algorithm>
@@ -192,11 +193,11 @@ public:
   {
   }
 
-  Parameter of(const double value, const char *unit, const std::string &method, const double error) const
+  Parameter of(const ResultRow &row, const double value, const std::string &method, const double error) const
   {
     Parameter p;
     p.value          = value;
-    p.unit           = unit;
+    p.unit           = row.unit;
     p.method         = record_.model + ", " + method;
     p.at             = at_force(record_.load);
     p.error_estimate = error;
@@ -204,12 +205,10 @@ public:
       p.error_lacks = {"dynamics.modal_damping", "curves of the contacts"};
     return p;
   }
-  void add(const std::vector<std::string> &name, const Parameter &p)
+  template <class Row, class... Part> void add(const Row &row, const Parameter &p, const Part &...part)
   {
-    std::vector<std::string> parts{family::nonlinear, pass_.name};
-    parts.insert(parts.end(), name.begin(), name.end());
     if (!std::isnan(p.value))
-      run_.results.add(result_name(parts), p);
+      run_.results.add(row.of(pass_.name, part...), p);
   }
 
 private:
@@ -223,39 +222,42 @@ void add_results(RunContext &run, const NonlinearRecord &record, const Pass &pas
   ResultsOfPass results(run, record, pass);
   for (std::size_t i = 0; i < record.rolls.size(); ++i) {
     const NonlinearRoll &roll = record.rolls[i];
-    Parameter p = results.of(roll.rms / roll.linear_rms, "1", "rms on the curves over that of the linear run",
-                             std::abs(roll.fixed_rms / roll.rms - 1));
+    Parameter p =
+        results.of(row::nonlinear::level, roll.rms / roll.linear_rms,
+                   "rms on the curves over that of the linear run", std::abs(roll.fixed_rms / roll.rms - 1));
     p.checks.push_back({"by fixed steps", roll.fixed_rms / roll.linear_rms, "implicit, of second order (36.7)"});
-    results.add({"level", rolls[i].first}, p);
+    results.add(row::nonlinear::level, p, rolls[i].first);
   }
   for (const NonlinearSpring &spring : record.springs) {
-    Parameter p = results.of(spring.least, "1", "smallest force of the run over that at rest", not_given);
-    results.add({"least_force", spring.name}, p);
+    Parameter p = results.of(row::nonlinear::least_force, spring.least,
+                             "smallest force of the run over that at rest", not_given);
+    results.add(row::nonlinear::least_force, p, spring.name);
   }
-  Parameter scale = results.of(record.scale_to_part, "1",
+  Parameter scale = results.of(row::nonlinear::scale_to_part, record.scale_to_part,
                                "times the fluctuation of the record until a contact parts", not_given);
-  results.add({"scale_to_part"}, scale);
+  results.add(row::nonlinear::scale_to_part, scale);
   const NonlinearMode *first = nullptr;
   for (const NonlinearMode &mode : record.modes) {
-    const std::string number = fmt::format("f{}", mode.number);
     if (std::abs(bend_of(mode)) > bend_of_note)
-      results.add({"bend", number},
-                  results.of(mode.bend, "1",
+      results.add(row::nonlinear::bend,
+                  results.of(row::nonlinear::bend, mode.bend,
                              fmt::format("frequency at which {} parts over that of small motion, less "
                                          "1, harmonic balance",
                                          mode.opens),
-                             not_given));
+                             not_given),
+                  std::to_string(mode.number));
     if (!std::isnan(mode.parting_force) && (!first || mode.parting_force < first->parting_force))
       first = &mode;
   }
   if (!first)
     return;
   results.add(
-      {"parting_force"},
-      results.of(first->parting_force, "N",
+      row::nonlinear::parting_force,
+      results.of(row::nonlinear::parting_force, first->parting_force,
                  fmt::format("amplitude of a harmonic bite force at {}, harmonic balance", in_words(*first)),
                  not_given));
-  results.add({"parting_frequency"}, results.of(first->frequency, "Hz", "of that force", not_given));
+  results.add(row::nonlinear::parting_frequency,
+              results.of(row::nonlinear::parting_frequency, first->frequency, "of that force", not_given));
 }
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include "app/stages/stability/gap_mode.h"
 #include "core/base/errors.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_chatter.h"
 #include "core/records/speed_verdict.h"
 #include <algorithm>
 #include <cmath>
@@ -137,21 +138,21 @@ SpeedVerdict verdict_of(const StabilityQuestion &q, const Stability &s)
 struct StabilityAdder {
   RunContext &run;
   const StabilityQuestion &question;
-  void operator()(const std::string &name, const std::string &unit, const double value, const double speed,
-                  const double error = not_given, std::vector<Check> checks = {}) const
+  void operator()(const ResultName &name, const double value, const double speed, const double error = not_given,
+                  std::vector<Check> checks = {}) const
   {
     if (std::isnan(value))
       return;
     Parameter p;
     p.value  = value;
-    p.unit   = unit;
+    p.unit   = name.row().unit;
     p.method = "eigenvalues of stand, bite and strip; " + question.model;
     if (!std::isnan(speed))
       p.at = {"{}", {{speed, "m/s", ".4g"}}};
     p.error_estimate = error;
     p.checks         = std::move(checks);
     p.inputs         = question.inputs;
-    run.results.add(result_name({family::chatter, question.pass, name}), p);
+    run.results.add(name, p);
   }
 };
 
@@ -167,19 +168,19 @@ void add_results(RunContext &run, const StabilityQuestion &q, const Stability &s
   if (s.critical.verdict == Verdict::crossing) {
     const double v     = s.critical.speed;
     const double error = 0.5 * std::log(s.interval.high / s.interval.low);
-    add("critical_speed", "m/s", v, v, error, speeds);
-    add("critical_speed_low", "m/s", s.interval.low, v);
-    add("critical_speed_high", "m/s", s.interval.high, v);
-    add("frequency", "Hz", s.critical.frequency, v, not_given, frequencies);
+    add(row::chatter::critical_speed.of(q.pass), v, v, error, speeds);
+    add(row::chatter::critical_speed_low.of(q.pass), s.interval.low, v);
+    add(row::chatter::critical_speed_high.of(q.pass), s.interval.high, v);
+    add(row::chatter::frequency.of(q.pass), s.critical.frequency, v, not_given, frequencies);
     for (const dynamics::SpeedShare &share : s.interval.shares)
       if (std::abs(share.move) > least_move)
-        add("speed_slope." + share.name, "1", share.slope, v);
+        add(row::chatter::speed_slope.of(q.pass, share.name), share.slope, v);
   }
   if (!s.working)
     return;
-  add("growth_rate", "1/s", s.growth, q.speed);
-  add("gap_mode_frequency", "Hz", std::abs(s.gap.root.imag()) / (2 * M_PI), q.speed);
-  add("gap_mode_damping", "1", s.gap.damping(), q.speed);
+  add(row::chatter::growth_rate.of(q.pass), s.growth, q.speed);
+  add(row::chatter::gap_mode_frequency.of(q.pass), std::abs(s.gap.root.imag()) / (2 * M_PI), q.speed);
+  add(row::chatter::gap_mode_damping.of(q.pass), s.gap.damping(), q.speed);
 }
 }  // namespace
 

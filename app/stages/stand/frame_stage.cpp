@@ -2,6 +2,7 @@
 #include "core/base/errors.h"
 #include "core/case/stand_rows.h"
 #include "core/records/key_list.h"
+#include "core/records/rows_of_stand.h"
 #include "fem/housing/housing.h"
 #include "meshes/housing/housing.h"
 #include "reduce/chain/chain_keys.h"
@@ -37,6 +38,12 @@ void add_given(Parameter &p, const double given)
     p.checks.push_back({"given in [frame]", given, "replaced by the drawing"});
 }
 
+// "piston_stiffness" -> "frame.piston_stiffness"
+ResultName spring_of_frame(const std::string &row_key)
+{
+  return row::frame::stiffness.of(row_key.substr(0, row_key.rfind("_stiffness")));
+}
+
 std::array<double, 4> post_beam_stiffness(const Frame &f)
 {
   return {f.upper_post_stiffness, f.upper_beam_stiffness, f.lower_post_stiffness, f.lower_beam_stiffness};
@@ -68,7 +75,7 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
       spring.checks.push_back(
           {"frame of Timoshenko beams (23.10)", 1 / beams.flexibility[i], "corners half rigid"});
     add_given(spring, given_K[i]);
-    run.results.add(fmt::format("frame.{}_stiffness", part_names[i]), spring);
+    run.results.add(row::frame::stiffness.of(part_names[i]), spring);
     // Beam theory and the rules speak of the mass at screw or seat; the chain's point deflects more.
     const double moved = M[i] / statics.reduced_mass[i];
     Parameter mass =
@@ -80,7 +87,7 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
         {"of it what moves up and down", moved * statics.vertical_mass[i], "without the posts' bow"});
     mass.checks.push_back({"mass of the part itself", statics.mass[i], "both housings, as drawn"});
     add_given(mass, given_M[i]);
-    run.results.add(fmt::format("frame.{}_mass", part_names[i]), mass);
+    run.results.add(row::frame::mass.of(part_names[i]), mass);
   }
 }
 
@@ -119,7 +126,7 @@ void resolve_screwdown(RunContext &run, FourHigh &stand)
     else
       p.error_lacks = {tolerance_key(spring.key)};
     add_given(p, spring.before);
-    run.results.add(spring.key, p);
+    run.results.add(spring_of_frame(row_key), p);
   }
   stand.frame = done.frame;
 }
@@ -167,7 +174,7 @@ void close_frame(RunContext &run, FourHigh &stand, const reduce::ChainInputs &in
     if (const auto tolerance = rules.tolerance.find(row.key); tolerance != rules.tolerance.end())
       p.error_estimate = tolerance->second;
     p.checks.push_back({"by the rules alone (34.9), (34.10)", rules.*member, ""});
-    run.results.add(key, p);
+    run.results.add(spring_of_frame(row.key), p);
   }
 }
 }  // namespace mill

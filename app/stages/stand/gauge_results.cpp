@@ -1,7 +1,8 @@
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/bite/bite_stage.h"
 #include "app/stages/contact/contact_slope.h"
-#include "core/records/result_names.h"
+#include "core/records/rows_of_bite.h"
+#include "core/records/rows_of_stand.h"
 #include <cmath>
 #include <functional>
 #include <optional>
@@ -95,21 +96,24 @@ private:
 
 // An input of the bite that moves the thickness.
 struct GaugeInput {
-  const char *name, *unit;  ///< of dh2/dx
-  double Strip::*member;    ///< nullptr: none that a number of the strip is
-  double step;              ///< of the differences: relative to a thickness, Pa
+  const RowOf<1> *force;      ///< of the bite, by it
+  const RowOf<1> *thickness;  ///< dh2/dx
+  double Strip::*member;      ///< nullptr: none that a number of the strip is
+  double step;                ///< of the differences: relative to a thickness, Pa
 };
-const GaugeInput gauge_inputs[] = {{"entry_thickness", "1", &Strip::entry_thickness, gauge_step},
-                                   {"entry_tension", "m/Pa", &Strip::entry_tension, 1e4},
-                                   {"exit_tension", "m/Pa", &Strip::exit_tension, 1e4},
-                                   {"friction", "m", nullptr, 0},
-                                   {"flow_stress", "m", nullptr, 0},
-                                   {"roll_speed", "s", nullptr, 0}};
+const GaugeInput gauge_inputs[] = {
+    {&row::bite::force_by_entry_thickness, &row::stand::thickness_by_entry_thickness, &Strip::entry_thickness,
+     gauge_step},
+    {&row::bite::force_by_entry_tension, &row::stand::thickness_by_entry_tension, &Strip::entry_tension, 1e4},
+    {&row::bite::force_by_exit_tension, &row::stand::thickness_by_exit_tension, &Strip::exit_tension, 1e4},
+    {&row::bite::force_by_friction, &row::stand::thickness_by_friction, nullptr, 0},
+    {&row::bite::force_by_flow_stress, &row::stand::thickness_by_flow_stress, nullptr, 0},
+    {&row::bite::force_by_roll_speed, &row::stand::thickness_by_roll_speed, nullptr, 0}};
 
 // A number of the gauge: its error is that of modulus, plastic slope and slope of the bite with their shares.
 struct GaugeNumber {
-  std::string name;
-  const char *unit, *equation;
+  ResultName name;
+  const char *equation;
   double value, error, by_differences;
   std::string also;  ///< what else has no error
 };
@@ -117,7 +121,7 @@ struct GaugeNumber {
 void add_gauge_number(RunContext &run, const GaugeNumber &g, const Parameter &M, const Parameter &slope)
 {
   Parameter p;
-  p.unit           = g.unit;
+  p.unit           = g.name.row().unit;
   p.value          = g.value;
   p.method         = "mill modulus and plastic slope " + std::string(g.equation);
   p.at             = slope.at;
@@ -136,23 +140,18 @@ void add_gauge_number(RunContext &run, const GaugeNumber &g, const Parameter &M,
 }
 }  // namespace
 
-std::string stand_result(const FourHigh &stand, const std::size_t pass, const std::string &quantity,
-                         const std::string &aspect)
+ResultName stand_result(const FourHigh &stand, const std::size_t pass, const RowOf<1> &row)
 {
-  return result_name({family::stand, pass == 0 ? "" : stand.passes[pass].name, quantity, aspect});
+  return row.of(pass == 0 ? "" : stand.passes[pass].name);
 }
 
 void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, const Parameter &slope,
                const reduce::LoadDeflection &stretch)
 {
-  const auto bite_result = [&](const std::string &name) {
-    return result_name({family::bite, stand.passes[pass].name, name});
-  };
-  const auto gauge_result = [&](const std::string &quantity, const std::string &aspect = "") {
-    return stand_result(stand, pass, quantity, aspect);
-  };
-  const Parameter *modulus = run.results.find(gauge_result("modulus", "tangent"));
-  const Parameter *circle  = run.results.find(bite_result("flattened_radius"));
+  const std::string &name  = stand.passes[pass].name;
+  const auto gauge_result  = [&](const RowOf<1> &row) { return stand_result(stand, pass, row); };
+  const Parameter *modulus = run.results.find(gauge_result(row::stand::modulus_tangent));
+  const Parameter *circle  = run.results.find(row::bite::flattened_radius.of(name));
   if (!modulus || !(slope.value > 0) || !circle)
     return;
   const Parameter M = *modulus;  // results move with every new one
@@ -161,13 +160,13 @@ void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, c
   const double share = gauge.Q / (gauge.M + gauge.Q), eM = M.error_estimate, eQ = slope.error_estimate;
   const double by_screw = coupled.read([](const CoupledGauge &c) { return c.by_screw(); });
   const auto add        = [&](const GaugeNumber &g) { add_gauge_number(run, g, M, slope); };
-  add({gauge_result("screw_sensitivity"), "1", "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, ""});
-  add({gauge_result("thickness_by", "eccentricity"), "1", "(30.7)", -gauge.screw(), share * (eM + eQ), -by_screw,
+  add({gauge_result(row::stand::screw_sensitivity), "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, ""});
+  add({gauge_result(row::stand::thickness_by_eccentricity), "(30.7)", -gauge.screw(), share * (eM + eQ), -by_screw,
        ""});
-  add({gauge_result("force_by", "screw"), "N/m", "(30.9)", gauge.force_by_screw(), share * eM + (1 - share) * eQ,
+  add({gauge_result(row::stand::force_by_screw), "(30.9)", gauge.force_by_screw(), share * eM + (1 - share) * eQ,
        not_given, ""});
   for (const GaugeInput &input : gauge_inputs) {
-    const std::string of_bite = bite_result(std::string("force_by_") + input.name);
+    const std::string of_bite = input.force->of(name);
     const Parameter *there    = run.results.find(of_bite);
     if (!there || there->value == 0)
       continue;
@@ -177,11 +176,11 @@ void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, c
     const double by_differences =
         input.member ? coupled.read([&](const CoupledGauge &c) { return c.by(input.member, input.step); })
                      : not_given;
-    add({gauge_result("thickness_by", input.name), input.unit, "(30.8)", gauge.thickness_by(F_x),
-         eF + (1 - share) * eM + share * eQ, by_differences, also});
+    add({gauge_result(*input.thickness), "(30.8)", gauge.thickness_by(F_x), eF + (1 - share) * eM + share * eQ,
+         by_differences, also});
     if (input.member == &Strip::entry_thickness)
-      add({gauge_result("force_by", input.name), "N/m", "(30.9)", gauge.force_by(F_x), eF + share * (eM + eQ),
-           gauge.M * by_differences, also});
+      add({gauge_result(row::stand::force_by_entry_thickness), "(30.9)", gauge.force_by(F_x),
+           eF + share * (eM + eQ), gauge.M * by_differences, also});
   }
 }
 }  // namespace mill

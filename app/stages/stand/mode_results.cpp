@@ -4,6 +4,7 @@
 #include "core/model/dynamics_settings.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_stand.h"
 #include "reduce/stand/mode_names.h"
 #include "reduce/stand/six_masses.h"
 #include "reduce/stand/stand_errors.h"
@@ -14,9 +15,9 @@
 #include <utility>
 
 namespace mill {
-std::string name_in_state(const GapState state, const std::string &name)
+const char *word_of_state(const GapState state)
 {
-  return state == GapState::open ? result_name({family::open, name}) : name;
+  return state == GapState::open ? family::open : "";
 }
 
 void assume_open(RunContext &run, const std::string &key)
@@ -31,11 +32,12 @@ bool knows_strip(const LumpedModel &chain)
   return chain.K[3].value > 0;
 }
 
-std::string frequency_result(const StandModel &model, const std::size_t mode, const GapState state)
+ResultName frequency_result(const StandModel &model, const std::size_t mode, const GapState state)
 {
-  const std::string number = fmt::format("f{}", mode + 1);
-  return name_in_state(state, model.name == word_of(StandModelKind::six_mass) ? number
-                                                                              : result_name({model.name, number}));
+  const std::string number = std::to_string(mode + 1);
+  return model.name == word_of(StandModelKind::six_mass)
+             ? row::modes::vertical.of(word_of_state(state), number)
+             : row::modes::of_model.of(word_of_state(state), model.name, number);
 }
 
 const char *title_of(const std::string &model)
@@ -117,11 +119,9 @@ void add_named_modes(RunContext &run, const NamedModes &named)
           share.checks.push_back({title_of(model.model.name), other.gap_share, other.name});
         }
     }
-    const auto result = [&](const char *quantity) {
-      return name_in_state(named.state, result_name({family::mode, mode.key, quantity}));
-    };
-    run.results.add(result("frequency"), p);
-    run.results.add(result("gap_share"), share);
+    const char *state = word_of_state(named.state);
+    run.results.add(row::modes::frequency.of(state, mode.key), p);
+    run.results.add(row::modes::gap_share.of(state, mode.key), share);
   }
 }
 

@@ -3,6 +3,7 @@
 #include "core/case/provenance.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
+#include "core/records/result_row.h"
 #include "reduce/stand/stand_comparison.h"
 #include "reduce/stand/stand_errors.h"
 #include <limits>
@@ -19,8 +20,8 @@ bool knows_strip(const LumpedModel &chain);
 /// Says that names and frequencies are those of the open stand, since `key` is not given.
 void assume_open(RunContext &run, const std::string &key);
 
-/// "mode.gap_first_kind.frequency", of the open stand "open.mode.gap_first_kind.frequency".  theory.md 22.9
-std::string name_in_state(GapState state, const std::string &name);
+/// What is in the place "open" of the names of modes: "open", or "" of the rolling stand.  theory.md 22.9
+const char *word_of_state(GapState state);
 
 /// The chain of six masses with its modes and their names: without K4 where the force of the settings is measured.
 reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSettings &dynamics);
@@ -30,7 +31,7 @@ reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSetting
 void write_mode_table(RunContext &run, const reduce::StandWithModes &stand, GapState state = GapState::rolling);
 
 /// Under which name a frequency of a model stands in the results: "craig-bampton.f3" for mode 2.
-std::string frequency_result(const StandModel &model, std::size_t mode, GapState state = GapState::rolling);
+ResultName frequency_result(const StandModel &model, std::size_t mode, GapState state = GapState::rolling);
 
 /// Springs of the static compliance of the gap, which the shares of the modes divide: those of both halves,
 /// whether or not anything joins the halves.  theory.md (22.23)

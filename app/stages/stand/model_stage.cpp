@@ -397,7 +397,7 @@ void add_checks_of_state(RunContext &run, const StandModels &models, const GapSt
                                         models.craig_bampton.modes.frequency, models.chain.modes.frequency);
   for (auto &[name, p] : run.results.values)
     for (const reduce::ModePair &pair : pairs)
-      if (pair.other >= 0 && name == frequency_result(models.chain.model, std::size_t(pair.mode), named)) {
+      if (pair.other >= 0 && name == frequency_result(models.chain.model, std::size_t(pair.mode), named).text()) {
         const double fe = models.craig_bampton.modes.frequency[pair.other];
         p.checks.insert(p.checks.begin(), Check{"rolls as reduced finite elements", fe,
                                                 fmt::format("modal assurance {:.3f}", pair.mac)});

@@ -6,6 +6,7 @@
 #include "app/stages/stand/mode_results.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_stand.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/frame_closure.h"
 #include "reduce/chain/line_contact.h"
@@ -139,9 +140,9 @@ private:
     return parts.pass == 0 ? name : result_name({stand.passes[parts.pass].name, name});
   }
   // A result of this stage for this pass.
-  std::string name_of(const std::string &quantity, const std::string &aspect = "") const
+  ResultName name_of(const RowOf<1> &row) const
   {
-    return stand_result(stand, parts.pass, quantity, aspect);
+    return stand_result(stand, parts.pass, row);
   }
   double secant_of(const std::string &name, const double otherwise) const
   {
@@ -223,8 +224,8 @@ void Modulus::add_contact_of_work_rolls()
   secant.value      = contact.secant;
   secant.method     = "Hertz line contact of both work rolls over the barrel (3.5a)";
   secant.checks = {{"Foeppl (3.8)", laws.foeppl, ""}, {"Palmgren (3.10)", laws.palmgren, "lower end of the band"}};
-  run.results.add(name_of("K_ww", "tangent"), tangent);
-  run.results.add(name_of("K_ww", "secant"), secant);
+  run.results.add(name_of(row::stand::K_ww_tangent), tangent);
+  run.results.add(name_of(row::stand::K_ww_secant), secant);
 }
 
 // The slope again, from secants: tangents do not enter.
@@ -268,15 +269,15 @@ void Modulus::add_touching()
   add_contact_of_work_rolls();
   common   = common_path();
   touching = common;
-  touching.push_back(part(name_of("K_ww", "tangent"), result(name_of("K_ww", "tangent")),
-                          result(name_of("K_ww", "secant")).value));
+  touching.push_back(part(name_of(row::stand::K_ww_tangent), result(name_of(row::stand::K_ww_tangent)),
+                          result(name_of(row::stand::K_ww_secant)).value));
   auto m = reduce::mill_modulus(touching);
   state_error(m, touching);
   Parameter tangent = result_of(m, "K1, K2, K3, work rolls on each other, K5, K6, K7 in series (30.1)", true);
   tangent.checks.push_back(difference_of_stretch(false));
   Parameter secant = result_of(m, "screw-down of touching work rolls from zero force (30.2)", false);
-  run.results.add(name_of("modulus", "kiss"), tangent);
-  run.results.add(name_of("modulus", "kiss_secant"), secant);
+  run.results.add(name_of(row::stand::modulus_kiss), tangent);
+  run.results.add(name_of(row::stand::modulus_kiss_secant), secant);
 }
 
 void Modulus::add_bending()
@@ -309,8 +310,8 @@ void Modulus::add_bending()
     p.checks.push_back(solid ? Check{"Euler beam on its contact line (4.9)", beam, "no shear"}
                              : Check{"rolls by finite elements (22.13a)", fine, ""});
   } else
-    p.error_lacks = {name_of("K_bend")};
-  run.results.add(name_of("K_bend"), p);
+    p.error_lacks = {name_of(row::stand::K_bend)};
+  run.results.add(name_of(row::stand::K_bend), p);
 }
 
 std::vector<PathPart> Modulus::path_at(const double F, const bool strip) const
@@ -337,7 +338,7 @@ std::vector<PathPart> Modulus::path_at(const double F, const bool strip) const
     set(name, 1 / (rest + deflected.compliance), 1 / (rest + deflected.deflection / F));
   }
   const auto contact = reduce::line_contact(work_roll_pair(stand), F);
-  set(name_of("K_ww", "tangent"), contact.tangent, contact.secant);
+  set(name_of(row::stand::K_ww_tangent), contact.tangent, contact.secant);
   return path;
 }
 
@@ -367,8 +368,8 @@ void Modulus::add_with_strip()
   with_strip = common;
   with_strip.push_back({"K4.flattening", flattening.value / 2, flattening.value / 2, flattening.error_estimate,
                         flattening.error_lacks});
-  if (run.results.find(name_of("K_bend")))
-    with_strip.push_back(part(name_of("K_bend"), result(name_of("K_bend")), 1 / bend));
+  if (run.results.find(name_of(row::stand::K_bend)))
+    with_strip.push_back(part(name_of(row::stand::K_bend), result(name_of(row::stand::K_bend)), 1 / bend));
   auto m = reduce::mill_modulus(with_strip);
   state_error(m, with_strip);
   const auto curve = stretch(true);
@@ -390,8 +391,8 @@ void Modulus::add_with_strip()
     sum += h / 3 * (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * load * compliance(load);
   }
   secant.checks.push_back({"tangents summed over the force", F / sum, "from the smallest force of the curve"});
-  run.results.add(name_of("modulus", "tangent"), tangent);
-  run.results.add(name_of("modulus", "secant"), secant);
+  run.results.add(name_of(row::stand::modulus_tangent), tangent);
+  run.results.add(name_of(row::stand::modulus_secant), secant);
   add_by_width();
 }
 
@@ -399,7 +400,7 @@ void Modulus::add_by_width()
 {
   const double K3 = spring("K3").value, K5 = spring("K5").value, b = stand.strip.width, step = width_step * b;
   const Component *solid = solid_work_roll(stand, parts);
-  const double M         = result(name_of("modulus", "tangent")).value;
+  const double M         = result(name_of(row::stand::modulus_tangent)).value;
   const double slope     = bend * K3 > least_bending ? (work_rolls_bending(stand, solid, b + step, K3, K5) -
                                                     work_rolls_bending(stand, solid, b - step, K3, K5)) /
                                                        (2 * step)
@@ -413,7 +414,7 @@ void Modulus::add_by_width()
                        at);
   p.checks      = {{"flattening alone", by_width(0), "work rolls that do not bend"}};
   p.error_lacks = {"K4.flattening"};
-  run.results.add(name_of("modulus", "by_width"), p);
+  run.results.add(name_of(row::stand::modulus_by_width), p);
 }
 
 void Modulus::warn_unusual()
@@ -432,7 +433,7 @@ void Modulus::warn_unusual()
                                   ->tangent /
                               1e9),
               "",
-              {name_of("modulus", "tangent")}});
+              {name_of(row::stand::modulus_tangent)}});
 }
 
 void Modulus::write()

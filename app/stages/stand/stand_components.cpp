@@ -4,6 +4,7 @@
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/record_text.h"
+#include "core/records/rows_of_stand.h"
 #include "fem/housing/housing_component.h"
 #include "fem/members.h"
 #include "fem/roll/roll_component.h"
@@ -226,7 +227,7 @@ void add_housing_frequencies(RunContext &run, const FourHigh &stand, const Compo
         0.5 * squared * q.dot(fine.residual * q);  // (22.9)
     p.inputs = reduce::housing_keys(stand.housing, true);
     p.inputs.push_back("dynamics.frequency_limit");
-    run.results.add("housing.f" + std::to_string(i + 1), p);
+    run.results.add(row::modes::of_housing.of(std::to_string(i + 1)), p);
   }
 }
 }  // namespace mill

@@ -71,7 +71,7 @@ TEST(Help, ATermAResultAndAKeyAreExplained)
   EXPECT_EQ(help_of("Crown").rfind("crown\n    diameter at mid-length minus diameter at the barrel end\n", 0), 0u)
       << help_of("Crown");
   const std::string result = help_of("K3.tangent");
-  EXPECT_EQ(result.rfind("result K3.tangent [N/m]\n    Contact of the upper rolls: ", 0), 0u) << result;
+  EXPECT_EQ(result.rfind("result K3.tangent [N/m]\n    Contact of the rolls: ", 0), 0u) << result;
   EXPECT_NE(help_of("K3").find("result K3 [N/m]"), std::string::npos);
   EXPECT_NE(help_of("K3").find("result K3.secant [N/m]"), std::string::npos);
   EXPECT_EQ(help_of("K3").find("result KN"), std::string::npos) << "its name is there as such";

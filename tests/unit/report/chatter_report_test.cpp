@@ -221,5 +221,5 @@ TEST(ChatterReport, TilesGroupsAndNames)
   EXPECT_EQ(meaning_of("bite.2.F.gap_rate"), "bite, 2, roll force, derivative by opening rate of the gap");
   EXPECT_EQ(meaning_of("bite.2.force"), "bite, 2, roll force");
   EXPECT_EQ(meaning_of("chatter.2.variant.D36.critical_speed"),
-            "chatter, 2, variant, D36, roll speed at which vibration begins to grow");
+            "chatter, 2, variant D36, roll speed at which vibration begins to grow");
 }

@@ -118,15 +118,17 @@ TEST(FrequencyReport, ShowsCampbellDiagramAndCrossings)
 TEST(FrequencyReport, ResultsHaveWords)
 {
   EXPECT_EQ(meaning_of("frf.bite.upper_work_roll.peak"),
-            "accelerance, force in the bite, upper work roll, largest magnitude");
-  EXPECT_EQ(meaning_of("frf.lower_backup_chock.lower_backup_chock.frequency"),
-            "accelerance, lower backup-roll chock, lower backup-roll chock, frequency of the largest magnitude");
+            "accelerance at the upper work roll under a force in the bite, largest magnitude");
+  EXPECT_EQ(
+      meaning_of("frf.lower_backup_chock.lower_backup_chock.frequency"),
+      "accelerance at the lower backup-roll chock under a force on the lower backup-roll chock, frequency of "
+      "the largest magnitude");
   EXPECT_EQ(meaning_of("campbell.gap_first_kind.distance"),
-            "resonance with what turns, gap first kind, distance from the working range");
-  EXPECT_EQ(meaning_of("mode.gap_first_kind.frequency"), "mode by name, natural frequency");
+            "resonance of mode gap first kind with what turns, distance from the working range");
+  EXPECT_EQ(meaning_of("mode.gap_first_kind.frequency"), "mode gap first kind, natural frequency");
   EXPECT_EQ(meaning_of("open.mode.gap_first_kind.gap_share"),
-            "open stand, without the strip between the work rolls, mode by name, share of the static compliance "
-            "of the gap");
+            "open stand, without the strip between the work rolls, mode gap first kind, share of the static "
+            "compliance of the gap");
   EXPECT_EQ(meaning_of("open.f3"),
             "open stand, without the strip between the work rolls, natural frequency 3, vertical");
 }
