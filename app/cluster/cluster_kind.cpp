@@ -62,7 +62,7 @@ const RunKind &cluster_kind()
       for (const ClusterRoll &roll : stand_of(the_case).rolls)
         manifest["geometry"]["roll_" + roll.name + "_diameter"] = roll.barrel_diameter;
     };
-    k.inputs = [](const Case &, const Results &results, const std::string &name) -> std::optional<KeyList> {
+    k.inputs = [](MovingKeys &, const Results &results, const std::string &name) -> std::optional<KeyList> {
       const Parameter *made = results.find(name);
       return made ? std::optional<KeyList>(made->inputs) : std::nullopt;
     };

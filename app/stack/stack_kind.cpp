@@ -89,7 +89,7 @@ const RunKind &run_kind(const StackCase &)
       for (const StackRoll &roll : std::get<StackCase>(the_case.spec).stack->rolls)
         manifest["geometry"]["roll_" + roll.name + "_diameter"] = roll.diameter;
     };
-    k.inputs = [](const Case &, const Results &results, const std::string &name) -> std::optional<KeyList> {
+    k.inputs = [](MovingKeys &, const Results &results, const std::string &name) -> std::optional<KeyList> {
       const Parameter *made = results.find(name);
       return made ? std::optional<KeyList>(made->inputs) : std::nullopt;
     };
