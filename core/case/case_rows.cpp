@@ -99,6 +99,16 @@ struct OtherValues {
     return other_lists(now);
   }
 };
+
+// One number or many; not a word, a text, a flag or words.
+bool are_numbers(const std::vector<Value> &values)
+{
+  if (values.empty())
+    return false;
+  const Value &one = values.front();
+  return !std::holds_alternative<std::string>(one) && !std::holds_alternative<bool>(one) &&
+         !std::holds_alternative<std::vector<std::string>>(one);
+}
 }  // namespace
 
 std::vector<Value> other_values(const Kind kind, const std::string &form, const Value &now)
@@ -114,12 +124,14 @@ KeyList CaseRows::moving(const std::function<std::string()> &text)
     std::vector<std::vector<Value>> others;
     for (std::size_t row = 0; row < rows->size(); ++row) {
       others.push_back(rows->others(row));
-      if (!others.back().empty())
+      if (are_numbers(others.back()))
         rows->change(row, others.back().front());
     }
-    const bool touched = text() != before;
+    const bool numbers_move = text() != before;
     rows->restore();
-    for (std::size_t row = 0; touched && row < others.size(); ++row) {
+    for (std::size_t row = 0; row < others.size(); ++row) {
+      if (!numbers_move && are_numbers(others[row]))
+        continue;
       const bool moves = std::any_of(others[row].begin(), others[row].end(), [&](const Value &value) {
         const bool moved = rows->change(row, value) && text() != before;
         rows->restore();

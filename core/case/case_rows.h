@@ -40,7 +40,8 @@ public:
   }
 
   /// Keys of the rows whose change, each by itself, moves a text of the records; in the order in which the rows
-  /// were added.  A section that moves nothing when all of its rows change is not searched row by row.
+  /// were added.  Where all numbers of a section together move nothing, its words alone are searched: a choice may
+  /// hide what another row moves.
   /// @param text  of the present state of the records; must not throw
   /// Cost: three texts for every row that does not move it, one for the others.
   KeyList moving(const std::function<std::string()> &text);
