@@ -3,6 +3,7 @@
 #include "app/kinds/mark_sources.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_parts.h"
+#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include "core/records/result_names.h"
 #include "core/records/result_words.h"
@@ -49,8 +50,8 @@ const RunKind &chatter_kind()
         files.insert(files.end(), {m->mass, m->stiffness, m->force, m->readings, m->names});
       return files;
     };
-    k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
-      return inputs_of(std::get<ChatterCase>(the_case.spec), results, name);
+    k.inputs = [](MovingKeys &keys, const Results &results, const std::string &name) {
+      return inputs_of(std::get<ChatterCase>(keys.spec()), results, name);
     };
     k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
       return closed_form_chatter(std::get<ChatterCase>(the_case.spec));

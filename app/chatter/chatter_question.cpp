@@ -2,6 +2,7 @@
 #include "app/stages/bite/bite_stage.h"
 #include "app/stages/bite/free_strip.h"
 #include "app/stages/response/detailed_model_stage.h"
+#include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modal_model.h"
@@ -178,12 +179,15 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   const auto p = std::size_t(std::find_if(stand.passes.begin(), stand.passes.end(),
                                           [&](const Pass &one) { return one.name == pass.name; }) -
                              stand.passes.begin());
-  q.inputs     = joined(slab_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter"}),
-                        keys_in(fmt::format("pass.{}", p), "speed"), keys_in("strip", "youngs_modulus"),
-                        keys_in("stand", "entry_distance exit_distance"), keys_in("analysis", "linearisation speeds"),
-                        keys_in("dynamics", "modal_damping"), detailed_model_keys(),
-                        chain_mode_keys(chain.model, settings, Half::upper),
-                        chain_mode_keys(chain.model, settings, Half::lower));
+  MovingKeys keys(stand);
+  BiteReading slab;
+  slab.by     = BiteAnswers::compared;
+  slab.fitted = false;
+  q.inputs    = joined(bite_keys(keys, p, slab), keys_in(fmt::format("pass.{}", p), "speed"),
+                       keys_in("strip", "youngs_modulus"), keys_in("stand", "entry_distance exit_distance"),
+                       keys_in("analysis", "linearisation speeds"), keys_in("dynamics", "modal_damping"),
+                       detailed_model_keys(), chain_mode_keys(chain.model, settings, Half::upper),
+                       chain_mode_keys(chain.model, settings, Half::lower));
   return asked;
 }
 }  // namespace mill

@@ -7,6 +7,7 @@
 #include "app/stages/bite/bite_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace_key.h"
+#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include "core/records/result_names.h"
 #include <fmt/format.h>
@@ -58,38 +59,38 @@ json geometry_of(const FourHigh &stand)
 }
 
 // K3.* and contact.upper.*, or the same of the lower rolls.
-std::optional<KeyList> contact_inputs(const FourHigh &stand, const std::string &name, const std::size_t p)
+std::optional<KeyList> contact_inputs(MovingKeys &keys, const std::string &name, const std::size_t p)
 {
   const bool upper = begins(name, "K3.") || begins(name, "contact.upper.");
   if (!upper && !begins(name, "K5.") && !begins(name, "contact.lower."))
     return {};
-  const std::string which = upper ? "upper" : "lower";
-  const KeyList keys      = contact_keys(stand, which, p);
-  if (ends(name, ".friction_tangent"))
-    return joined(keys, keys_in("contact." + which, "friction"));
-  return ends(name, ".path_plateau") ? joined(keys, keys_in("contact." + which, "path_trim")) : keys;
+  const ContactReading reading = ends(name, ".friction_tangent") ? ContactReading::friction
+                                 : ends(name, ".path_plateau")   ? ContactReading::path
+                                                                 : ContactReading::curve;
+  return contact_keys(keys, upper ? "upper" : "lower", p, reading);
 }
 
 // bearing.NAME.*: of the upper rolls' seats.
-std::optional<KeyList> rating_inputs_of(const FourHigh &stand, const std::string &name)
+std::optional<KeyList> rating_inputs_of(MovingKeys &keys, const FourHigh &stand, const std::string &name)
 {
-  std::optional<KeyList> keys;
+  std::optional<KeyList> inputs;
   for (const std::size_t i : {std::size_t(0), std::size_t(1)}) {
-    const Roll &roll    = i == 0 ? stand.backup_roll : stand.work_roll;
-    const char *section = i == 0 ? "backup_roll" : "work_roll";
+    const Roll &roll = i == 0 ? stand.backup_roll : stand.work_roll;
     if (!begins(name, "bearing." + roll.bearing + ".") || oil_film_of(stand.oil_films, roll.bearing) ||
         stand.given.count(i == 0 ? "Kzc1" : "Kzc2"))
       continue;
-    const KeyList more = joined(seat_keys(stand, i, 0), rating_keys(bearing_of(stand.bearings, roll.bearing)),
-                                keys_in(section, "barrel_diameter"), KeyList{"pass.0.speed"});
-    keys               = keys ? joined(*keys, more) : more;
+    SeatReading reading;
+    reading.rating     = true;
+    const KeyList more = seat_keys(keys, i, 0, reading);
+    inputs             = inputs ? joined(*inputs, more) : more;
   }
-  return keys;
+  return inputs;
 }
 
 // stand.* of one pass: the springs on the path of the force, the touching or bending work rolls, the bite.
-KeyList modulus_keys(const FourHigh &stand, const Results &results, const std::string &name, const std::size_t p)
+KeyList modulus_keys(MovingKeys &moving, const Results &results, const std::string &name, const std::size_t p)
 {
+  const auto &stand = std::get<FourHigh>(moving.spec());
   const KeyList rolls =
       joined(keys_in("steel", "youngs_modulus poisson_ratio"),
              keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes[p], p));
@@ -112,51 +113,53 @@ KeyList modulus_keys(const FourHigh &stand, const Results &results, const std::s
   const KeyList path = of_springs({"K1", "K2", "K3", "K5", "K6", "K7"});
   if (is_of(name, "stand.modulus.kiss") || is_of(name, "stand.modulus.kiss_secant"))
     return joined(path, rolls);
-  const KeyList with_strip = joined(
-      path, bending, bite_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter", true, &stand.passes}));
+  const KeyList with_strip = joined(path, bending, bite_keys(moving, p));
   return ends(name, ".roll_speed") ? joined(with_strip, keys_in(fmt::format("pass.{}", p), "speed")) : with_strip;
 }
 
-std::optional<KeyList> modulus_inputs(const FourHigh &stand, const Results &results, const std::string &name)
+std::optional<KeyList> modulus_inputs(MovingKeys &keys, const Results &results, const std::string &name)
 {
   if (!is_of(name, family::stand))
     return {};
+  const auto &stand = std::get<FourHigh>(keys.spec());
   for (std::size_t p = 1; p < stand.passes.size(); ++p)
     if (const std::string prefix = result_name({family::stand, stand.passes[p].name}); is_of(name, prefix))
-      return modulus_keys(stand, results, family::stand + name.substr(prefix.size()), p);
-  return modulus_keys(stand, results, name, 0);
+      return modulus_keys(keys, results, family::stand + name.substr(prefix.size()), p);
+  return modulus_keys(keys, results, name, 0);
 }
 
-std::optional<KeyList> inputs_of(const FourHigh &stand, const Results &results, const std::string &full)
+std::optional<KeyList> inputs_of_stand(MovingKeys &keys, const Results &results, const std::string &full)
 {
-  if (const auto keys = modulus_inputs(stand, results, full))
-    return keys;
-  if (const auto keys = turning_inputs(results, stand.drive.size(), full))
-    return keys;
+  const auto &stand = std::get<FourHigh>(keys.spec());
+  if (const auto list = modulus_inputs(keys, results, full))
+    return list;
+  if (const auto list = turning_inputs(results, stand.drive.size(), full))
+    return list;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass = stand.passes[p];
-    if (const auto keys = response_inputs(results, stand.dynamics, pass, p, full))
-      return keys;
-    const BiteRun bite{stand.strip, stand.bite, p, "work_roll.barrel_diameter", true, &stand.passes};
+    if (const auto list = response_inputs(results, stand.dynamics, pass, p, full))
+      return list;
     if (begins(full, "bite."))
-      if (const auto keys = bite_inputs(bite, full, pass.name))
-        return keys;
+      if (const auto list = bite_inputs(keys, p, stand.bite, full, pass.name))
+        return list;
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const std::string name   = begins(full, prefix) ? full.substr(prefix.size()) : "";
-    if (const auto keys = contact_inputs(stand, name, p))
-      return keys;
+    if (const auto list = contact_inputs(keys, name, p))
+      return list;
     if (begins(name, "K4."))
-      return bite_inputs(bite, name, pass.name);
+      return bite_inputs(keys, p, stand.bite, name, pass.name);
     if (p == 0)
-      if (const auto keys = rating_inputs_of(stand, name))
-        return keys;
-    const std::string film = "bearing." + stand.backup_roll.bearing;  // of no name where its stiffness is given
-    if (begins(name, film + ".film."))
-      return joined(seat_keys(stand, stand.given.count("Kzc1") ? 3 : 0, p),
-                    ends(name, ".least_speed") ? keys_in(film, "roughness") : KeyList());
+      if (const auto list = rating_inputs_of(keys, stand, name))
+        return list;
+    // Of no name where its stiffness is given.
+    if (begins(name, "bearing." + stand.backup_roll.bearing + ".film.")) {
+      SeatReading reading;
+      reading.least_speed = ends(name, ".least_speed");
+      return seat_keys(keys, stand.given.count("Kzc1") ? 3 : 0, p, reading);
+    }
     for (std::size_t i = 0; i < 4; ++i)
       if (begins(name, fmt::format("Kzc{}.", i + 1)))
-        return seat_keys(stand, i, p);
+        return seat_keys(keys, i, p);
   }
   return {};
 }
@@ -212,8 +215,8 @@ const RunKind &run_kind(const FourHigh &)
       add_bearings(manifest, stand.bearings);
       add_passes(manifest, stand.passes, stand.dynamics.force_meaning);
     };
-    k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
-      return inputs_of(std::get<FourHigh>(the_case.spec), results, name);
+    k.inputs = [](MovingKeys &keys, const Results &results, const std::string &name) {
+      return inputs_of_stand(keys, results, name);
     };
     k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &factors) {
       return closed_form_four_high(std::get<FourHigh>(the_case.spec), memory, factors);

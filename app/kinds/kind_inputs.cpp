@@ -1,7 +1,6 @@
 #include "app/kinds/kind_inputs.h"
 #include "core/case/turning_keys.h"
 #include "core/records/result_names.h"
-#include <fmt/format.h>
 #include <utility>
 
 namespace mill {
@@ -15,23 +14,24 @@ bool ends(const std::string &name, const std::string &ending)
   return name.size() >= ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
 }
 
-std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name, const std::string &pass)
+std::optional<KeyList> bite_inputs(MovingKeys &keys, const std::size_t p, const BiteSetup &setup,
+                                   const std::string &name, const std::string &pass)
 {
+  BiteReading reading;
+  reading.path_trim        = name == "K4.path_plateau";
   const std::string prefix = "bite." + pass + ".";
-  if (name == "K4.path_plateau")
-    return joined(bite_keys(bite), keys_in("bite", "path_trim"));
   if (begins(name, "K4."))
-    return bite_keys(bite);
-  if (begins(name, "bite.fit.") && !bite.setup.fit.empty())
-    return fit_keys(bite);
+    return bite_keys(keys, p, reading);
+  if (begins(name, "bite.fit.") && !setup.fit.empty())
+    return bite_keys(keys, p);
   if (!begins(name, prefix))
     return {};
   const std::string quantity = name.substr(prefix.size());
-  const KeyList speed = ends(quantity, "_speed") ? keys_in(fmt::format("pass.{}", bite.pass), "speed") : KeyList{};
-  const bool is_comparison = quantity.find('.') != std::string::npos && !begins(quantity, "fe.");
-  BiteRun asked            = bite;
-  asked.whole_width        = follows_width(quantity.substr(quantity.rfind('.') + 1));
-  return joined(is_comparison ? slab_keys(asked) : bite_keys(asked), speed);
+  if (quantity.find('.') != std::string::npos && !begins(quantity, "fe."))
+    reading.by = BiteAnswers::compared;
+  reading.whole_width = follows_width(quantity.substr(quantity.rfind('.') + 1));
+  reading.speed       = ends(quantity, "_speed");
+  return bite_keys(keys, p, reading);
 }
 
 std::optional<KeyList> response_inputs(const Results &results, const DynamicsSettings &dynamics, const Pass &pass,

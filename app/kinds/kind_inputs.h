@@ -11,8 +11,10 @@ namespace mill {
 bool begins(const std::string &name, const std::string &prefix);
 bool ends(const std::string &name, const std::string &ending);
 
-/// K4.* and bite.PASS.*; those of one model have its name before theirs.
-std::optional<KeyList> bite_inputs(const BiteRun &bite, const std::string &name, const std::string &pass);
+/// K4.* and bite.PASS.* of pass p; those of one model have its name before theirs.
+/// @param pass  its name
+std::optional<KeyList> bite_inputs(MovingKeys &keys, std::size_t p, const BiteSetup &setup,
+                                   const std::string &name, const std::string &pass);
 
 /// PASS.peak_g.* and PASS.rms_g.*: the numbers of the chain that drives the work roll, and what is done with them.
 std::optional<KeyList> response_inputs(const Results &results, const DynamicsSettings &dynamics, const Pass &pass,

@@ -6,6 +6,7 @@
 #include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
+#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include <filesystem>
 #include <nlohmann/json.hpp>
@@ -75,8 +76,8 @@ const RunKind &run_kind(const Lumped &)
       const auto &lumped = std::get<Lumped>(the_case.spec);
       add_passes(manifest, lumped.passes, lumped.dynamics.force_meaning);
     };
-    k.inputs = [](const Case &the_case, const Results &results, const std::string &name) {
-      return inputs_of(std::get<Lumped>(the_case.spec), results, name);
+    k.inputs = [](MovingKeys &keys, const Results &results, const std::string &name) {
+      return inputs_of(std::get<Lumped>(keys.spec()), results, name);
     };
     k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
       return closed_form_lumped(the_case, memory);

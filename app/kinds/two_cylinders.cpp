@@ -2,7 +2,8 @@
 #include "app/run/run_kind.h"
 #include "app/stages/contact/body_pair.h"
 #include "app/stages/contact/contact_stage.h"
-#include "app/trace/closed_form_parts.h"
+#include "app/trace/closed_form_chain.h"
+#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include <nlohmann/json.hpp>
 
@@ -40,11 +41,12 @@ const RunKind &run_kind(const TwoCylinders &)
       if (!pair.lower.plane())
         manifest["geometry"]["lower_diameter"] = pair.lower.diameter;
     };
-    k.inputs = [](const Case &the_case, const Results &, const std::string &name) -> std::optional<KeyList> {
-      return cylinder_keys(std::get<TwoCylinders>(the_case.spec), name);
+    k.inputs = [](MovingKeys &keys, const Results &, const std::string &name) -> std::optional<KeyList> {
+      return cylinder_keys(keys, name);
     };
-    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
-      return closed_form_cylinders(std::get<TwoCylinders>(the_case.spec));
+    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
+      return closed_form_cylinders(std::get<TwoCylinders>(the_case.spec),
+                                   wanted_keys(memory, the_case.spec).get());
     };
     return k;
   }();

@@ -12,7 +12,7 @@ void describe_roll(nlohmann::ordered_json &manifest, const std::string &name, co
   manifest["geometry"]["roll_" + name + "_diameter"] = diameter;
 }
 
-std::optional<KeyList> stated_inputs(const Case &, const Results &results, const std::string &name)
+std::optional<KeyList> stated_inputs(MovingKeys &, const Results &results, const std::string &name)
 {
   const Parameter *made = results.find(name);
   return made ? std::optional<KeyList>(made->inputs) : std::nullopt;

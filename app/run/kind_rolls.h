@@ -9,7 +9,7 @@
 
 // What kinds of case with a list of rolls, roll.0 .., have in common.
 namespace mill {
-struct Case;
+class MovingKeys;
 
 /// A roll as a source of marks.
 /// @param i         its place in the case
@@ -20,5 +20,5 @@ dynamics::MarkRoll mark_roll(const std::string &name, std::size_t i, double diam
 void describe_roll(nlohmann::ordered_json &manifest, const std::string &name, double diameter);
 
 /// Keys of a result as its stage stated them: RunKind::inputs of a kind without rules of its own.
-std::optional<KeyList> stated_inputs(const Case &the_case, const Results &results, const std::string &name);
+std::optional<KeyList> stated_inputs(MovingKeys &keys, const Results &results, const std::string &name);
 }  // namespace mill

@@ -1,16 +1,19 @@
 #include "app/run/result_inputs.h"
 #include "app/run/run_kind.h"
+#include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/records/chain_number.h"
 #include <optional>
+#include <utility>
 
 namespace mill {
 void set_inputs(Results &results, const Case &the_case)
 {
+  MovingKeys keys(the_case.spec);
   for (auto &[name, parameter] : results.values)
-    if (const auto keys = run_kind(the_case).inputs(the_case, results, name))
-      parameter.inputs = *keys;
+    if (auto inputs = run_kind(the_case).inputs(keys, results, name))
+      parameter.inputs = std::move(*inputs);
 }
 
 std::vector<std::string> results_outside_the_chain(const Case &the_case, const std::string &key)
@@ -24,9 +27,10 @@ std::vector<std::string> results_outside_the_chain(const Case &the_case, const s
                                  "frf.bite.upper_work_roll.peak",
                                  "campbell.gap_first_kind.speed"};
   std::vector<std::string> reached;
+  MovingKeys keys(the_case.spec);
   for (const std::string &name : names) {
-    const auto keys = run_kind(the_case).inputs(the_case, Results(), name);
-    if (keys && holds(*keys, key))
+    const auto inputs = run_kind(the_case).inputs(keys, Results(), name);
+    if (inputs && holds(*inputs, key))
       reached.push_back(name);
   }
   return reached;
@@ -40,10 +44,11 @@ void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::
       return !stand.given.count(name == word_of(ChainNumber::K_Zy) ? "Kzc1" : "Kzc4");
     return name.rfind("Kzc", 0) != 0 || !stand.given.count(name.substr(0, 4));
   };
+  MovingKeys keys(stand);
   reduce::each_spring(
       [&](const std::string &name, Parameter &spring) {
         if (solved(name))
-          spring.inputs = spring_keys(stand, name, pass);
+          spring.inputs = spring_keys(keys, name, pass);
       },
       springs);
 }

@@ -57,8 +57,8 @@ struct RunKind {
   /// Files that a run reads in addition to the case, except the records of its passes.
   std::vector<std::string> (*files)(const Case &the_case) = nullptr;
   /// Keys behind a result of a run; nothing: it carries its own.
-  std::optional<KeyList> (*inputs)(const Case &the_case, const Results &results,
-                                   const std::string &name) = nullptr;
+  /// @param keys  of the case
+  std::optional<KeyList> (*inputs)(MovingKeys &keys, const Results &results, const std::string &name) = nullptr;
   /// Every result by closed forms, for a trace.
   std::vector<ClosedFormResult> (*trace)(const Case &the_case, ClosedFormMemory &memory,
                                          const std::map<std::string, double> &factors) = nullptr;

@@ -82,6 +82,7 @@ std::string four_high_as_stack(const Case &four_high)
                      four_high.kind + "\"");
   ClosedFormMemory memory;
   memory.with_responses = false;
+  memory.with_inputs    = false;
   const auto results    = closed_form_four_high(*drawn, memory, {});
   const FourHigh &stand = memory.stands.empty() ? *drawn : *memory.stands.front().stand;
   StackInput input;

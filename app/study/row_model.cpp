@@ -161,6 +161,7 @@ struct RowModel::Implementation {
   {
     auto memory            = take_memory();
     memory->with_responses = work == with_responses_work;
+    memory->with_inputs    = false;
     NamedResults results;
     for (ClosedFormResult &result : closed_form_chain(row, *memory))
       results.emplace_back(std::move(result.name), std::move(result.parameter));

@@ -4,6 +4,7 @@
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/closed_form_parts.h"
 #include "core/base/force_text.h"
+#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include "core/records/record_text.h"
 #include "reduce/bearing/oil_film/oil_film_state.h"
@@ -114,7 +115,7 @@ double bearing_load(const FourHigh &stand, const bool backup, const ContactSetti
 }
 
 std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const double F, const std::size_t pass,
-                                                   ClosedFormMemory &memory)
+                                                   ClosedFormMemory &memory, MovingKeys *keys)
 {
   std::vector<ClosedFormResult> all;
   const auto add_both = [&](const ClosedFormResult &one, const char *name) {
@@ -142,12 +143,12 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     if (const OilFilmBearing *film = oil_film_of(stand.oil_films, roll.bearing)) {
       const bearing::OilFilmLoad on{load, stand.passes[pass].speed / (roll.barrel_diameter / 2), {0, 0}};
       const std::string name = fmt::format("Kzc{}", i + 1);
-      const KeyList keys     = seat_keys(stand, std::size_t(i), pass);
-      ClosedFormResult r     = closed_form_film(name.c_str(), *film, on, keys, false);
+      const KeyList list     = keys ? seat_keys(*keys, std::size_t(i), pass) : KeyList();
+      ClosedFormResult r     = closed_form_film(name.c_str(), *film, on, list, false);
       r.load                 = load;
       all.push_back(r);
       add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
-      all.push_back(closed_form_film((name + "_across").c_str(), *film, on, keys, true));
+      all.push_back(closed_form_film((name + "_across").c_str(), *film, on, list, true));
       continue;
     }
     const auto &b      = bearing_of(stand.bearings, roll.bearing);
@@ -160,8 +161,9 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     r.parameter.method = closed_method(b);
     r.parameter.at     = {"{} on one bearing", {{load, "kN", force_form(load)}}};
     r.load             = load;
-    r.closed =
-        joined(seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));
+    if (keys)
+      r.closed =
+          joined(seat_load_keys(*keys, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));
     r.relation   = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
     r.file       = "reduce/bearing/assembly";
     r.equation   = "(5.23)";
@@ -180,14 +182,15 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
   return all;
 }
 
-std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec)
+std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec, MovingKeys *keys)
 {
+  const KeyList inputs = keys ? bearing_case_keys(*keys) : KeyList();
   if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing)) {
     std::vector<ClosedFormResult> both;
     for (const bool across : {false, true}) {
-      both.push_back(closed_form_film(across ? "Kzc.tangent_across" : "Kzc.tangent", *film, film_load(spec),
-                                      bearing_case_keys(spec), across));
-      both.back().parameter.inputs = bearing_case_keys(spec);
+      both.push_back(
+          closed_form_film(across ? "Kzc.tangent_across" : "Kzc.tangent", *film, film_load(spec), inputs, across));
+      both.back().parameter.inputs = inputs;
     }
     return both;
   }
@@ -204,7 +207,7 @@ std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec)
     r.parameter.method = closed_method(b);
     r.closed = joined(keys_in("load", "bearing radial axial tilt cage_angle axial_displacement moment speed"),
                       closed_bearing_keys(b, loaded_askew(spec.load)));
-    r.parameter.inputs = bearing_case_keys(spec);
+    r.parameter.inputs = inputs;
     for (const std::string &key : r.parameter.inputs)  // [model] says again what the bearing says
       if (key.rfind("model.", 0) == 0 && holds(r.closed, "bearing." + b.name + key.substr(5)))
         r.closed.push_back(key);

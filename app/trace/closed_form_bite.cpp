@@ -2,6 +2,7 @@
 #include "app/stages/bite/bite_study.h"
 #include "app/stages/bite/fit_stage.h"
 #include "app/trace/closed_form_parts.h"
+#include "core/case/moving_keys.h"
 #include "core/model/bite_case.h"
 #include <algorithm>
 #include <fmt/format.h>
@@ -10,24 +11,23 @@
 namespace mill {
 namespace {
 // One number of the bite with what is known before it is solved.
-ClosedFormResult bite_result(const std::string &name, const Strip &strip, const BiteSetup &setup,
-                             const std::vector<Pass> &passes, const int pass, const std::string &roll_key)
+ClosedFormResult bite_result(const std::string &name, const BiteSetup &setup, const int pass, MovingKeys *keys)
 {
   const bool elements = setup.method == BiteMethod::fe;
-  const bool wide     = name.rfind("K4", 0) == 0 || follows_width(name.substr(name.rfind('.') + 1));
-  const BiteRun run{strip, setup, std::size_t(pass), roll_key, wide, &passes};
   ClosedFormResult r;
-  r.name             = name;
-  r.parameter.inputs = bite_keys(run);
-  // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
-  BiteSetup closed = setup;
-  closed.arc       = setup.arc == BiteArc::rigid ? BiteArc::rigid : BiteArc::hitchcock;
-  r.closed         = joined(slab_keys({strip, closed, run.pass, roll_key, wide, &passes}),
-                    elements ? KeyList{} : keys_in("bite", "theory"));
-  r.relation       = "roll bite";
-  r.file           = elements ? "fem/strip/rigid_plastic/strip_flow" : "reduce/bite/slab/slab_bite";
-  r.equation       = "(8.13)";
-  r.stands_for     = elements ? "finite elements of the strip, fem/strip/rigid_plastic/strip_flow" : "";
+  r.name = name;
+  if (keys) {
+    BiteReading reading;
+    reading.whole_width = name.rfind("K4", 0) == 0 || follows_width(name.substr(name.rfind('.') + 1));
+    r.parameter.inputs  = bite_keys(*keys, std::size_t(pass), reading);
+    // An arc of any shape is Hitchcock's here, without the elastic zones that make it one.
+    reading.by = BiteAnswers::closed_form;
+    r.closed   = bite_keys(*keys, std::size_t(pass), reading);
+  }
+  r.relation   = "roll bite";
+  r.file       = elements ? "fem/strip/rigid_plastic/strip_flow" : "reduce/bite/slab/slab_bite";
+  r.equation   = "(8.13)";
+  r.stands_for = elements ? "finite elements of the strip, fem/strip/rigid_plastic/strip_flow" : "";
   return r;
 }
 
@@ -55,11 +55,11 @@ SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
 }
 }  // namespace
 
-ClosedFormResult closed_form_bite(const FourHigh &stand, const int pass)
+ClosedFormResult closed_form_bite(const FourHigh &stand, const int pass, MovingKeys *keys)
 {
   const auto bite =
       bite_of(stand.strip, stand.passes[std::size_t(pass)], stand.work_roll.barrel_diameter, stand.steel);
-  ClosedFormResult r = bite_result("K4", bite.strip, stand.bite, stand.passes, pass, "work_roll.barrel_diameter");
+  ClosedFormResult r = bite_result("K4", stand.bite, pass, keys);
   r.parameter.unit   = "N/m";
   try {
     const SlabAnswer answer = solve_bite(bite, stand.bite);
@@ -86,7 +86,7 @@ std::optional<bite::BiteStiffness> closed_form_bite_stiffness(const FourHigh &st
   return {};
 }
 
-std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec)
+std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec, MovingKeys *keys)
 {
   std::vector<ClosedFormResult> all;
   const Strip strip = quickly_fitted_strip(fit_question(spec));
@@ -94,7 +94,7 @@ std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec)
     const auto bite         = bite_of(strip, spec.passes[p], spec.roll_diameter, spec.steel);
     const SlabAnswer answer = solve_bite(bite, spec.bite);
     const auto add = [&](const std::string &name, const char *unit, const double value, const char *equation) {
-      ClosedFormResult r = bite_result(name, bite.strip, spec.bite, spec.passes, int(p), "work_roll.diameter");
+      ClosedFormResult r = bite_result(name, spec.bite, int(p), keys);
       r.parameter.unit   = unit;
       r.parameter.value  = value;
       r.parameter.method = answer.method;

@@ -187,20 +187,21 @@ void follow_given_bearing(ClosedFormResult &r, const FourHigh &stand)
 
 // Springs that finite elements would give, in closed form or given.
 void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_t p, const std::string &prefix,
-                 const double load, ClosedFormMemory &memory, const SpringFactors &factors)
+                 const double load, ClosedFormMemory &memory, const SpringFactors &factors, MovingKeys *keys)
 {
-  const auto bearings = closed_form_bearings(stand, load, p, memory);
+  const auto bearings = closed_form_bearings(stand, load, p, memory, keys);
   std::vector<ClosedFormResult> made{closed_form_contact(stand, "upper", load, p),
                                      closed_form_contact(stand, "lower", load, p)};
   made.insert(made.end(), bearings.begin(), bearings.end());
   if (is_given(stand.given, "K4"))  // the strip may be unknown
     made.push_back(given_result("K4", stand.given.at("K4").parameter));
   else
-    made.push_back(closed_form_bite(stand, int(p)));
+    made.push_back(closed_form_bite(stand, int(p), keys));
   for (ClosedFormResult &r : made) {
     if (is_across_given_bearing(r.name, stand.given))
       continue;  // it is not known, as in a run
-    r.parameter.inputs = spring_keys(stand, r.name, p);
+    if (keys)
+      r.parameter.inputs = spring_keys(*keys, r.name, p);
     r.parameter.value *= factor(factors, prefix + r.name);
     follow_given_bearing(r, stand);
     const std::string given =
@@ -329,14 +330,15 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
   std::vector<double> loads;
   for (const Pass &pass : stand.passes)
     loads.push_back(std::isnan(pass.load) ? remembered_force(pass, memory).force.mean() : pass.load);
-  stand.strip = quickly_fitted_strip(fit_question(stand, loads));
+  stand.strip     = quickly_fitted_strip(fit_question(stand, loads));
+  const auto keys = wanted_keys(memory, stand);
   ClosedFormResults all;
   memory.stands.clear();
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass         = stand.passes[p];
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const double load        = loads[p];
-    add_springs(all, stand, p, prefix, load, memory, factors);
+    add_springs(all, stand, p, prefix, load, memory, factors, keys.get());
     const auto chain         = add_chain(all, stand, p, load, factors);
     const LumpedModel &model = chain.model;
     memory.stands.push_back({std::make_shared<FourHigh>(stand), model});
@@ -396,6 +398,11 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
     for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own_keys})
       *list = of_kind(*list, the_case.kind);
   return all;
+}
+
+std::unique_ptr<MovingKeys> wanted_keys(const ClosedFormMemory &memory, const CaseSpec &spec)
+{
+  return memory.with_inputs ? std::make_unique<MovingKeys>(spec) : nullptr;
 }
 
 double factor(const SpringFactors &factors, const std::string &name)

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/trace/closed_form_parts.h"
+#include "core/case/moving_keys.h"
 #include "core/model/lumped_model.h"
 #include "core/records/records.h"
 #include "reduce/bearing/assembly.h"
@@ -27,6 +28,7 @@ struct ClosedFormMemory {
   /// Chains of the last stand that was evaluated, one for each pass, before their modes.
   std::vector<ClosedFormStand> stands;
   bool with_responses = true;  ///< false: no levels of the passes, which take longest
+  bool with_inputs    = true;  ///< false: no lists of keys, where numbers alone are asked for
   /// Chains of cases as they stand, by file and settings.
   std::map<std::string, std::vector<ClosedFormResult>> cases;
   std::map<std::string, ForceRecord> forces;           ///< by file, or by the numbers of a made record
@@ -47,12 +49,14 @@ using SpringFactors = std::map<std::string, double>;
 ///
 /// @throws InputError   what the closed forms refuse
 /// @throws SolverError  a bearing without equilibrium; a chain that is not held
-/// Cost: below 10 ms without responses, 20 ms for each pass of 200 000 output times.
+/// Cost: below 10 ms without responses and lists of keys, 20 ms for each pass of 200 000 output times.
 std::vector<ClosedFormResult> closed_form_chain(const Case &the_case, ClosedFormMemory &memory,
                                                 const SpringFactors &factors = {});
 
 /// N/m, K_ZW of the backup roll as a stepped beam, by the mass reference of the case, whatever bending_model says.
 double beam_stiffness(const FourHigh &stand);
+/// The keys of a case for its closed forms; nullptr where no lists are asked for.
+std::unique_ptr<MovingKeys> wanted_keys(const ClosedFormMemory &memory, const CaseSpec &spec);
 /// Of kind "four-high" and of kind "lumped".
 std::vector<ClosedFormResult> closed_form_four_high(const FourHigh &drawn, ClosedFormMemory &memory,
                                                     const SpringFactors &factors);

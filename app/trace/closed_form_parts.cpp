@@ -1,6 +1,7 @@
 #include "app/trace/closed_form_parts.h"
 #include "app/stages/contact/body_pair.h"
 #include "app/stages/contact/contact_stage.h"
+#include "core/case/moving_keys.h"
 #include "core/model/two_cylinders.h"
 #include "core/records/result_names.h"
 #include "fem/contact/hertz.h"
@@ -9,6 +10,7 @@
 #include "reduce/chain/screwdown.h"
 #include "reduce/chain/spring_chain.h"
 #include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
 #include <utility>
 
@@ -81,13 +83,17 @@ KeyList closed_keys(const TwoCylinders &pair)
   KeyList keys;
   for (const auto &[name, body] : {std::pair<const char *, const RoundBody &>{"upper", pair.upper},
                                    std::pair<const char *, const RoundBody &>{"lower", pair.lower}})
-    keys = joined(std::move(keys), keys_in(name, std::string(body.plane() ? "" : "diameter ") + "rigid" +
-                                                     (body.rigid ? "" : " youngs_modulus poisson_ratio")));
-  return joined(keys, keys_in("steel", "youngs_modulus poisson_ratio"));
+    keys = joined(std::move(keys),
+                  keys_in(name, std::string(body.plane() ? "" : "diameter ") + "rigid" +
+                                    (body.rigid ? "" : " youngs_modulus poisson_ratio")),
+                  body.rigid || !std::isnan(body.youngs_modulus) ? KeyList{} : KeyList{"steel.youngs_modulus"},
+                  body.rigid || !std::isnan(body.poisson_ratio) ? KeyList{} : KeyList{"steel.poisson_ratio"});
+  return keys;
 }
 
 struct ClosedFormContact {
   const TwoCylinders &pair;
+  MovingKeys *keys;
   KeyList closed;
   std::string prefix;
   OperatingPoint at;
@@ -102,23 +108,29 @@ struct ClosedFormContact {
     r.parameter.method = method;
     r.parameter.at     = at;
     r.closed           = closed;
-    r.parameter.inputs = cylinder_keys(pair, r.name);
-    r.relation         = "contact of the two cylinders";
-    r.file             = file;
-    r.equation         = equation;
-    r.stands_for       = pair.in_space ? "half spaces, fem/contact/half_space_contact"
-                                       : "contact finite elements, fem/roll/contact_study";
+    if (keys)
+      r.parameter.inputs = cylinder_keys(*keys, r.name);
+    r.relation   = "contact of the two cylinders";
+    r.file       = file;
+    r.equation   = equation;
+    r.stands_for = pair.in_space ? "half spaces, fem/contact/half_space_contact"
+                                 : "contact finite elements, fem/roll/contact_study";
     all.push_back(r);
   }
 };
 
 // Hertz' ellipse, or the line of Hertz and Lundberg where the contact is as long as the faces.
-std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
+std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair, MovingKeys *keys)
 {
   const SpaceShape shape = space_shape(pair);
   const double load      = pair.space.at;
-  ClosedFormContact c{
-      pair, closed_keys(pair), "contact.space.", {"{}", {{load, "N"}}}, "", "app/stages/contact/space_contact"};
+  ClosedFormContact c{pair,
+                      keys,
+                      closed_keys(pair),
+                      "contact.space.",
+                      {"{}", {{load, "N"}}},
+                      "",
+                      "app/stages/contact/space_contact"};
   c.closed = joined(std::move(c.closed), keys_in("contact.space", "at"));
   if (shape.is_point(load, pair.space.tilt)) {
     const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
@@ -150,13 +162,14 @@ std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair)
 }
 }  // namespace
 
-std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair)
+std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair, MovingKeys *keys)
 {
   if (pair.in_space)
-    return closed_form_space(pair);
+    return closed_form_space(pair, keys);
   const double q  = pair.contact.at;
   const auto line = contact::line_bodies(line_bodies_of(pair), q);
   ClosedFormContact c{pair,
+                      keys,
                       joined(closed_keys(pair), keys_in("contact.line", "at")),
                       "contact.line.",
                       {"{}", {{q, "N/mm"}}},
@@ -164,7 +177,7 @@ std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair)
                       "fem/roll/contact_study"};
   c.add("half_width", "m", line.half_width, "(3.2)");
   c.add("peak_pressure", "Pa", line.peak_pressure, "(3.3)");
-  if (holds(cylinder_keys(pair, "contact.line.approach"), "contact.line.plane_depth"))
+  if (keys && holds(cylinder_keys(*keys, "contact.line.approach"), "contact.line.plane_depth"))
     c.closed = joined(std::move(c.closed), keys_in("contact.line", "plane_depth"));
   c.add("approach", "m", line.approach, "(3.4)");
   c.add("secant", "N/m2", line.secant, "(3.5a)");

@@ -17,6 +17,7 @@ struct BearingCase;
 struct BiteCase;
 struct ChatterCase;
 struct ClosedFormMemory;
+class MovingKeys;
 struct TwoCylinders;
 
 /// A result by a closed form, and how it hangs on the case.
@@ -44,12 +45,14 @@ double bearing_load(const FourHigh &stand, bool backup, const ContactSettings &c
 
 /// Kzc1..Kzc4, along and across the load, K_Zy and K_Zy_lower: laminae between rigid rings at the load of each
 /// bearing. (5.2), (5.23)
+/// @param keys  of the stand; nullptr: without lists of keys
 std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, double rolling_force, std::size_t pass,
-                                                   ClosedFormMemory &memory);
+                                                   ClosedFormMemory &memory, MovingKeys *keys);
 
 /// K4 of one pass by the slab theory of [bite] on Hitchcock's or a rigid arc.  (8.13)
 /// The value is NaN where the theory has no answer; the method then says why.
-ClosedFormResult closed_form_bite(const FourHigh &stand, int pass);
+/// @param keys  of the stand; nullptr: without lists of keys
+ClosedFormResult closed_form_bite(const FourHigh &stand, int pass, MovingKeys *keys);
 
 /// K4.plastic_slope, K4.flattening and their series by the same theory; nothing where it has no answer.
 std::optional<bite::BiteStiffness> closed_form_bite_stiffness(const FourHigh &stand, int pass);
@@ -59,8 +62,9 @@ std::optional<bite::BiteStiffness> closed_form_bite_stiffness(const FourHigh &st
 FourHigh with_drawn_frame(FourHigh stand);
 
 /// Results of each kind of case.
-std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair);
-std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec);
-std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec);
+/// @param keys  of the case; nullptr: without lists of keys
+std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair, MovingKeys *keys);
+std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec, MovingKeys *keys);
+std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec, MovingKeys *keys);
 std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec);
 }  // namespace mill

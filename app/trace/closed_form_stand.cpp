@@ -114,7 +114,7 @@ bool ClosedFormModulus::add_bite() const
   flattening.parameter.value = stiffness->flattening * factor(factors, flattening.name);
   if (rigid) {
     slope.closed      = without(slope.closed, elastic);
-    flattening.closed = arc;
+    flattening.closed = without(arc, without(arc, K4->closed));
   }
   all.push_back(std::move(slope));
   all.push_back(std::move(flattening));

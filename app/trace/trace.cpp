@@ -23,6 +23,25 @@ using ClosedFormResults = std::vector<ClosedFormResult>;
 // A result that moves by less than this has not moved: eigenvalues of an unchanged block round differently.
 constexpr double rounding = 1e-11;
 
+// No lists of keys as long as it lives.
+class NumbersAlone {
+public:
+  explicit NumbersAlone(ClosedFormMemory &of_trace) : memory(of_trace), before(of_trace.with_inputs)
+  {
+    memory.with_inputs = false;
+  }
+  ~NumbersAlone()
+  {
+    memory.with_inputs = before;
+  }
+  NumbersAlone(const NumbersAlone &)            = delete;
+  NumbersAlone &operator=(const NumbersAlone &) = delete;
+
+private:
+  ClosedFormMemory &memory;
+  bool before;
+};
+
 struct Evaluation {
   const TraceOptions &options;
   ClosedFormMemory &memory;
@@ -279,6 +298,7 @@ Trace trace(const TraceOptions &options, ClosedFormMemory &memory)
   }
   if (!factors.empty())
     trace.base = closed_form_chain(the_case, memory, factors);
+  const NumbersAlone neighbours(memory);  // they have the keys of the case
   const Evaluation evaluation{options, memory, factors};
   std::vector<TraceLine> lines;
   for (const ClosedFormResult &result : trace.base) {

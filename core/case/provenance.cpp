@@ -1,8 +1,10 @@
 #include "core/case/provenance.h"
 #include "core/base/require.h"
+#include "core/case/moving_keys.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
+#include "core/records/record_text.h"
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -20,36 +22,31 @@ KeyList keys_but(const std::string &section, const std::vector<Row> &rows, const
   return keys;
 }
 
-std::string pass_section(const std::size_t p)
-{
-  return fmt::format("pass.{}", p);
-}
-
 KeyList elastic_steel()
 {
   return keys_in("steel", "youngs_modulus poisson_ratio");
 }
 }  // namespace
 
+namespace {
+// Of one pass, whatever case it belongs to.
+KeyList keys_of_pass(const Pass &pass, const std::size_t p, LoadInputs (*inputs)(const Pass &))
+{
+  Pass changed = pass;
+  CaseRows rows;
+  add_pass_rows(rows, p, pass_rows(), changed);
+  return rows.moving([&] { return record_text(inputs(changed)); });
+}
+}  // namespace
+
 KeyList force_keys(const Pass &pass, const std::size_t p)
 {
-  const bool recorded = !pass.force_file.empty();
-  return keys_in(pass_section(p),
-                 recorded ? "force" : "synthetic_range synthetic_duration synthetic_bandwidth synthetic_seed");
+  return keys_of_pass(pass, p, inputs_of_force);
 }
 
 KeyList load_keys(const Pass &pass, const std::size_t p)
 {
-  const KeyList load_key = keys_in(pass_section(p), "load");
-  return std::isnan(pass.load) ? joined(load_key, force_keys(pass, p)) : load_key;
-}
-
-KeyList load_keys_of_all(const std::vector<Pass> &passes)
-{
-  KeyList keys;
-  for (std::size_t p = 0; p < passes.size(); ++p)
-    keys = joined(std::move(keys), load_keys(passes[p], p));
-  return keys;
+  return keys_of_pass(pass, p, inputs_of_load);
 }
 
 // Rolls
@@ -64,184 +61,64 @@ KeyList roll_body_keys(const std::string &section)
 
 // Contact
 
-KeyList contact_keys(const FourHigh &stand, const std::string &name, const std::size_t p)
+KeyList contact_keys(MovingKeys &keys, const std::string &name, const std::size_t p, const ContactReading reading)
 {
-  // What sits on the ends of a roll, and profiles that another one replaces.
-  const auto not_read = [](const Roll &roll) {
-    std::string names = "bearing bearing_mass chock_mass_upper chock_mass_lower bearing_load bending_model";
-    if (!roll.crown_table.empty())
-      names += " crown crown_polynomial";
-    else if (!roll.crown_polynomial.empty())
-      names += " crown crown_table";
-    return roll.thermal_crown_table.empty() ? names : names + " thermal_crown";
-  };
-  const ContactSettings &settings = name == "upper" ? stand.upper_contact : stand.lower_contact;
-  // Without a range of its own the sweep, and with it the mesh, is made for the loads of all passes.
-  const KeyList loads =
-      std::isnan(settings.loads[0]) ? load_keys_of_all(stand.passes) : load_keys(stand.passes[p], p);
-  return joined(elastic_steel(), keys_but("work_roll", rows_of(work_roll_rows()), not_read(stand.work_roll)),
-                keys_but("backup_roll", rows_of(backup_roll_rows()), not_read(stand.backup_roll)),
-                keys_in("strip", "width"),
-                keys_but("contact." + name, rows_of(roll_contact_rows()), "friction path_trim"), loads);
+  return keys.of(fmt::format("contact {} {} {}", name, p, int(reading)), [&](const CaseSpec &spec) {
+    return record_text(inputs_of_contact(std::get<FourHigh>(spec), name, p, reading));
+  });
 }
 
-namespace {
-// A body by its rows, less those that its shape, its rigidity or its profile leave unread.
-KeyList body_keys(const std::string &name, const RoundBody &body, const bool in_space)
+KeyList cylinder_keys(MovingKeys &keys, const std::string &result)
 {
-  std::string idle    = body.plane() ? "diameter crown_radius" : "shape";
-  const auto not_read = [&](const bool condition, const char *names) {
-    idle += condition ? std::string(" ") + names : "";
-  };
-  not_read(body.rigid, "youngs_modulus poisson_ratio");
-  not_read(!in_space, "length crown_radius profile");
-  not_read(!in_space || body.profile != EndProfile::arc, "profile_length profile_drop");
-  not_read(!in_space || body.profile != EndProfile::log, "profile_load");
-  not_read(!in_space || body.profile != EndProfile::table, "profile_table");
-  return keys_but(name, rows_of(name == "upper" ? upper_body_rows() : lower_body_rows()), idle);
-}
-}  // namespace
-
-KeyList cylinder_keys(const TwoCylinders &pair, const std::string &result)
-{
-  const std::string quantity = result.substr(result.rfind('.') + 1);
-  const bool slips           = quantity.rfind("tangential", 0) == 0 || quantity.rfind("stick", 0) == 0;
-  const KeyList bodies       = joined(body_keys("upper", pair.upper, pair.in_space),
-                                      body_keys("lower", pair.lower, pair.in_space), elastic_steel());
-  // Every load has a grid of its own in space and on half planes; a mesh is made for the whole range.
-  if (pair.in_space)
-    return joined(bodies,
-                  keys_in("contact.space", std::string("at rectangles tilt") +
-                                               (slips ? " friction tangential_load tangential_direction" : "")));
-  const bool planes      = (pair.upper.plane() && !pair.upper.rigid) || (pair.lower.plane() && !pair.lower.rigid);
-  const bool meshed      = plane_engine(pair) != PlaneEngine::half_planes && !slips;
-  const bool of_curve    = quantity == "tangent";
-  const std::string keys = std::string("at") + (slips ? " friction tangential_load" : "") +
-                           (meshed ? " loads elements_per_half_width" : "") +
-                           (meshed && of_curve ? " samples" : "");
-  return joined(bodies, keys_in("contact.line", keys + (planes ? " plane_depth" : "")));
+  return keys.of(result, [&](const CaseSpec &spec) {
+    return record_text(inputs_of_bodies(std::get<TwoCylinders>(spec), result));
+  });
 }
 
 // Bearings
 
-KeyList bearing_keys(const RollerBearing &b)
+namespace {
+// Of one bearing, whatever case it belongs to.
+template <class Inputs> KeyList keys_of_bearing(const RollerBearing &bearing, const Inputs &inputs)
 {
-  const bool fe = b.roller_law == OneRollerLaw::fe, elastic = b.rings == RingBodies::elastic,
-             drawn   = fe || elastic;
-  const bool three   = b.profile == RollerProfile::three_parameter;
-  const bool rounded = b.profile == RollerProfile::log || b.profile == RollerProfile::lundberg || three;
-  const bool tapered = b.type == BearingType::four_row_tapered;
-  // Raceway pressures are compared with the yield pressure afterwards; life is rated after all.
-  std::string idle =
-      "yield_pressure rib_angle viscosity_ratio contamination raceway_flow_stress raceway_flow_state";
-  const auto not_read = [&](const bool condition, const char *names) {
-    idle += condition ? std::string(" ") + names : "";
-  };
-  not_read(b.profile == RollerProfile::none && !fe, "slices");
-  not_read(b.profile != RollerProfile::table, "profile_table");
-  not_read(!(b.profile == RollerProfile::crown || three), "crown_drop");
-  not_read(!three, "profile_share");
-  not_read(!rounded, "profile_load");
-  not_read(!std::isnan(b.end_play) || !std::isnan(b.preload), "radial_clearance");
-  not_read(!fe, "roller_total_length");
-  not_read(!drawn, "roller_cone_angle");
-  not_read(!drawn && !rounded && b.profile != RollerProfile::iso && b.roller_law != OneRollerLaw::elastic,
-           "roller_diameter");
-  not_read(!drawn && !rounded && b.roller_law != OneRollerLaw::elastic,
-           "bore outside_diameter pitch_diameter youngs_modulus poisson_ratio");
-  not_read(b.designation.empty(), "designation");
-  not_read(b.catalogue.empty(), "catalogue");
-  not_read(b.estimated.empty(), "dynamic_rating static_rating");
-  not_read(!tapered, "roller_cone_angle cup_angle arrangement end_play preload");
-  not_read(!drawn, "width arrangement");
-  not_read(!elastic, "chock");
-  not_read(!elastic || b.chock == ChockForm::rigid, "chock_width chock_height chock_length");
-  not_read(!elastic || b.chock != ChockForm::block, "chock_support_width chock_support_gap");
-  return keys_but("bearing." + b.name, rows_of(bearing_rows()), idle);
+  RollerBearing changed = bearing;
+  CaseRows rows;
+  rows.add("bearing." + bearing.name, bearing_rows(), changed);
+  return rows.moving([&] { return record_text(inputs(changed)); });
+}
+}  // namespace
+
+KeyList bearing_keys(const RollerBearing &bearing)
+{
+  return keys_of_bearing(bearing, [](const RollerBearing &b) { return inputs_of_bearing(b); });
 }
 
-KeyList rating_keys(const RollerBearing &b)
+KeyList rating_keys(const RollerBearing &bearing)
 {
-  KeyList keys = keys_in("bearing." + b.name, "dynamic_rating static_rating viscosity_ratio contamination "
-                                              "roller_diameter pitch_diameter bore outside_diameter arrangement "
-                                              "yield_pressure raceway_flow_stress raceway_flow_state");
-  return b.type == BearingType::four_row_tapered ? joined(keys, keys_in("bearing." + b.name, "cup_angle")) : keys;
+  return keys_of_bearing(bearing, inputs_of_rating);
 }
 
-KeyList oil_film_keys(const OilFilmBearing &b)
+KeyList seat_load_keys(MovingKeys &keys, const bool backup, const std::string &contact, const std::size_t p)
 {
-  std::string idle    = "type roughness";
-  const auto not_read = [&](const bool condition, const char *names) {
-    idle += condition ? std::string(" ") + names : "";
-  };
-  not_read(std::isnan(b.bush_thickness), "bush_modulus bush_poisson_ratio");
-  not_read(std::isnan(b.sleeve_thickness), "sleeve_modulus sleeve_poisson_ratio");
-  not_read(b.grooves == 0, "groove_angle groove_width groove_length feed_pressure");
-  return keys_but("bearing." + b.name, rows_of(oil_film_rows()), idle);
+  return keys.of(fmt::format("load of seat {} {} {}", backup, contact, p), [&](const CaseSpec &spec) {
+    return record_text(inputs_of_seat_load(std::get<FourHigh>(spec), backup, contact, p));
+  });
 }
 
-KeyList seat_load_keys(const FourHigh &stand, const bool backup, const std::string &contact, const std::size_t p)
+KeyList seat_keys(MovingKeys &keys, const std::size_t i, const std::size_t p, const SeatReading &reading)
 {
-  const ContactSettings &settings = contact == "upper" ? stand.upper_contact : stand.lower_contact;
-  const Roll &roll                = backup ? stand.backup_roll : stand.work_roll;
-  const bool bent                 = stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1] != 0;
-  KeyList keys                    = keys_in(backup ? "backup_roll" : "work_roll", "bearing bearing_load");
-  if (!std::isnan(roll.bearing_load))
-    return keys;
-  if (backup || !bent || settings.axis_offset != 0)
-    keys = joined(std::move(keys), load_keys(stand.passes[p], p));
-  if (settings.axis_offset != 0)
-    keys = joined(std::move(keys), keys_in("work_roll", "barrel_diameter"),
-                  keys_in("backup_roll", "barrel_diameter"));
-  return joined(keys, keys_in("work_roll", "bending_force"), keys_in("contact." + contact, "axis_offset"));
-}
-
-KeyList seat_keys(const FourHigh &stand, const std::size_t i, const std::size_t p)
-{
+  const auto &stand = std::get<FourHigh>(keys.spec());
   const bool backup = i == 0 || i == 3;
-  const Roll &roll  = backup ? stand.backup_roll : stand.work_roll;
-  if (roll.bearing.empty())  // all of its stiffnesses are given
+  if ((backup ? stand.backup_roll : stand.work_roll).bearing.empty())  // all of its stiffnesses are given
     return keys_in("given", backup && stand.given.count("K_Zy") ? "K_Zy" : fmt::format("Kzc{}", i + 1));
-  KeyList keys = seat_load_keys(stand, backup, i < 2 ? "upper" : "lower", p);
-  if (const OilFilmBearing *film = oil_film_of(stand.oil_films, roll.bearing))
-    return joined(keys, keys_in(pass_section(p), "speed"), keys_in("backup_roll", "barrel_diameter"),
-                  oil_film_keys(*film));
-  const auto &b = bearing_of(stand.bearings, roll.bearing);
-  if (b.roller_law == OneRollerLaw::fe) {  // one mesh for the heaviest load that any pass puts on this bearing
-    keys = joined(std::move(keys), KeyList{"work_roll.bearing", "backup_roll.bearing"});
-    for (std::size_t other = 0; other < stand.passes.size(); ++other)
-      for (const bool at_backup : {false, true})
-        if ((at_backup ? stand.backup_roll : stand.work_roll).bearing == b.name)
-          keys = joined(std::move(keys), seat_load_keys(stand, at_backup, "upper", other),
-                        seat_load_keys(stand, at_backup, "lower", other));
-  }
-  return joined(keys, bearing_keys(b));
+  return keys.of(fmt::format("seat {} {} {} {} {}", i, p, reading.across, reading.least_speed, reading.rating),
+                 [&](const CaseSpec &spec) { return text_of_seat(std::get<FourHigh>(spec), i, p, reading); });
 }
 
-KeyList seat_across_keys(const FourHigh &stand, const std::size_t i, const std::size_t p)
+KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading)
 {
-  const Roll &roll = i == 0 || i == 3 ? stand.backup_roll : stand.work_roll;
-  if (roll.bearing.empty() || oil_film_of(stand.oil_films, roll.bearing))
-    return seat_keys(stand, i, p);
-  return joined(seat_keys(stand, i, p), keys_in("bearing." + roll.bearing, "slices"));
-}
-
-KeyList bearing_case_keys(const BearingCase &spec)
-{
-  if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing))
-    return joined(keys_in("load", "bearing radial tilt tilt_across speed"), oil_film_keys(*film));
-  const RollerBearing &b = bearing_of(spec.bearings, spec.load.bearing);
-  KeyList keys           = bearing_keys(b);
-  if (loaded_askew(spec.load))
-    keys = joined(std::move(keys), keys_in("bearing." + b.name, "width arrangement pitch_diameter slices"));
-  for (const Row &row : rows_of(bearing_model_rows()))  // [model] says again what the bearing says
-    if (holds(keys, "bearing." + b.name + "." + row.key))
-      keys.push_back("model." + row.key);
-  const char *swept = b.roller_law == OneRollerLaw::fe ? "loads" : "";  // the mesh is made for the largest of them
-  return joined(
-      keys_in("load",
-              std::string("bearing radial axial tilt cage_angle axial_displacement moment speed ") + swept),
-      keys);
+  return keys.of(fmt::format("bearing {} {} {}", reading.rating, reading.least_speed, reading.motion),
+                 [&](const CaseSpec &spec) { return text_of_bearing_case(std::get<BearingCase>(spec), reading); });
 }
 
 // Bite
@@ -270,73 +147,25 @@ bool follows_width(const std::string &quantity)
   return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
 }
 
-namespace {
-KeyList measured_keys(const BiteRun &bite)
+KeyList bite_keys(MovingKeys &keys, const std::size_t p, const BiteReading &reading)
 {
-  KeyList keys       = keys_in("bite", "fit fit_for");
-  const auto &passes = *bite.measured;
-  const auto asked   = [&](const PassMeasure kind) {
-    return std::count(bite.setup.fit.begin(), bite.setup.fit.end(), kind) > 0;
-  };
-  const std::string strip = "entry_thickness exit_thickness entry_tension exit_tension" +
-                            std::string(needs_speed(bite.strip.friction) ? " speed" : "");
-  for (std::size_t p = 0; p < passes.size(); ++p) {
-    keys = joined(std::move(keys), keys_in(pass_section(p), strip));
-    if (asked(PassMeasure::force))
-      keys = joined(std::move(keys), load_keys(passes[p], p), keys_in(pass_section(p), "force_deviation"));
-    if (asked(PassMeasure::slip))
-      keys = joined(std::move(keys), keys_in(pass_section(p), "forward_slip slip_deviation"));
-    if (asked(PassMeasure::torque))
-      keys = joined(std::move(keys), keys_in(pass_section(p), "torque torque_deviation"));
-  }
-  return joined(keys, keys_in("strip", "width"));
-}
-}  // namespace
-
-KeyList slab_keys(const BiteRun &given)
-{
-  BiteRun bite  = given;
-  bite.measured = nullptr;
-  if (given.measured && !given.setup.fit.empty())  // the strip is what the model of the run makes of the values
-    return joined(bite_keys(bite), measured_keys(given));
-  const std::string both = "entry_thickness exit_thickness entry_tension exit_tension";
-  const bool fast        = needs_speed(bite.strip.friction);
-  return joined(bite.whole_width ? keys_in("strip", "width") : KeyList{}, keys_in("strip", both),
-                strip_law_keys(bite.strip), keys_in(pass_section(bite.pass), both + (fast ? " speed" : "")),
-                KeyList{bite.roll_key}, elastic_steel(), keys_in("bite", "arc"),
-                bite.setup.arc == BiteArc::elastic || bite.setup.arc == BiteArc::automatic
-                    ? keys_in("strip", "youngs_modulus poisson_ratio")
-                    : KeyList{});
-}
-
-KeyList bite_keys(const BiteRun &bite)
-{
-  const KeyList keys = joined(slab_keys(bite), keys_in("bite", "method"));
-  if (bite.setup.method != BiteMethod::fe)
-    return joined(keys, keys_in("bite", "theory"));
-  const bool elastic = bite.setup.strip != BiteStrip::rigid_plastic;
-  return joined(keys, keys_in("bite", "strip elements_along elements_through"),
-                elastic ? keys_in("strip", "youngs_modulus poisson_ratio") : KeyList{});
-}
-
-KeyList fit_keys(const BiteRun &bite)
-{
-  return bite.measured && !bite.setup.fit.empty() ? joined(bite_keys(bite), measured_keys(bite)) : KeyList{};
+  const auto &[by, whole_width, fitted, path_trim, speed] = reading;
+  return keys.of(fmt::format("bite {} {} {} {} {} {}", p, int(by), whole_width, fitted, path_trim, speed),
+                 [&](const CaseSpec &spec) { return record_text(inputs_of_bite(spec, p, reading)); });
 }
 
 // Chain
 
-KeyList spring_keys(const FourHigh &stand, const std::string &name, const std::size_t p)
+KeyList spring_keys(MovingKeys &keys, const std::string &name, const std::size_t p)
 {
   if (name == "K3" || name == "K5")
-    return contact_keys(stand, name == "K3" ? "upper" : "lower", p);
+    return contact_keys(keys, name == "K3" ? "upper" : "lower", p);
   if (name == "K4")
-    return bite_keys({stand.strip, stand.bite, p, "work_roll.barrel_diameter", true, &stand.passes});
+    return bite_keys(keys, p);
   if (name == "K_Zy" || name == "K_Zy_lower")
-    return seat_keys(stand, name == "K_Zy" ? 0 : 3, p);
+    return seat_keys(keys, name == "K_Zy" ? 0 : 3, p);
   require(name.rfind("Kzc", 0) == 0, "no keys are known for the spring " + name);
-  const auto roll = std::size_t(name.at(3) - '1');
-  return name.find("_across") == std::string::npos ? seat_keys(stand, roll, p) : seat_across_keys(stand, roll, p);
+  return seat_keys(keys, std::size_t(name.at(3) - '1'), p, {name.find("_across") != std::string::npos});
 }
 
 KeyList mass_shape_keys(const DynamicsSettings &dynamics)

@@ -1,24 +1,24 @@
 #pragma once
-#include "core/model/bearing_case.h"
-#include "core/model/bite_setup.h"
+#include "core/case/bearing_inputs.h"
+#include "core/case/bite_inputs.h"
+#include "core/case/contact_inputs.h"
 #include "core/model/dynamics_settings.h"
-#include "core/model/four_high.h"
 #include "core/model/given.h"
 #include "core/model/pass.h"
-#include "core/model/two_cylinders.h"
 #include "core/records/key_list.h"
 #include <string>
 #include <vector>
 
 // Which keys of the case stand behind a result.  A run writes these lists as `inputs`, a trace follows the same
-// ones. A list starts from all rows of a section, less those that the computation does not read: a new row is in
-// it unless somebody says otherwise.
+// ones.  Those of contacts, bearings, oil films and bites are the rows that move the inputs of their stage; those
+// of the chain are made of them and of lists that start from all rows of a section, less those that are not read.
 namespace mill {
+class MovingKeys;
+
 /// The record of a pass, or what its noise is made from.
 KeyList force_keys(const Pass &pass, std::size_t p);
 /// What the working load of a pass is made from: its own key, or the record whose mean it is.
 KeyList load_keys(const Pass &pass, std::size_t p);
-KeyList load_keys_of_all(const std::vector<Pass> &passes);
 
 /// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks
 /// and loads.
@@ -27,53 +27,36 @@ KeyList roll_body_keys(const std::string &section);
 
 /// Contact of the rolls by finite elements: K3.*, K5.* and contact.NAME.* of a pass.  Both ways of holding the
 /// rolls are solved on one mesh, whose patch must hold the wider contact, so all results have one list.
+/// @param keys  of a stand
 /// @param name  "upper" or "lower"
-KeyList contact_keys(const FourHigh &stand, const std::string &name, std::size_t p);
+KeyList contact_keys(MovingKeys &keys, const std::string &name, std::size_t p,
+                     ContactReading reading = ContactReading::curve);
 /// The same of kind "two-cylinders".
 /// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
-KeyList cylinder_keys(const TwoCylinders &pair, const std::string &result);
+KeyList cylinder_keys(MovingKeys &keys, const std::string &result);
 
-/// State of an oil film: all of it but what is not there.
-KeyList oil_film_keys(const OilFilmBearing &bearing);
 /// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
 KeyList bearing_keys(const RollerBearing &bearing);
 /// In addition, the keys that only ratings and life of a bearing read.
 KeyList rating_keys(const RollerBearing &bearing);
 /// Radial load of one bearing in a stand, and which bearing it is.
 /// @param contact  "upper" or "lower"
-KeyList seat_load_keys(const FourHigh &stand, bool backup, const std::string &contact, std::size_t p);
+KeyList seat_load_keys(MovingKeys &keys, bool backup, const std::string &contact, std::size_t p);
 /// Kzc1 .. Kzc4 of a stand, i = 0 .. 3, under the load of a pass.
-KeyList seat_keys(const FourHigh &stand, std::size_t i, std::size_t p);
-/// Kzc1_across .. Kzc4_across: rollers away from the load line press their slices unevenly with any profile.
-KeyList seat_across_keys(const FourHigh &stand, std::size_t i, std::size_t p);
+KeyList seat_keys(MovingKeys &keys, std::size_t i, std::size_t p, const SeatReading &reading = {});
 /// Kzc.* of kind "bearing".
-KeyList bearing_case_keys(const BearingCase &spec);
+KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading = {});
 
 /// A spring that the chain of a stand takes from elsewhere, by its name: "K3", "K4", "K_Zy", "Kzc2_across".
-KeyList spring_keys(const FourHigh &stand, const std::string &name, std::size_t p);
+KeyList spring_keys(MovingKeys &keys, const std::string &name, std::size_t p);
 
-/// Flow stress and friction: the keys that their laws read, and the speed of the pass where friction depends on
-/// it.
-KeyList strip_law_keys(const Strip &strip);
-/// One pass of a bite, whoever computes it.
-struct BiteRun {
-  const Strip &strip;
-  const BiteSetup &setup;
-  std::size_t pass = 0;
-  std::string roll_key;  ///< "work_roll.barrel_diameter"
-  bool whole_width =
-      true;  ///< a force, a torque or a stiffness; false: pressure, slip and others that know no width
-  const std::vector<Pass> *measured = nullptr;  ///< all passes of the case, whose measured values a fit reads
-};
+/// The bite of a pass of a stand or of kind "bite".
+KeyList bite_keys(MovingKeys &keys, std::size_t p, const BiteReading &reading = {});
 /// Whether a quantity of the bite is one of the whole width.
 bool follows_width(const std::string &quantity);
-/// Results of the model that gives K4.
-KeyList bite_keys(const BiteRun &bite);
-/// bite.fit.*: the measured values, and all that the bites of the passes they belong to are made from.
-KeyList fit_keys(const BiteRun &bite);
-/// Results of a slab theory that is compared with it.
-KeyList slab_keys(const BiteRun &bite);
 
+/// Flow stress and friction of kind "chatter": the keys that their laws read.
+KeyList strip_law_keys(const Strip &strip);
 /// Inputs of the shapes of M2..M5 in addition to the drawing and the springs.
 KeyList mass_shape_keys(const DynamicsSettings &dynamics);
 /// Inputs of beams and reduced finite elements in addition to the drawing and the springs.

@@ -25,6 +25,24 @@ struct BearingLoad {
   std::array<double, 2> speeds = {not_given, not_given};  ///< 1/s, oil film: swept range
 };
 
+template <class Io> void each_member(Io &&io, const BearingLoad &record)
+{
+  const auto &[bearing, radial, axial, tilt, loads, samples, cage_angle, axial_displacement, moment, speed,
+               tilt_across, speeds] = record;
+  io("bearing", bearing);
+  io("radial", radial);
+  io("axial", axial);
+  io("tilt", tilt);
+  io("loads", loads);
+  io("samples", samples);
+  io("cage_angle", cage_angle);
+  io("axial_displacement", axial_displacement);
+  io("moment", moment);
+  io("speed", speed);
+  io("tilt_across", tilt_across);
+  io("speeds", speeds);
+}
+
 /// Whether the load tilts the bearing or pushes it along its axis: then the places of the rows count.
 inline bool loaded_askew(const BearingLoad &load)
 {
@@ -41,6 +59,18 @@ struct BearingExcitation {
   double duration    = 0.5;        ///< s
   double output_rate = 20e3;       ///< Hz
 };
+
+template <class Io> void each_member(Io &&io, const BearingExcitation &record)
+{
+  const auto &[mass, damping, amplitude, frequency, direction, duration, output_rate] = record;
+  io("mass", mass);
+  io("damping", damping);
+  io("amplitude", amplitude);
+  io("frequency", frequency);
+  io("direction", direction);
+  io("duration", duration);
+  io("output_rate", output_rate);
+}
 
 /// kind = "bearing": one roller bearing in its chock, or one oil-film bearing.
 struct BearingCase {

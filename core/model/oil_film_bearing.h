@@ -33,4 +33,35 @@ struct OilFilmBearing {
   double groove_length      = 0.8;                  ///< -, of the film's length
   double feed_pressure      = 1e5;                  ///< Pa, in the grooves
 };
+
+// All of it but its name, which is for messages, and its type, which is its only one.
+template <class Io> void each_member(Io &&io, const OilFilmBearing &record)
+{
+  const auto &[name, type, diameter, length, clearance, viscosity, inlet_temperature, oil_density, oil_heat,
+               heat_share, warming_share, pressure_viscosity, roughness, bush_thickness, bush_modulus,
+               bush_poisson, sleeve_thickness, sleeve_modulus, sleeve_poisson, grooves, groove_angle, groove_width,
+               groove_length, feed_pressure] = record;
+  io("diameter", diameter);
+  io("length", length);
+  io("clearance", clearance);
+  io("viscosity", viscosity);
+  io("inlet_temperature", inlet_temperature);
+  io("oil_density", oil_density);
+  io("oil_heat", oil_heat);
+  io("heat_share", heat_share);
+  io("warming_share", warming_share);
+  io("pressure_viscosity", pressure_viscosity);
+  io("roughness", roughness);
+  io("bush_thickness", bush_thickness);
+  io("bush_modulus", bush_modulus);
+  io("bush_poisson", bush_poisson);
+  io("sleeve_thickness", sleeve_thickness);
+  io("sleeve_modulus", sleeve_modulus);
+  io("sleeve_poisson", sleeve_poisson);
+  io("grooves", grooves);
+  io("groove_angle", groove_angle);
+  io("groove_width", groove_width);
+  io("groove_length", groove_length);
+  io("feed_pressure", feed_pressure);
+}
 }  // namespace mill

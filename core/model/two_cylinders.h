@@ -45,6 +45,24 @@ struct RoundBody {
   }
 };
 
+template <class Io> void each_member(Io &&io, const RoundBody &record)
+{
+  const auto &[shape, diameter, rigid, youngs_modulus, poisson_ratio, length, crown_radius, profile,
+               profile_length, profile_drop, profile_load, profile_table] = record;
+  io("shape", shape);
+  io("diameter", diameter);
+  io("rigid", rigid);
+  io("youngs_modulus", youngs_modulus);
+  io("poisson_ratio", poisson_ratio);
+  io("length", length);
+  io("crown_radius", crown_radius);
+  io("profile", profile);
+  io("profile_length", profile_length);
+  io("profile_drop", profile_drop);
+  io("profile_load", profile_load);
+  io("profile_table", profile_table);
+}
+
 /// [contact.line]: plane strain, every load per length.
 struct LineContactSettings : ContactSettings {
   double tangential_load = not_given;  ///< N/m, across the contact line
@@ -62,6 +80,19 @@ struct SpaceContactSettings {
   double tangential_load                   = not_given;  ///< N
   TangentialDirection tangential_direction = TangentialDirection::across;
 };
+
+template <class Io> void each_member(Io &&io, const SpaceContactSettings &record)
+{
+  const auto &[loads, at, samples, rectangles, tilt, friction, tangential_load, tangential_direction] = record;
+  io("loads", loads);
+  io("at", at);
+  io("samples", samples);
+  io("rectangles", rectangles);
+  io("tilt", tilt);
+  io("friction", friction);
+  io("tangential_load", tangential_load);
+  io("tangential_direction", tangential_direction);
+}
 
 /// kind = "two-cylinders": two bodies of revolution with parallel axes, in plane strain or in space.
 struct TwoCylinders {

@@ -6,6 +6,7 @@
 #include "app/stages/bearing/bearing_ratings.h"
 #include "app/stages/bearing/bearing_results.h"
 #include "app/stages/bearing/oil_film_results.h"
+#include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/model/contact_settings.h"
@@ -118,9 +119,10 @@ public:
     if (!done.count(key))
       done[key] = study_oil_film(run, film_question(stand, seat, load.value, pass));
     const OilFilmStudy &study = done.at(key);
-    const KeyList inputs      = seat_keys(stand, i, pass);
-    out.Kzc[i]                = film_stiffness(study, inputs);
-    out.Kzc_across[i]         = film_stiffness(study, inputs, true);
+    MovingKeys keys(stand);
+    const KeyList inputs = seat_keys(keys, i, pass);
+    out.Kzc[i]           = film_stiffness(study, inputs);
+    out.Kzc_across[i]    = film_stiffness(study, inputs, true);
     if (seat.backup)
       out.film_damper[i == 0 ? 0 : 1] = 2 * study.solution.at.damping(0, 0);
     if (pass > 0)

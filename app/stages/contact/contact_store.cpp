@@ -1,5 +1,6 @@
 #include "app/stages/contact/contact_store.h"
 #include "app/stages/contact/contact_stage.h"
+#include "core/case/contact_inputs.h"
 #include "core/model/four_high.h"
 #include "core/records/record_text.h"
 #include <utility>
@@ -19,7 +20,6 @@ std::string contact_inputs(const FourHigh &stand, const std::string &name, const
   for (const PlannedRoll *roll : {&plan.backup, &plan.work})
     for (const bool companion : {false, true})
       rolls += roll_inputs(roll->geometry, roll->size, stand.steel, plan.wanted, companion);
-  return record_text(contact_stage_version, name, rolls, at_rest(stand.steel), stand.work_roll, stand.backup_roll,
-                     stand.strip.width, settings, loads);
+  return record_text(contact_stage_version, name, rolls, inputs_of_pair(stand, settings), loads);
 }
 }  // namespace mill

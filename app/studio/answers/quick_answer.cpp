@@ -70,6 +70,7 @@ ordered_json speed_json(const SpeedVerdict &v)
 QuickAnswer quick_answer(const Case &the_case, ClosedFormMemory &memory, const bool with_speeds)
 {
   memory.with_responses = false;
+  memory.with_inputs    = false;
   memory.stands.clear();
   QuickAnswer answer;
   answer.results = closed_form_chain(the_case, memory);

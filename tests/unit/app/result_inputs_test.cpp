@@ -1,8 +1,10 @@
 #include "app/run/result_inputs.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace.h"
+#include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
+#include "tests/support/changed_rows.h"
 #include <gtest/gtest.h>
 
 // A run and a trace read the same lists: what a run writes as inputs of a spring are those of the closed-form
@@ -86,4 +88,24 @@ TEST(ResultInputs, KeysOfOneSideAreNotInputsOfTheOther)
   EXPECT_FALSE(holds(inputs_in_a_run(the_case, "K3.tangent"), "contact.upper.friction"));
   const Trace t = trace({demo, "contact.upper.friction", {}, "no such folder"});
   EXPECT_EQ(t.only_in_a_run, std::vector<std::string>{"K3.friction_tangent"});
+}
+
+TEST(ResultInputs, EveryRowThatAStageMayReadIsChanged)
+{
+  // Head, what is only compared or estimated from, what other commands read, and sections that are of another form
+  // of the case: [model] repeats what a roller bearing says.
+  const std::vector<std::string> beside{
+      "schema",        "kind",         "title",   "confirmed", "work_roll.estimate*", "backup_roll.estimate*",
+      "frame.*",       "monitoring.*", "plant.*", "given.*",   "published.*",         "advice.*",
+      "ball_bearing.*"};
+  for (const char *file : {"four-high-1400", "four-high-drawn", "oil-film", "bearing-266", "cold-fit",
+                           "two-cylinders", "elliptic-contact"}) {
+    const Case the_case     = read_case(std::string("cases/") + file + ".toml");
+    const KeyList all       = MovingKeys(the_case.spec).all();
+    const std::string other = holds(all, "contact.space.at") ? "contact.line.*" : "contact.space.*";
+    for (const TraceKey &key : keys_of(the_case))
+      if (!fits(other, key.name) && !fits_any(beside, key.name) &&
+          !(fits("model.*", key.name) && all_bearings(the_case).empty()))
+        EXPECT_TRUE(holds(all, key.name)) << key.name << " of " << file;
+  }
 }

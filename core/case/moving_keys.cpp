@@ -1,0 +1,225 @@
+#include "core/case/moving_keys.h"
+#include "core/case/stand_rows.h"
+#include <cmath>
+#include <fmt/format.h>
+#include <utility>
+
+namespace mill {
+namespace {
+// The ground profile is given by a table or by a polynomial; a case with both is refused.
+bool has_one_profile(const Roll &roll)
+{
+  return roll.crown_table.empty() || roll.crown_polynomial.empty();
+}
+
+WorkRollInput written_work_roll(const Roll &roll)
+{
+  WorkRollInput input;
+  static_cast<Roll &>(input) = roll;
+  input.total_length         = roll.barrel_length + 2 * roll.neck_length;
+  return input;
+}
+
+bool take_work_roll(const WorkRollInput &input, Roll &roll)
+{
+  if (!has_one_profile(input))
+    return false;
+  // The necks follow the lengths alone, so that no other row moves them by rounding.
+  const WorkRollInput before = written_work_roll(roll);
+  const bool longer = input.total_length != before.total_length || input.barrel_length != before.barrel_length;
+  roll              = input;
+  if (longer)
+    roll.neck_length = (input.total_length - input.barrel_length) / 2;
+  return true;
+}
+
+void add_rolls(CaseRows &all, FourHigh &stand)
+{
+  all.add("work_roll", work_roll_rows(), stand.work_roll, written_work_roll, take_work_roll);
+  all.add(
+      "backup_roll", backup_roll_rows(), stand.backup_roll, [](const Roll &roll) { return roll; },
+      [](const Roll &input, Roll &roll) {
+        if (has_one_profile(input))
+          roll = input;
+        return has_one_profile(input);
+      });
+}
+
+// The number that represents a section [strip.friction] of Coulomb's law.
+StripInput written_strip(const Strip &strip)
+{
+  StripInput input;
+  static_cast<Strip &>(input) = strip;
+  input.coulomb               = plain_coefficient(strip.friction);
+  return input;
+}
+
+bool take_strip(const StripInput &input, Strip &strip)
+{
+  const double before = plain_coefficient(strip.friction);
+  strip               = input;
+  if (!std::isnan(before))
+    strip.friction.coefficient = input.coulomb;
+  return true;
+}
+
+// [strip] with both of its laws.
+void add_strip(CaseRows &all, Strip &strip)
+{
+  all.add("strip", strip_rows(), strip, written_strip, take_strip);
+  const auto law = [&](const char *section, const auto &rows, auto &kept, auto input, const auto &named) {
+    all.add(
+        section, rows, kept,
+        [input](const auto &record) {
+          auto written                                           = input;
+          static_cast<std::decay_t<decltype(record)> &>(written) = record;
+          written.name                                           = name_of(record.law);
+          return written;
+        },
+        [named](const auto &written, auto &record) {
+          record     = written;
+          record.law = named(written.name);
+          return true;
+        });
+  };
+  law("strip.flow_stress", flow_stress_rows(), strip.flow_stress, FlowStressInput(), flow_stress_law);
+  law("strip.friction", friction_rows(), strip.friction, FrictionInput(), friction_law);
+}
+
+// A fit needs values that were measured, so that none is added to a case without them.
+void add_bite(CaseRows &all, BiteSetup &bite)
+{
+  all.add(
+      "bite", bite_rows(), bite, [](const BiteSetup &kept) { return kept; },
+      [](const BiteSetup &changed, BiteSetup &kept) {
+        const bool refused = kept.fit.empty() && !changed.fit.empty();
+        if (!refused)
+          kept = changed;
+        return !refused;
+      });
+}
+
+template <class Spec> void add_bearings(CaseRows &all, Spec &spec)
+{
+  for (RollerBearing &bearing : spec.bearings)
+    all.add("bearing." + bearing.name, bearing_rows(), bearing);
+  for (OilFilmBearing &film : spec.oil_films)
+    all.add("bearing." + film.name, oil_film_rows(), film);
+}
+
+void add_rows(CaseRows &all, FourHigh &stand)
+{
+  all.add("steel", steel_rows(), stand.steel);
+  add_rolls(all, stand);
+  add_bearings(all, stand);
+  all.add("frame", frame_rows(), stand.frame);
+  all.add("housing", housing_rows(), stand.housing);
+  all.add("screwdown", screwdown_rows(), stand.screwdown);
+  add_strip(all, stand.strip);
+  for (std::size_t p = 0; p < stand.passes.size(); ++p)
+    add_pass_rows(all, p, pass_rows(), stand.passes[p]);
+  all.add("contact.upper", roll_contact_rows(), stand.upper_contact);
+  all.add("contact.lower", roll_contact_rows(), stand.lower_contact);
+  add_bite(all, stand.bite);
+  all.add("dynamics", dynamics_rows(), stand.dynamics);
+  all.add("frequency_response", frequency_response_rows(), stand.frequency_response);
+  all.add("campbell", campbell_rows(), stand.campbell);
+  for (std::size_t i = 0; i < stand.drive.size(); ++i)
+    all.add(fmt::format("drive.order.{}", i), drive_order_rows(), stand.drive[i]);
+  all.add("stand", stand_span_rows(), stand.span);
+  all.add("analysis", chatter_analysis_rows(), stand.analysis);
+}
+
+// A cylinder has a diameter and a plane has none.
+void add_body(CaseRows &all, const char *section, const std::vector<Field<RoundBody>> &rows, RoundBody &body)
+{
+  all.add(
+      section, rows, body, [](const RoundBody &kept) { return kept; },
+      [](const RoundBody &changed, RoundBody &kept) {
+        const bool refused = changed.plane() && !std::isnan(changed.diameter);
+        if (!refused)
+          kept = changed;
+        return !refused;
+      });
+}
+
+void add_rows(CaseRows &all, TwoCylinders &pair)
+{
+  all.add("steel", steel_rows(), pair.steel);
+  add_body(all, "upper", upper_body_rows(), pair.upper);
+  add_body(all, "lower", lower_body_rows(), pair.lower);
+  if (pair.in_space)
+    all.add("contact.space", space_contact_rows(), pair.space);
+  else
+    all.add("contact.line", line_contact_rows(), pair.contact);
+}
+
+void add_rows(CaseRows &all, BearingCase &spec)
+{
+  add_bearings(all, spec);
+  all.add("load", bearing_load_rows(), spec.load);
+  for (RollerBearing &bearing : spec.bearings)  // [model] says again what the loaded one says
+    if (bearing.name == spec.load.bearing)
+      all.add(
+          "model", bearing_model_rows(), bearing,
+          [](const RollerBearing &kept) {
+            return BearingModelInput{kept.roller_law, kept.rings, kept.slices};
+          },
+          [](const BearingModelInput &input, RollerBearing &kept) {
+            kept.roller_law = input.roller_law.value_or(kept.roller_law);
+            kept.rings      = input.rings.value_or(kept.rings);
+            kept.slices     = input.slices;
+            return true;
+          });
+  all.add("dynamics", bearing_motion_rows(), spec.motion);
+}
+
+void add_rows(CaseRows &all, BiteCase &spec)
+{
+  all.add("steel", steel_rows(), spec.steel);
+  all.add(
+      "work_roll", bite_roll_rows(), spec.roll_diameter,
+      [](const double diameter) { return BiteRollInput{diameter}; },
+      [](const BiteRollInput &input, double &diameter) {
+        diameter = input.diameter;
+        return true;
+      });
+  add_strip(all, spec.strip);
+  for (std::size_t p = 0; p < spec.passes.size(); ++p)
+    add_pass_rows(all, p, bite_pass_rows(), spec.passes[p]);
+  add_bite(all, spec.bite);
+}
+
+void add_rows(CaseRows &, Lumped &) {}
+void add_rows(CaseRows &, ChatterCase &) {}
+void add_rows(CaseRows &, ClusterCase &) {}
+void add_rows(CaseRows &, StackCase &) {}
+}  // namespace
+
+void add_pass_rows(CaseRows &all, const std::size_t p, const std::vector<Field<PassInput>> &rows, Pass &pass)
+{
+  all.add(
+      fmt::format("pass.{}", p), rows, pass,
+      [](const Pass &kept) {
+        PassInput input;
+        static_cast<Pass &>(input) = kept;
+        return input;
+      },
+      [](const PassInput &input, Pass &kept) {
+        kept = input;
+        return true;
+      });
+}
+
+MovingKeys::MovingKeys(CaseSpec of_case) : changed(std::move(of_case))
+{
+  std::visit([&](auto &spec) { add_rows(rows, spec); }, changed);
+}
+
+const KeyList &MovingKeys::of(const std::string &what, const Text &text)
+{
+  const auto made = known.find(what);
+  return made != known.end() ? made->second
+                             : known.emplace(what, rows.moving([&] { return text(changed); })).first->second;
+}
+}  // namespace mill

@@ -1,0 +1,46 @@
+#pragma once
+#include "core/case/case_rows.h"
+#include "core/case/kinds.h"
+#include "core/records/key_list.h"
+#include <functional>
+#include <map>
+#include <string>
+
+namespace mill {
+/// Rows of one pass.  @param rows  pass_rows() or bite_pass_rows()
+void add_pass_rows(CaseRows &all, std::size_t p, const std::vector<Field<PassInput>> &rows, Pass &pass);
+
+/// A copy of a case whose rows are changed one by one to see which of them move the inputs of a stage.  Lists that
+/// were made are remembered.  Of the kinds chatter, cluster and stack, whose stages list their keys themselves, it
+/// knows no rows.
+class MovingKeys {
+public:
+  explicit MovingKeys(CaseSpec of_case);
+  MovingKeys(const MovingKeys &)            = delete;
+  MovingKeys &operator=(const MovingKeys &) = delete;
+
+  /// Inputs of a stage as text (record_text), of any case of this kind.
+  using Text = std::function<std::string(const CaseSpec &)>;
+
+  /// Keys whose change moves the text, in the order of the case.
+  /// @param what  the name under which the list is remembered
+  /// Cost: some 300 texts when it is made.
+  const KeyList &of(const std::string &what, const Text &text);
+
+  /// The case itself.
+  const CaseSpec &spec() const
+  {
+    return changed;
+  }
+  /// All keys that it can change.
+  KeyList all() const
+  {
+    return rows.keys();
+  }
+
+private:
+  CaseSpec changed;  // what the rows refer to; unchanged between two calls
+  CaseRows rows;
+  std::map<std::string, KeyList> known;
+};
+}  // namespace mill

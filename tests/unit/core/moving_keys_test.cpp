@@ -1,0 +1,89 @@
+#include "core/case/contact_inputs.h"
+#include "core/case/moving_keys.h"
+#include "core/case/provenance.h"
+#include "core/case/stand_rows.h"
+#include "core/records/record_text.h"
+#include <cmath>
+#include <gtest/gtest.h>
+
+// Rows that are changed one by one, and which of them move a text.
+namespace {
+using namespace mill;
+
+std::vector<double> other_numbers(const double now)
+{
+  std::vector<double> numbers;
+  for (const Value &value : other_values(Kind::quantity, "mm", now))
+    numbers.push_back(std::get<double>(value));
+  return numbers;
+}
+
+Case changed_demo(const std::vector<std::string> &sets = {})
+{
+  return read_case("cases/four-high-1400.toml", sets);
+}
+}  // namespace
+
+TEST(MovingKeys, OtherValuesDifferFromThePresentOne)
+{
+  EXPECT_EQ(other_numbers(2).size(), 3u);
+  for (const double now : {2., -2., 0., 1e-9})
+    for (const double other : other_numbers(now))
+      EXPECT_NE(other, now);
+  EXPECT_EQ(other_numbers(not_given), std::vector<double>{1});
+  EXPECT_EQ(other_values(Kind::flag, "1", true), std::vector<Value>{false});
+  const std::vector<Value> words{std::string("a"), std::string("c")};
+  EXPECT_EQ(other_values(Kind::choice, "a | b | c", std::string("b")), words);
+  EXPECT_NE(other_values(Kind::text, "text", std::string("trb")).at(0), Value(std::string("trb")));
+  EXPECT_TRUE(other_values(Kind::text, "text", std::string()).empty()) << "a name that is not given names nothing";
+  EXPECT_EQ(other_values(Kind::table, "mm, um", std::vector<std::array<double, 2>>()).size(), 1u);
+}
+
+TEST(MovingKeys, OneRowThatEntersATextMovesIt)
+{
+  MovingKeys keys(changed_demo().spec);
+  const auto width = [](const CaseSpec &spec) { return record_text(std::get<FourHigh>(spec).strip.width); };
+  EXPECT_EQ(keys.of("width", width), KeyList{"strip.width"});
+  EXPECT_EQ(width(keys.spec()), width(changed_demo().spec)) << "every row is put back";
+}
+
+TEST(MovingKeys, NecksFollowTheLengthsOfTheWorkRollAlone)
+{
+  MovingKeys keys(changed_demo().spec);
+  const auto neck = [](const CaseSpec &spec) {
+    return record_text(std::get<FourHigh>(spec).work_roll.neck_length);
+  };
+  EXPECT_EQ(keys.of("neck", neck), (KeyList{"work_roll.barrel_length", "work_roll.total_length"}));
+}
+
+TEST(MovingKeys, AProfileThatIsRefusedBesideAnotherOneMovesNothing)
+{
+  MovingKeys keys(
+      changed_demo({R"(backup_roll.crown_table=[["-700 mm", "0 um"], ["0 mm", "30 um"], ["700 mm", "0 um"]])"})
+          .spec);
+  const KeyList list = contact_keys(keys, "upper", 0);
+  EXPECT_TRUE(holds(list, "backup_roll.crown_table"));
+  EXPECT_FALSE(holds(list, "backup_roll.crown_polynomial"));
+  EXPECT_FALSE(holds(list, "backup_roll.crown"));
+  EXPECT_TRUE(holds(list, "work_roll.crown_table")) << "where none is given, either may be";
+}
+
+TEST(MovingKeys, AValueOfThePassReplacesThatOfTheStrip)
+{
+  MovingKeys keys(changed_demo({"pass.0.entry_thickness=7 mm"}).spec);
+  EXPECT_FALSE(holds(bite_keys(keys, 0), "strip.entry_thickness"));
+  EXPECT_TRUE(holds(bite_keys(keys, 0), "pass.0.entry_thickness"));
+  EXPECT_TRUE(holds(bite_keys(keys, 1), "strip.entry_thickness"));
+}
+
+TEST(MovingKeys, SteelMovesNoBodyThatHasItsOwn)
+{
+  const auto list = [](const std::vector<std::string> &sets) {
+    MovingKeys keys(read_case("cases/two-cylinders.toml", sets).spec);
+    return cylinder_keys(keys, "contact.line.secant");
+  };
+  EXPECT_TRUE(holds(list({"upper.youngs_modulus=200 GPa"}), "steel.youngs_modulus"));
+  const std::vector<std::string> both{"upper.youngs_modulus=200 GPa", "lower.youngs_modulus=200 GPa"};
+  EXPECT_FALSE(holds(list(both), "steel.youngs_modulus"));
+  EXPECT_TRUE(holds(list(both), "steel.poisson_ratio"));
+}
