@@ -160,7 +160,7 @@ json Browser::run(const std::string &script)
 
 bool Browser::wait_for(const std::string &script, const double seconds)
 {
-  for (const double end = steady_seconds() + seconds; steady_seconds() < end; wait_a_little()) {
+  for (const double end = steady_seconds() + MILLSTAND_SLOWER * seconds; steady_seconds() < end; wait_a_little()) {
     const json value = run(script);
     if (value.is_boolean() ? value.get<bool>() : !value.is_null())
       return true;
