@@ -5,6 +5,7 @@
 #include "core/base/errors.h"
 #include "core/base/text.h"
 #include "core/case/fields.h"
+#include "core/records/result_place.h"
 #include "core/records/result_row.h"
 #include <algorithm>
 #include <cctype>
@@ -78,15 +79,16 @@ bool is_numbered(const std::string &name, const std::string &word)
 
 // A name of the reference is that of a word: "bearing.NAME.bore" of "bearing.trb.bore"; KEY takes all that
 // follows. At least one part is no such stand-in for any name.
+constexpr const char *any_in_a_key = "NAME";
 bool is_name_of(const std::string &pattern, const std::string &word)
 {
   const auto names = split(pattern, '.'), words = split(word, '.');
   bool same            = false;
-  const bool ends_open = !names.empty() && names.back() == "KEY";
+  const bool ends_open = !names.empty() && names.back() == any_key;
   if (ends_open ? words.size() < names.size() : names.size() != words.size())
     return false;
   for (std::size_t i = 0; i < names.size(); ++i) {
-    if (is_any_name(names[i]) || names[i] == "NAME")
+    if (is_any_name(names[i]) || names[i] == any_in_a_key)
       continue;
     if (!is_numbered(names[i], words[i]))
       return false;

@@ -14,6 +14,9 @@ namespace mill {
 namespace {
 using Words = std::vector<std::pair<std::string, std::string>>;
 
+// Words of docs/output.md for a number, for Kzc1 .. Kzc4, and for the contacts of both halves.
+constexpr const char *any_number = "N", *any_seat = "KzcN", *both_contacts = "upper/lower";
+
 bool any_part(const std::string &part)
 {
   return !part.empty();
@@ -21,7 +24,7 @@ bool any_part(const std::string &part)
 
 bool number_or_N(const std::string &part)
 {
-  return part == "N" || (!part.empty() && is_digits(part));
+  return part == any_number || (!part.empty() && is_digits(part));
 }
 
 std::string plain_part(const std::string &part)
@@ -117,22 +120,22 @@ std::vector<ResultPlace> places_of_stand()
       place_of_words("roll_contact",
                      {{K3, "upper backup roll on upper work roll"}, {K5, "lower work roll on lower backup roll"}}),
       {"contact",
-       {"upper/lower"},
-       [](const std::string &part) { return is_of_stand(part) || part == "upper/lower"; },
+       {both_contacts},
+       [](const std::string &part) { return is_of_stand(part) || part == both_contacts; },
        words_of_contact},
       {"bearing_spring",
-       {family::bearing, "KzcN"},
-       [](const std::string &part) { return part == family::bearing || part == "KzcN" || is_bearing(part); },
+       {family::bearing, any_seat},
+       [](const std::string &part) { return part == family::bearing || part == any_seat || is_bearing(part); },
        words_of_seat},
       {"seat",
-       {"KzcN"},
-       [](const std::string &part) { return part == "KzcN" || is_bearing(part); },
+       {any_seat},
+       [](const std::string &part) { return part == any_seat || is_bearing(part); },
        words_of_seat},
       place_of_names("bearing", {"BEARING"}),
       place_of_words("stand_model",
                      {{word_of(StandModelKind::beam), "stand with rolls as beams"},
                       {word_of(StandModelKind::craig_bampton), "stand with rolls as reduced finite elements"}}),
-      {"n", {"N"}, number_or_N, plain_part},
+      {"n", {any_number}, number_or_N, plain_part},
       place_of_names("mode", {"MODE"}, {}, with_spaces),
       place_of_names("place", {"PLACE"}, {}, words_of_body),
       place_of_names("excited", {"EXCITED"}, {}, words_of_force),
@@ -171,7 +174,7 @@ std::vector<ResultPlace> places_of_bite()
 
 std::vector<ResultPlace> places_of_stacks()
 {
-  ResultPlace key = place_of_names("key", {"KEY"});
+  ResultPlace key = place_of_names("key", {any_key});
   key.takes_rest  = true;
   return {place_of_names("roll", {"ROLL"}),
           place_of_names("rolls", {"CONTACT"}),

@@ -13,6 +13,9 @@ struct ResultPlace {
   bool takes_rest = false;  ///< all that follows, points in it too: a key of the case
 };
 
+/// The word of docs/output.md for a key of the case.
+constexpr const char *any_key = "KEY";
+
 /// The place of this name; an unknown one is our bug.  @throws std::logic_error
 const ResultPlace &result_place(const std::string &name);
 const std::vector<ResultPlace> &result_places();

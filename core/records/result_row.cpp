@@ -129,6 +129,11 @@ bool knows_more(const RowPattern &a, const RowPattern &b)
   return false;
 }
 
+bool holds(const std::string &text, const std::string &part)
+{
+  return text.find(part) != std::string::npos;
+}
+
 // Each part in braces by what `text_of` makes of the name of the place.
 template <class TextOf> std::string with_places(const std::string &text, const TextOf &text_of)
 {
@@ -206,8 +211,7 @@ std::string meaning_of(const ResultId &id)
   const std::string phrase = id.row->meaning;
   std::string in_front;
   for (const auto &[place, part] : id.places)
-    if (std::string(id.row->name).find("[" + place + ".]") != std::string::npos &&
-        phrase.find("{" + place + "}") == std::string::npos)
+    if (holds(id.row->name, "[" + place + ".]") && !holds(phrase, "{" + place + "}"))
       in_front += result_place(place).words(part) + ", ";
   return in_front +
          with_places(phrase, [&](const std::string &place) { return result_place(place).words(id.place(place)); });

@@ -2,6 +2,7 @@
 #include "core/records/cluster_names.h"
 #include "core/records/json_archive.h"
 #include "report/cluster/figures.h"
+#include "report/results/names.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 
