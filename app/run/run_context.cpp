@@ -64,8 +64,7 @@ const Parameter *RunContext::find(const std::string &name) const
 
 void RunContext::absorb(RunContext &&other)
 {
-  for (auto &[name, parameter] : other.results.values)
-    results.add(name, std::move(parameter));
+  results.append(std::move(other.results.values));
   for (const Warning &warning : other.results.warnings)
     if (std::find(results.warnings.begin(), results.warnings.end(), warning) == results.warnings.end())
       results.warnings.push_back(warning);

@@ -47,11 +47,20 @@ ordered_json json_of(const EstimateRecord &record)
 }
 }  // namespace
 
-void Results::add(const std::string &name, Parameter parameter)
+void Results::add(const ResultName &name, Parameter parameter)
 {
-  if (find(name))
-    throw std::logic_error("the result " + name + " is made twice");
-  values.emplace_back(name, std::move(parameter));
+  if (parameter.unit.empty())
+    parameter.unit = name.row().unit;
+  append({{name.text(), std::move(parameter)}});
+}
+
+void Results::append(std::vector<std::pair<std::string, Parameter>> more)
+{
+  for (auto &[name, parameter] : more) {
+    if (find(name))
+      throw std::logic_error("the result " + name + " is made twice");
+    values.emplace_back(name, std::move(parameter));
+  }
 }
 
 const Parameter *Results::find(const std::string &name) const

@@ -4,6 +4,7 @@
 #include "core/records/csv_cell.h"
 #include "core/records/note_records.h"
 #include "core/records/results.h"
+#include "core/records/rows_of_response.h"
 #include "twin/analysis/channel_analysis.h"
 #include "twin/spectra/level_error.h"
 #include "twin/spectra/noise_floor.h"
@@ -51,7 +52,7 @@ void add_levels(Results &results, const ChannelAnalysis &seen, const std::string
       level.error_estimate = level_error(seen.map, band.low, band.high);
       if (!std::isfinite(level.error_estimate))
         level.error_lacks = {"the record is too short for a level over time"};
-      results.add(seen.name + "." + band.name + "_rms", level);
+      results.add(row::record::band_rms.of(seen.name, band.name), level);
     }
   if (!settings.baseline || !std::isfinite(seen.velocity_rms))
     return;
@@ -61,7 +62,7 @@ void add_levels(Results &results, const ChannelAnalysis &seen, const std::string
   Parameter change      = measured(seen.velocity_rms / before->second, "1", operating_point,
                                    "rms velocity over that of the baseline " + settings.baseline->record);
   change.error_estimate = std::sqrt(2.0) * scatter;
-  results.add(seen.name + ".velocity_rms_ratio", change);
+  results.add(row::record::velocity_rms_ratio.of(seen.name), change);
 }
 
 void add_values(Results &results, const ChannelAnalysis &seen, const CleanChannel &channel,
@@ -76,28 +77,28 @@ void add_values(Results &results, const ChannelAnalysis &seen, const CleanChanne
                           std::sqrt(seen.spectrum.density.sum() * seen.spectrum.resolution()),
                           "slow parts below the first bin are not in it"});
   }
-  results.add(seen.name + ".rms", rms);
+  results.add(row::record::rms.of(seen.name), rms);
   Parameter peak =
       measured(seen.peak, seen.unit, operating_point,
                channel.clipped > 0 ? "largest sample: a lower bound, since it is clipped" : "largest sample");
   peak.error_lacks = {"one record has one largest sample"};
-  results.add(seen.name + ".peak", peak);
+  results.add(row::record::peak.of(seen.name), peak);
   Parameter crest   = measured(seen.crest, "1", operating_point, "peak over rms");
   crest.error_lacks = peak.error_lacks;
-  results.add(seen.name + ".crest", crest);
+  results.add(row::record::crest.of(seen.name), crest);
   Parameter drift =
       measured(channel.drift, seen.unit + "/s", operating_point, "slope of the line through the channel");
   drift.error_lacks = {"what moves the offset of a sensor"};
-  results.add(seen.name + ".drift", drift);
+  results.add(row::record::drift.of(seen.name), drift);
   Parameter clipped =
       measured(channel.clipped_share, "1", operating_point, "share of the samples at a clip level");
   clipped.error_estimate = 0;
-  results.add(seen.name + ".clipped", clipped);
+  results.add(row::record::clipped.of(seen.name), clipped);
   if (std::isfinite(seen.velocity_rms)) {
     Parameter velocity      = measured(seen.velocity_rms, "m/s", operating_point,
                                        "density from 10 to 1000 Hz, divided by (2 pi f)^2 for an acceleration");
     velocity.error_estimate = rms.error_estimate;
-    results.add(seen.name + ".velocity_rms", velocity);
+    results.add(row::record::velocity_rms.of(seen.name), velocity);
   }
   add_levels(results, seen, operating_point, rms.error_estimate, settings);
 }

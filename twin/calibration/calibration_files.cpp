@@ -2,6 +2,7 @@
 #include "core/records/calibration_status.h"
 #include "core/records/note_records.h"
 #include "core/records/results.h"
+#include "core/records/rows_of_response.h"
 #include "twin/calibration/words.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -38,10 +39,9 @@ Results values_of(const Calibration &result, const bool written)
       p.checks = {{"95 % from", std::exp(change.low), ""},
                   {"95 % to", std::exp(change.high), ""},
                   {"with all freed", std::exp(u.estimate), "with what is not identified free as well"}};
-    values.add(delay ? delay_name : "factor." + u.name, p);
+    values.add(delay ? row::calibration::delay.of() : row::calibration::factor.of(u.name), p);
   }
-  const auto misfit = [&](const std::string &name, const double value, const std::string &of,
-                          const double seconds) {
+  const auto misfit = [&](const RowOf<0> &row, const double value, const std::string &of, const double seconds) {
     Parameter p;
     p.value       = value;
     p.unit        = "1";
@@ -49,16 +49,17 @@ Results values_of(const Calibration &result, const bool written)
     p.method      = of;
     p.at          = {"{} of the records", {{seconds, "s", ".4g"}}};
     p.error_lacks = {"one record has one misfit"};
-    values.add(name, p);
+    values.add(row.of(), p);
   };
-  misfit("misfit.check.before", result.check.before,
+  misfit(row::calibration::misfit_before, result.check.before,
          result.force_recorded() ? "mean of |r|^2 over the noise of the fit, case without changes"
                                  : "the same, of what one force does not explain, case without changes",
          result.check_seconds);
-  misfit("misfit.check.after", result.check.after, "the same, calibrated case", result.check_seconds);
-  misfit("worst_band.fit", result.fit.worst,
+  misfit(row::calibration::misfit_after, result.check.after, "the same, calibrated case", result.check_seconds);
+  misfit(row::calibration::worst_band_fit, result.fit.worst,
          "residual over noise and model error, over its limit, largest of all bands", result.fit_seconds);
-  misfit("worst_band.check", result.check.worst, "the same of the check records", result.check_seconds);
+  misfit(row::calibration::worst_band_check, result.check.worst, "the same of the check records",
+         result.check_seconds);
   return values;
 }
 

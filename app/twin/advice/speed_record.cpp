@@ -1,5 +1,6 @@
 #include "app/twin/advice/speed_record.h"
 #include "app/chatter/chatter_question.h"
+#include "core/records/rows_of_response.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -89,7 +90,8 @@ void add_best(twin::AdviceRecord &record, const CriticalAdvice &advice, const do
   if (advice.actions.empty() || !advice.actions.front().against.empty())
     return;
   const RatedAction &best = advice.actions.front();
-  record.results.add("advice.best.critical_speed", speed_of(advice.states.front(), best.name, working_speed));
+  record.results.add(row::advice::best_critical_speed.of(),
+                     speed_of(advice.states.front(), best.name, working_speed));
   Parameter change = speed_of(advice.states.front(), best.name, working_speed);
   change.value     = best.change;
   change.unit      = "1";
@@ -100,7 +102,7 @@ void add_best(twin::AdviceRecord &record, const CriticalAdvice &advice, const do
   if (std::isfinite(best.first_order))
     change.checks.push_back(
         {"first order, by exact slopes", best.first_order, "not the answer: second order is left out"});
-  record.results.add("advice.best.change", change);
+  record.results.add(row::advice::best_change.of(), change);
 }
 }  // namespace
 
@@ -121,7 +123,7 @@ void fill_speed_record(twin::AdviceRecord &record, const CriticalAdvice &advice,
   record.answer = critical_answer(advice, question);
   Parameter now = speed_of(advice.now, "search over the speed", question.working_speed, advice.spread);
   now.inputs    = inputs;
-  record.results.add("advice.critical_speed", now);
+  record.results.add(row::advice::critical_speed.of(), now);
   add_best(record, advice, question.working_speed);
   for (const ChatterSensitivity &slope : advice.slopes.inputs)
     record.slopes.emplace_back(slope.key, slope.critical_speed);

@@ -6,6 +6,7 @@
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include "core/records/chain_number.h"
+#include "core/records/rows_of_response.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -139,7 +140,7 @@ void add_level(twin::AdviceRecord &record, const twin::LevelAdvice &advice, cons
           "calibrate the stand before the advice is trusted", "",
           std::vector<std::string>{"advice.level." + name});
   }
-  record.results.add("advice.level." + name, level);
+  record.results.add(row::advice::level.of(name), level);
 }
 
 void add_results(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
@@ -155,12 +156,11 @@ void add_results(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
     change.checks.push_back({"linear estimate", best.first_order, "not the answer: second order is left out"});
     if (!best.repeated.empty())
       change.checks.push_back({"six masses", best.change, "which have no chocks"});
-    record.results.add("advice.best.change", change);
+    record.results.add(row::advice::best_change.of(), change);
   }
   for (std::size_t i = 0; i < advice.tuned.size(); ++i) {
     const twin::TunedDamper &t = advice.tuned[i];
-    const std::string name =
-        "advice.tuned_damper" + (advice.tuned.size() > 1 ? "." + std::to_string(i + 1) : std::string());
+    const std::string number   = advice.tuned.size() > 1 ? std::to_string(i + 1) : "";
     Parameter mass      = ratio(t.best.mass, "mass ratio times the effective mass of the leading mode", lacks);
     mass.unit           = "kg";
     Parameter frequency = ratio(t.best.frequency, "least level over frequency and damping", lacks);
@@ -176,10 +176,10 @@ void add_results(twin::AdviceRecord &record, const twin::LevelAdvice &advice)
       }
     change.checks.push_back({"5 % too low", t.detuned_by(-0.05), ""});
     change.checks.push_back({"5 % too high", t.detuned_by(0.05), ""});
-    record.results.add(name + ".mass", mass);
-    record.results.add(name + ".frequency", frequency);
-    record.results.add(name + ".damping", damping);
-    record.results.add(name + ".change", change);
+    record.results.add(row::advice::tuned_mass.of(number), mass);
+    record.results.add(row::advice::tuned_frequency.of(number), frequency);
+    record.results.add(row::advice::tuned_damping.of(number), damping);
+    record.results.add(row::advice::tuned_change.of(number), change);
     record.tuned.push_back({advice.tuned_names[i], advice.stand.places[std::size_t(t.best.to)],
                             advice.stand.frequency[t.mode] / (2 * M_PI), t});
     if (!t.inside)
@@ -259,7 +259,7 @@ void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
     critical.unit        = "m/s";
     critical.method      = "search over the speed";
     critical.error_lacks = {"errors of stand, friction law and flow stress"};
-    record.results.add("advice.critical_speed", critical);
+    record.results.add(row::advice::critical_speed.of(), critical);
   }
 }
 }  // namespace

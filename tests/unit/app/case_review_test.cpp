@@ -323,7 +323,7 @@ TEST(RunSummary, HasAtMostTwentyFiveLines)
     Parameter p;
     p.value = value;
     p.unit  = unit;
-    results.add(name, p);
+    results.append({{name, p}});
   };
   add("stand.modulus.tangent", 4.5e9, "N/m");
   add("stand.modulus.kiss", 5.1e9, "N/m");

@@ -17,7 +17,7 @@ const std::string demo = "cases/four-high-1400.toml";
 KeyList inputs_in_a_run(const Case &the_case, const std::string &result)
 {
   Results results;
-  results.add(result, Parameter());
+  results.append({{result, Parameter()}});
   set_inputs(results, the_case);
   return results.find(result)->inputs;
 }

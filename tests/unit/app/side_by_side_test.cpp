@@ -37,7 +37,7 @@ IndependentStage says(const std::string &name, std::atomic<int> &turn, const int
   return [=, &turn](RunContext &run) {
     for (int i = 0; wait && turn < turn_of_this && i < 100; ++i)
       std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    run.results.add(name, number(turn_of_this));
+    run.results.append({{name, number(turn_of_this)}});
     run.warn(warning_of_text("warning of " + name));
     run.warn(warning_of_text("warning of both"));
     run.assume(name);
@@ -52,7 +52,7 @@ TEST(SideBySide, ResultsComeInTheOrderOfTheListWhateverEndsFirst)
   const OutputDir out(folder.path, folder.the_case, true, "id");
   RunContext run{folder.the_case, out, folder.path};
   run.threads = 2;
-  run.results.add("before", number(0));
+  run.results.append({{"before", number(0)}});
   std::atomic<int> turn{0};
   run_side_by_side(run, {says("first", turn, 1, true), says("second", turn, 0, false)});
   ASSERT_EQ(run.results.values.size(), 3u);
@@ -68,7 +68,7 @@ TEST(SideBySide, ABranchSeesWhatWasThereBefore)
   const Folder folder;
   const OutputDir out(folder.path, folder.the_case, true, "id");
   RunContext run{folder.the_case, out, folder.path};
-  run.results.add("before", number(3));
+  run.results.append({{"before", number(3)}});
   run_side_by_side(run, {[](RunContext &part_run) {
                      ASSERT_NE(part_run.find("before"), nullptr);
                      EXPECT_EQ(part_run.find("before")->value, 3);

@@ -1,5 +1,6 @@
 // results.json as the contract describes it, read back by a JSON parser.
 #include "core/records/results.h"
+#include "core/records/rows_of_contact.h"
 #include "tests/support/near.h"
 #include <nlohmann/json.hpp>
 #include <tuple>
@@ -12,17 +13,16 @@ Results sample()
   Results results;
   Parameter k3;
   k3.value          = 1.0 / 3.0 * 1e11;
-  k3.unit           = "N/m";
   k3.method         = "contact FEM";
   k3.at             = at_force(976.2e3);
   k3.error_estimate = 0.004;
   k3.inputs         = {"work_roll.barrel_diameter", "backup_roll.barrel_diameter"};
   k3.checks         = {{"Hertz line contact", 4.0192e10, "infinitely long"}};
-  results.add("K3.tangent", k3);
+  results.add(row::roll_contact::tangent.of("", "K3"), k3);  // the unit is that of the row
   Parameter unknown;
   unknown.unit   = "N/m";
   unknown.source = Source::assumed;
-  results.add("A.first.in.the.alphabet", unknown);
+  results.append({{"A.first.in.the.alphabet", unknown}});
   results.warnings    = {{WarningId::force_band,
                           "pass 1",
                           "the record ends early",
@@ -104,6 +104,6 @@ TEST(Results, BytesThatAreNotUtf8DoNotBreakTheFile)
 TEST(Results, ANameTwiceIsNoticedInEveryBuild)
 {
   Results results = sample();
-  EXPECT_THROW(results.add("K3.tangent", Parameter{}), std::logic_error);
+  EXPECT_THROW(results.add(row::roll_contact::tangent.of("", "K3"), Parameter{}), std::logic_error);
   EXPECT_EQ(results.values.size(), 2u);
 }
