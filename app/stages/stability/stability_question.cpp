@@ -64,7 +64,7 @@ void widen_by_models(dynamics::SpeedInterval &interval, const double speed, cons
   for (const auto &[name, other] : s.others)
     if (other.verdict == Verdict::crossing) {
       const double apart = std::log(other.speed / speed);  // (27.13)
-      if (apart < 0)  // the end on the other side keeps its digits
+      if (apart < 0)                                       // the end on the other side keeps its digits
         interval.low = speed * std::exp(-std::hypot(std::log(speed / interval.low), apart));
       else
         interval.high = speed * std::exp(std::hypot(std::log(interval.high / speed), apart));
