@@ -109,10 +109,11 @@ Studio::Studio(const CommandLine &command)
     : command_(command), document_(path_of_case(command), [] { return template_of("four-high"); }),
       folder_(folder_of(command)), jobs_([this](const JobState &job) { publish_job(job); })
 {
-  const web::PageSite site{"millstand studio",
-                           page_table(),
-                           {{"document", "run"}, {}},
-                           [this](const web::PageRequest &request) { return answer(request); }};
+  const web::PageSite site{
+      "millstand studio", page_table(), {{"document", "run"}, {}}, [this](const web::PageRequest &request) {
+        opened_.wait();  // the server answers before emplace() has returned it
+        return answer(request);
+      }};
   web::PageSettings settings = settings_of(command, folder_);
   try {
     server_.emplace(settings, site);
@@ -122,6 +123,7 @@ Studio::Studio(const CommandLine &command)
     settings.port = 0;  // the usual one is taken, by the studio of another case
     server_.emplace(settings, site);
   }
+  open_.set_value();
 }
 
 std::string Studio::url() const

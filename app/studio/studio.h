@@ -4,6 +4,7 @@
 #include "app/studio/jobs/jobs.h"
 #include "app/trace/closed_form_chain.h"
 #include "twin/web/server/page_server.h"
+#include <future>
 #include <map>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
@@ -50,6 +51,8 @@ private:
   std::mutex memory_access_;
   ClosedFormMemory memory_;
   Jobs jobs_;
+  std::promise<void> open_;
+  const std::shared_future<void> opened_ = open_.get_future();  // server_ has its value
   std::optional<web::PageServer> server_;
 };
 }  // namespace mill::studio
