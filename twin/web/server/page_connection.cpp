@@ -243,8 +243,12 @@ private:
     if (!route().slow)
       return respond(reply_to(shared_.site, request));
     deadline_.clear();
-    asio::post(slow_, [self = shared_from_this(), request = std::move(request)] {
-      asio::post(self->socket_.get_executor(), [self, reply = reply_to(self->shared_.site, request)] {
+    // Handed over and not kept: the connection ends in the thread of the server, whose counts and streams it
+    // changes.
+    asio::post(slow_, [self = shared_from_this(), request = std::move(request)]() mutable {
+      const auto back = self->socket_.get_executor();
+      auto reply      = reply_to(self->shared_.site, request);
+      asio::post(back, [self = std::move(self), reply = std::move(reply)] {
         if (self->socket_.is_open())
           self->respond(reply);
       });
