@@ -76,7 +76,7 @@ TEST(MovingKeys, AValueOfThePassReplacesThatOfTheStrip)
   EXPECT_TRUE(holds(bite_keys(keys, 1), "strip.entry_thickness"));
 }
 
-TEST(MovingKeys, SteelMovesNoBodyThatHasItsOwn)
+TEST(MovingKeys, SteelDoesNotMoveABodyWithItsOwn)
 {
   const auto list = [](const std::vector<std::string> &sets) {
     MovingKeys keys(read_case("cases/two-cylinders.toml", sets).spec);
