@@ -78,7 +78,7 @@ bool is_numbered(const std::string &name, const std::string &word)
 }
 
 // A name of the reference is that of a word: "bearing.NAME.bore" of "bearing.trb.bore"; KEY takes all that
-// follows. At least one part is no such stand-in for any name.
+// follows. At least one part is a word and does not stand for any name.
 constexpr const char *any_in_a_key = "NAME";
 bool is_name_of(const std::string &pattern, const std::string &word)
 {
