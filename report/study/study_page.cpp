@@ -198,18 +198,33 @@ std::string scatter(const json &document, const std::size_t r)
   return svg_plot(plot);
 }
 
+// Two results side by side; those that have no drawing are named below all others.
 template <class Draw> void pairs_of_figures(Page &page, const json &document, const Draw &draw, const char *words)
 {
-  for (std::size_t r = 0; r < document["results"].size(); r += 2) {
-    std::vector<std::string> drawings;
-    std::string names;
-    for (std::size_t i = r; i < std::min(r + 2, document["results"].size()); ++i) {
-      drawings.push_back(draw(i));
-      names += (names.empty() ? "<code>" : ", <code>") + escaped(document["results"][i]["name"]) +
-               "</code>: " + escaped(document["results"][i]["meaning"]);
+  std::vector<std::string> drawings;
+  std::string names, without;
+  const auto finish = [&] {
+    if (!drawings.empty())
+      page.figure(drawings, words + names + ".");
+    drawings.clear();
+    names.clear();
+  };
+  for (std::size_t r = 0; r < document["results"].size(); ++r) {
+    const json &result     = document["results"][r];
+    const std::string name = "<code>" + escaped(result["name"]) + "</code>";
+    std::string drawing    = draw(r);
+    if (drawing.empty()) {
+      without += (without.empty() ? "" : ", ") + name;
+      continue;
     }
-    page.figure(drawings, words + names + ".");
+    drawings.push_back(std::move(drawing));
+    names += (names.empty() ? "" : ", ") + name + ": " + escaped(result["meaning"]);
+    if (drawings.size() == 2)
+      finish();
   }
+  finish();
+  if (!without.empty())
+    page.paragraph("Not drawn, since it has the same value in every row or no value: " + without + ".");
 }
 
 void drawn_sections(Page &page, const json &document)

@@ -96,6 +96,19 @@ TEST(StudyCommand, LineContactHasTheReferenceScatter)
                      within(0.003, "three standard errors of a quantile of 4096 rows")));
 }
 
+TEST(StudyCommand, AResultThatDoesNotMoveIsNamedAndNotDrawn)
+{
+  const std::string folder = scratch("study-still") + "/study";
+  expect_done(chain + "--method monte-carlo --samples 32 --vary 'given.K1~normal(10 %)' --watch K7 --watch f1 -o " +
+              folder);
+  expect_done("study run " + folder + " -q");
+  expect_done("study report " + folder + " -q");
+  EXPECT_EQ(report_of(folder)["results"][0]["statistics"]["sd"]["value"], 0);
+  const std::string page = mill::read_text(folder + "/report.html");
+  EXPECT_NE(page.find("same value in every row or no value: <code>K7</code>."), std::string::npos);
+  EXPECT_NE(page.find("Distribution of <code>f1</code>"), std::string::npos) << "the drawn one leads its caption";
+}
+
 TEST(StudyCommand, RowsAreTheSameAfterKillsAndByShards)
 {
   const std::string folder = scratch("study-kills");
