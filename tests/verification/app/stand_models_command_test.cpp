@@ -226,13 +226,12 @@ TEST(ModelFiles, ModelFilesHoldTheModesOfTheRun)
     const Eigen::MatrixXd M = matrix(model + "-mass"), K = matrix(model + "-stiffness");
     EXPECT_TRUE((M - M.transpose()).isZero(0) && (K - K.transpose()).isZero(0)) << "symmetric to the last digit";
     const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(K, M);  // K phi = w^2 M phi
-    for (int i = 1; i <= 4; ++i) {
-      const std::string where = model == "six-mass" ? "demo-modes" : "demo";
-      if (model == "six-mass")
-        ASSERT_EQ(run("modes", demo, where).exit_code, 0);
+    const std::string where = model == "six-mass" ? "demo-modes" : "demo";
+    if (model == "six-mass")
+      ASSERT_EQ(run("modes", demo, where).exit_code, 0);
+    for (int i = 1; i <= 4; ++i)
       EXPECT_TRUE(near(std::sqrt(modes.eigenvalues()[i - 1]) / (2 * M_PI), open_frequency(where, model, i),
                        within(1e-8, "eigenvalues of a stiff pencil by another call")));
-    }
     const std::string names = mill::read_text(demo_masses() + "/models/" + model + "-names.csv");
     EXPECT_EQ(std::count(names.begin(), names.end(), '\n'), 1 + M.rows() + matrix(model + "-readings").rows());
     EXPECT_EQ(fs::exists(demo_masses() + "/models/" + model + ".mat"), model != "beam")

@@ -143,7 +143,8 @@ void make_short_program(const fs::path &folder)
          "  esac\n"
          "done\n"
          "case \"$1 $stand\" in\n"
-         "'run yes'|'stiffness yes'|'masses yes'|'modes yes'|'simulate yes'|'export yes'|'chatter yes')\n"
+         "'run yes'|'stiffness yes'|'masses yes'|'modes yes'|'simulate yes'|'export yes'|'chatter yes'|'sweep "
+         "yes')\n"
          "  set -- \"$@\" --cache '"
       << shared_cache()
       << "' --set contact.upper.elements_per_half_width=2 --set contact.lower.elements_per_half_width=2 "
