@@ -42,11 +42,12 @@ struct ContactCurves {
   std::optional<SecondEngine> second;  ///< none: rolls or loads that the Fourier engine does not know
 };
 
-/// A number with its error, and the answers to the same question that the error was made from.
+/// A number with its error, and the answers to the same question that the error was made from.  The member that is
+/// one states its unit.
 struct Compared {
-  double value  = not_given;
+  double value  = not_given;  ///< unit of the quantity
   double error  = not_given;  ///< -, relative
-  double coarse = not_given;  ///< of the companion mesh
-  double second = not_given;  ///< of the Fourier engine; NaN: it was not asked
+  double coarse = not_given;  ///< the same unit, of the companion mesh
+  double second = not_given;  ///< the same unit, of the Fourier engine; NaN: it was not asked
 };
 }  // namespace mill::fem
