@@ -1,14 +1,11 @@
 #include "app/stages/contact/contact_details.h"
 #include "app/run/curve_files.h"
-#include "app/stages/contact/contact_slope.h"
 #include "app/stages/contact/contact_stage.h"
 #include "core/model/four_high.h"
-#include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_contact.h"
-#include "fem/roll/contact_readings.h"
-#include "fem/roll/frictional_pair.h"
+#include "fem/roll/contact_details.h"
 #include <cmath>
 #include <fmt/format.h>
 
@@ -34,29 +31,10 @@ Parameter computed(const std::string &unit, const double value, const double err
 // Length over which the rolls touch, and a word about it where it is not the whole barrel.
 void add_contact_length(RunContext &run, const ContactModel &m, const std::string &name, const double load)
 {
-  struct Touch {
-    double length = 0, edge = 0;  // m; the second of the outermost stations that carry load
-    bool middle = false;
-  };
-  const auto value_of = [&](const fem::ContactPair &pair) {
-    const Eigen::VectorXd q = fem::barrel_profile(pair, fem::solve_load(pair, load)).line_load;
-    const int sides         = pair.grid.whole ? 1 : 2;
-    const auto open         = [&](const Eigen::Index k) { return k >= 0 && k < q.size() && !(q[k] > 0); };
-    Touch touch;
-    for (Eigen::Index k = 0; k < q.size(); ++k)
-      if (q[k] > 0) {
-        touch.length += sides * pair.path[k];
-        touch.edge += open(k - 1) || open(k + 1) ? sides * pair.path[k] : 0;
-      }
-    touch.middle = q[fem::middle_station(pair.grid)] > 0;
-    return touch;
-  };
-  const auto [length, edge, middle] = value_of(m.in_stand);
-  const double coarse               = value_of(m.in_stand_coarse).length;
-  const double whole                = m.closed_form.length;
-  // A mesh tells where a contact ends to one station.
-  Parameter p = computed("m", length, std::max(mesh_pair_error(length, coarse), edge / length), load,
-                         "contact FEM, stations that carry load, held as in the stand");
+  const auto [touch, middle] = fem::contact_length(m, load);
+  const double length = touch.value, whole = m.closed_form.length;
+  Parameter p =
+      computed("m", length, touch.error, load, "contact FEM, stations that carry load, held as in the stand");
   p.checks.push_back({"length over which the barrels face each other", whole, ""});
   run.results.add(row::contact::contact_length.of(name), p);
   if (!middle)
@@ -75,59 +53,41 @@ void add_contact_length(RunContext &run, const ContactModel &m, const std::strin
 void add_path_plateau(RunContext &run, const ContactModel &m, const std::string &K,
                       const ContactSettings &settings, const double load)
 {
-  const auto point  = fem::solve_load(m.mirrored, load);
-  const auto path   = fem::path_plateau(m.mirrored, point, settings.path_trim);
-  const auto second = fem::path_plateau(m.coarse, fem::solve_load(m.coarse, load), settings.path_trim);
-  if (path.stations == 0)
+  const auto plateau = fem::plateau_at(m, load, settings.path_trim);
+  if (!plateau)
     return;
-  const double scaled = second.mean * path.tributary_length / second.tributary_length;
+  const auto &path = plateau->path;
   Parameter p =
-      computed("N/m", path.mean, difference(scaled, path.mean), load,
+      computed("N/m", path.mean, plateau->error, load,
                fmt::format("mean of nodal force (summed over the width) over nodal relative "
                            "displacement, {} stations of {:.1f} mm on average, {:.0f} % of the path left "
                            "out at each end",
                            path.stations, 1e3 * path.tributary_length, 100 * settings.path_trim));
-  p.checks.push_back({"secant of the contact for the same length",
-                      load / point.approach * path.tributary_length / m.closed_form.length,
+  p.checks.push_back({"secant of the contact for the same length", plateau->of_length,
                       "the plateau grows with the length that belongs to a node: no property of the contact"});
-  p.checks.push_back({"mesh twice as coarse, for the same length", scaled, ""});
+  p.checks.push_back({"mesh twice as coarse, for the same length", plateau->coarse, ""});
   run.results.add(row::roll_contact::path_plateau.of(K), p);
 }
 
 void add_joint(RunContext &run, const ContactModel &m, const std::string &name, const double load,
                const double largest)
 {
-  const auto fitted = [&](const fem::ContactPair &pair) {
-    return fem::remembered(pair, fmt::format("joint {:a} {:a}", load, largest),
-                           [&] { return fem::fitted_joint_stiffness(pair, load, largest); });
-  };
-  const Eigen::MatrixXd fine = fitted(m.whole), coarse = fitted(m.whole_coarse),
-                        exact = fem::remembered(m.whole, fmt::format("joint at {:a}", load), [&] {
-                          return fem::joint_stiffness(m.whole, fem::solve_load(m.whole, load));
-                        });
-  const double L              = m.closed_form.length;
-  const auto hertz            = reduce::line_contact(m.closed_form, load);
-  const double axes           = m.whole.radii_sum;
+  const auto joint = fem::joint_at(m, load, largest);
   const std::string method =
       "contact FEM, slope over the load fitted, frictionless, " + m.whole.reference + ", theory.md (2.14)";
-  // Own to each entry: two meshes, and how far the active set of this one load stands from the fit.
   const auto add = [&](const RowOf<1> &made, const int row, const int column, const char *check,
                        const double reference) {
-    const double value = fine(row, column);
-    const double error =
-        value == 0 ? 0
-                   : std::max(mesh_pair_error(value, coarse(row, column)), difference(exact(row, column), value));
-    Parameter p = computed(made.unit, value, error, load, method);
+    Parameter p = computed(made.unit, joint.value(row, column), joint.error(row, column), load, method);
     p.checks.push_back({check, reference, "uniform load, no barrel ends"});
-    p.checks.push_back({"mesh twice as coarse", coarse(row, column), ""});
+    p.checks.push_back({"mesh twice as coarse", joint.coarse(row, column), ""});
     run.results.add(made.of(name), p);
   };
-  add(row::contact::joint_yy, 1, 1, "Hertz line contact (3.5b)", hertz.tangent);
-  add(row::contact::joint_rx_rx, 3, 3, "the same spread over the length, K L^2/12", hertz.tangent * L * L / 12);
-  add(row::contact::joint_xx, 0, 0, "geometric term of the force, -F over the distance of the axes", -load / axes);
-  add(row::contact::joint_ry_ry, 4, 4, "geometric term of a uniform load, -F L^2/12 over it",
-      -load * L * L / 12 / axes);
-  if (fine(2, 2) != 0)
+  add(row::contact::joint_yy, 1, 1, "Hertz line contact (3.5b)", joint.tangent);
+  add(row::contact::joint_rx_rx, 3, 3, "the same spread over the length, K L^2/12", joint.spread);
+  add(row::contact::joint_xx, 0, 0, "geometric term of the force, -F over the distance of the axes",
+      joint.sideways);
+  add(row::contact::joint_ry_ry, 4, 4, "geometric term of a uniform load, -F L^2/12 over it", joint.crossing);
+  if (joint.value(2, 2) != 0)
     add(row::contact::joint_zz, 2, 2, "straight profiles", 0);
   if (m.extent == fem::Extent::whole) {
     add(row::contact::joint_y_rx, 1, 3, "the same on both sides", 0);
@@ -138,75 +98,58 @@ void add_joint(RunContext &run, const ContactModel &m, const std::string &name, 
 // The tangent with Coulomb friction: that without, times what friction does to it on one mesh.
 void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m, const std::string &name,
                   const std::string &K, const ContactSettings &settings, const double load,
-                  const Parameter &tangent)
+                  const fem::Compared &tangent)
 {
   constexpr int steps = 10;
-  const auto solved   = [&](const fem::CondensedRoll &backup, const fem::CondensedRoll &work, const int n_steps) {
+  const auto solved   = [&](const fem::PairMesh mesh, const int n_steps) {
+    const ContactModel &all = complete(m);
+    const bool fine         = mesh == fem::PairMesh::fine;
+    const auto &backup      = *(fine ? all.backup.fine : all.backup.coarse),
+               &work        = *(fine ? all.work.fine : all.work.coarse);
     const auto quarter = fem::make_pair(name, backup, fem::held_by_mirror(backup), work, fem::held_by_mirror(work),
                                           even_drop(stand, settings, backup.grid.z));
     return fem::friction_effect(quarter, backup, work, settings.friction, load, n_steps);
   };
-  const auto effect = [&](const fem::ContactPair &pair,
-                          std::shared_ptr<const fem::CondensedRoll> CondensedPair::*mesh, const int n_steps) {
-    const Eigen::MatrixXd both =
-        fem::remembered(pair, fmt::format("friction {:a} {:a} {}", settings.friction, load, n_steps), [&] {
-          const ContactModel &all = complete(m);
-          const auto made         = solved(*(all.backup.*mesh), *(all.work.*mesh), n_steps);
-          return Eigen::MatrixXd(Eigen::RowVector2d(made.ratio, made.slipping));
-        });
-    return fem::FrictionEffect{both(0, 0), both(0, 1)};
-  };
-  const auto fine   = effect(m.mirrored, &CondensedPair::fine, steps);
-  const auto coarse = effect(m.coarse, &CondensedPair::coarse, steps),
-             twice  = effect(m.coarse, &CondensedPair::coarse, 2 * steps);
-  Parameter p       = computed(
-            "N/m", tangent.value * fine.ratio,
-            tangent.error_estimate + mesh_pair_error(fine.ratio, coarse.ratio) + difference(twice.ratio, coarse.ratio),
-            load,
-            fmt::format("contact FEM, {}.tangent times {:.5f}, the tangent with Coulomb friction {:g} "
-                              "over that without on the same mesh, loaded from zero in {} equal steps, "
-                              "{:.0f} % of the touching nodes slip",
-                        K, fine.ratio, settings.friction, steps, 100 * fine.slipping));
+  const auto effect = fem::friction_at(m, settings.friction, load, steps, tangent, solved);
+  Parameter p =
+      computed("N/m", effect.tangent, effect.error, load,
+               fmt::format("contact FEM, {}.tangent times {:.5f}, the tangent with Coulomb friction {:g} "
+                           "over that without on the same mesh, loaded from zero in {} equal steps, "
+                           "{:.0f} % of the touching nodes slip",
+                           K, effect.fine.ratio, settings.friction, steps, 100 * effect.fine.slipping));
   p.checks.push_back({"without friction", tangent.value, "equal materials: nearly uncoupled"});
-  p.checks.push_back({"effect of friction on a mesh twice as coarse", tangent.value * coarse.ratio, ""});
+  p.checks.push_back({"effect of friction on a mesh twice as coarse", tangent.value * effect.coarse.ratio, ""});
   p.checks.push_back(
-      {"the same in twice as many load steps", tangent.value * twice.ratio, "the load path matters"});
+      {"the same in twice as many load steps", tangent.value * effect.twice.ratio, "the load path matters"});
   run.results.add(row::roll_contact::friction_tangent.of(K), p);
 }
 
 // Where the force stands and how the axes are tilted: one is imposed, the other follows.
 void add_one_sidedness(RunContext &run, const ContactModel &m, const std::string &name, const double load)
 {
-  if (m.extent != fem::Extent::whole)
+  const auto sides = fem::one_sidedness(m, load);
+  if (!sides)
     return;
-  const auto fine = fem::solve_load(m.in_stand, load), coarse = fem::solve_load(m.in_stand_coarse, load),
-             mirrored = fem::solve_load(m.mirrored, load);
-  const double L      = m.closed_form.length;
-  const auto add      = [&](const RowOf<1> &row, const double value, const double on_coarse, const double scale,
-                       const double reference) {
-    const double error = mesh_pair_safety * std::abs(on_coarse - value) / std::max(std::abs(value), 1e-6 * scale);
-    Parameter p        = computed(row.unit, value, error, load, "contact FEM, held as in the stand");
+  const auto add = [&](const RowOf<1> &row, const fem::Compared &number, const double reference) {
+    Parameter p = computed(row.unit, number.value, number.error, load, "contact FEM, held as in the stand");
     p.checks.push_back({"squeezed between mirrored contacts", reference, "another way of holding the rolls"});
-    p.checks.push_back({"mesh twice as coarse", on_coarse, ""});
+    p.checks.push_back({"mesh twice as coarse", number.coarse, ""});
     run.results.add(row.of(name), p);
   };
-  add(row::contact::tilt, fine.tilt, coarse.tilt, fine.approach / L, mirrored.tilt);
-  add(row::contact::load_offset, fine.moment / load, coarse.moment / load, L, mirrored.moment / load);
+  add(row::contact::tilt, sides->tilt, sides->mirrored_tilt);
+  add(row::contact::load_offset, sides->offset, sides->mirrored_offset);
 }
 
 void add_largest_pressure(RunContext &run, const ContactModel &m, const FourHigh &stand, const std::string &name,
                           const double load)
 {
-  const auto largest = [&](const fem::ContactPair &pair) {
-    return fem::pressure_map(pair, fem::solve_load(pair, load)).maxCoeff();
-  };
-  const double peak = largest(m.in_stand), coarse = largest(m.in_stand_coarse);
-  Parameter p = computed("Pa", peak, mesh_pair_error(peak, coarse), load,
-                         "contact FEM, largest nodal pressure of the patch, held as in the stand; at a sharp end "
-                         "it grows with the mesh");
-  p.checks.push_back(
-      {"squeezed between mirrored contacts", largest(m.mirrored), "another way of holding the rolls"});
-  p.checks.push_back({"mesh twice as coarse", coarse, ""});
+  const auto [pressure, mirrored] = fem::largest_pressure(m, load);
+  const double peak               = pressure.value;
+  Parameter p                     = computed("Pa", peak, pressure.error, load,
+                                             "contact FEM, largest nodal pressure of the patch, held as in the stand; at a sharp end "
+                                                                 "it grows with the mesh");
+  p.checks.push_back({"squeezed between mirrored contacts", mirrored, "another way of holding the rolls"});
+  p.checks.push_back({"mesh twice as coarse", pressure.coarse, ""});
   run.results.add(row::contact::largest_pressure.of(name), p);
   if (peak > 5 * stand.steel.yield_stress)
     run.warn(of_contact(WarningId::contact_yield, name,
@@ -263,7 +206,7 @@ void require_resolved(RunContext &run, const ContactModel &m, const std::string 
 
 void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
                          const FourHigh &stand, const ContactSettings &settings, const double load,
-                         const double largest, const Parameter &tangent)
+                         const double largest, const fem::Compared &tangent)
 {
   add_contact_length(run, model, name, load);
   add_path_plateau(run, model, K, settings, load);

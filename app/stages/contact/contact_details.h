@@ -13,10 +13,10 @@ Warning of_contact(WarningId id, const std::string &name, std::string fact, std:
 /// evaluating (K.path_plateau), the joint stiffness between the axes, the pressure map
 /// (curves/contact-<name>-pressure.csv), and warnings about what the model does not hold for.
 /// @param largest  N, largest load that the meshes are made for
-/// @param tangent  K.tangent
+/// @param tangent  K.tangent of this load
 void add_contact_details(RunContext &run, const ContactModel &model, const std::string &name, const std::string &K,
                          const FourHigh &stand, const ContactSettings &settings, double load, double largest,
-                         const Parameter &tangent);
+                         const fem::Compared &tangent);
 
 /// The mesh must resolve the contact at this load; below two elements over the half width the run warns.
 /// @throws InputError  not even one element over the half width; says how many elements would do

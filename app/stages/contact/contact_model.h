@@ -1,8 +1,7 @@
 #pragma once
 #include "app/stages/contact/condensed_rolls.h"
 #include "core/model/contact_settings.h"
-#include "fem/roll/contact_study.h"
-#include "reduce/chain/line_contact.h"
+#include "fem/roll/contact_answers.h"
 #include <functional>
 #include <vector>
 
@@ -11,16 +10,8 @@ struct FourHigh;
 struct TwoCylinders;
 
 /// One roll contact of a stand, ready to be solved at any load.
-struct ContactModel {
+struct ContactModel : fem::ContactPairs {
   CondensedPair backup, work;
-  reduce::CylinderPair closed_form;  ///< the same two rolls, infinitely long, for the contact length
-  fem::ContactPair mirrored;  ///< each roll squeezed between two opposite contacts: datum of the closed forms
-  fem::ContactPair in_stand;  ///< backup roll on its bearings, work roll on the strip
-  fem::ContactPair coarse;    ///< as mirrored, on the companion mesh
-  fem::ContactPair in_stand_coarse;  ///< as in_stand, on the companion mesh
-  fem::ContactPair whole;            ///< as mirrored, over both sides: for the joint stiffness
-  fem::ContactPair whole_coarse;     ///< the same on the companion mesh
-  fem::Extent extent = fem::Extent::quarter;
   /// Of a model whose rolls were not needed so far: the same with them and with the compliances of its pairs.
   std::function<const ContactModel &()> completed;
 };

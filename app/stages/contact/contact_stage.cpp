@@ -4,18 +4,17 @@
 #include "app/stages/contact/contact_details.h"
 #include "app/stages/contact/contact_files.h"
 #include "app/stages/contact/contact_model.h"
-#include "app/stages/contact/contact_slope.h"
 #include "app/stages/contact/contact_store.h"
 #include "app/stages/contact/fourier_stage.h"
 #include "core/base/files.h"
 #include "core/base/force_text.h"
 #include "core/model/four_high.h"
-#include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
 #include "core/records/contact_name.h"
 #include "core/records/record_text.h"
 #include "core/records/rows_of_contact.h"
 #include "fem/body/on_mesh.h"
+#include "fem/roll/contact_numbers.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -29,8 +28,7 @@ struct Study {
   std::string name;                           // "upper"
   std::string K;                              // "K3"
   std::shared_ptr<const ContactModel> model;  // of twins the same
-  ContactCurve mirrored, in_stand, coarse, in_stand_coarse;
-  std::optional<SecondEngine> second;
+  fem::ContactCurves curves;
   std::string twin;                 // contact that is the same one, already written
   std::string key;                  // of what is solved, in the cache
   bool kept = false;                // all of it was there
@@ -56,115 +54,62 @@ std::array<double, 2> swept_range(const std::string &name, const ContactSettings
 }
 
 namespace {
-// A second opinion widens the error estimate to the spread.
+// The second engine, where it was asked.
 void add_check(Parameter &p, const std::string &who, const double value)
 {
-  if (std::isnan(value))
-    return;
-  p.checks.push_back({who, value, ""});
-  p.error_estimate = std::fmax(p.error_estimate, difference(value, p.value));  // NaN: none yet
+  if (!std::isnan(value))
+    p.checks.push_back({who, value, ""});
 }
 
-Parameter blank(const std::string &unit, const double load, const std::string &reference)
+Parameter measured(const std::string &unit, const fem::Compared &number, const double load,
+                   const std::string &reference)
 {
   Parameter p;
-  p.unit   = unit;
-  p.method = "contact FEM, " + reference;
-  p.at     = at_force(load);
+  p.value          = number.value;
+  p.unit           = unit;
+  p.method         = "contact FEM, " + reference;
+  p.at             = at_force(load);
+  p.error_estimate = number.error;
   return p;
 }
 
 const char *const fourier_solver = "Fourier solver";
 const char *const coarse_mesh    = "mesh twice as coarse";
 
-// Of a line contact the tangent compliance falls by A/F per newton (3.5b).
-void add_curvature(RunContext &run, const Study &s, const std::string &pass, const double F, const double fine,
-                   const double coarse, const double second)
+void add_curvature(RunContext &run, const Study &s, const std::string &pass, const double F,
+                   const fem::StiffnessAtLoad &k)
 {
-  if (std::isnan(fine))
+  if (std::isnan(k.curvature.value))
     return;
-  const auto hertz = reduce::line_contact(s.model->closed_form, F);
-  // (3.5a) and (3.5b) differ by one in the bracket.
-  const double A_over_L = 1 / hertz.secant - 1 / hertz.tangent;
-  Parameter curvature   = blank("N/m2", F, s.mirrored.reference);
-  curvature.value       = fine;
-  curvature.checks.push_back(
-      {"Hertz line contact, K^3 A/(F L)", std::pow(hertz.tangent, 3) * A_over_L / F, "no barrel ends"});
-  add_check(curvature, coarse_mesh, coarse);
-  add_check(curvature, fourier_solver, second);
+  Parameter curvature = measured("N/m2", k.curvature, F, s.curves.mirrored.reference);
+  curvature.checks.push_back({"Hertz line contact, K^3 A/(F L)", k.hertz_curvature, "no barrel ends"});
+  add_check(curvature, coarse_mesh, k.curvature.coarse);
+  add_check(curvature, fourier_solver, k.curvature.second);
   run.results.add(row::roll_contact::curvature.of(pass, s.K), curvature);
 }
 
 // Tangent and secant with the rolls held as in the stand: by the same comparisons as those between mirrored
 // contacts, each for its own quantity.
-void add_held(RunContext &run, const Study &s, const std::string &pass, const double F, const ContactSlope &held,
-              const Parameter &tangent, const Parameter &secant)
+void add_held(RunContext &run, const Study &s, const std::string &pass, const double F,
+              const fem::StiffnessAtLoad &k)
 {
-  const auto coarse = slope_at(s.model->in_stand_coarse, s.in_stand_coarse, F, Role::companion);
-  std::optional<ContactSlope> second;
-  if (s.second)
-    second = slope_of(s.second->in_stand, F);
-  const auto add = [&](const RowOf<2> &row, const double value, const double on_coarse, const double exact,
-                       const double by_second, const Parameter &mirrored) {
-    Parameter h      = blank("N/m", F, s.in_stand.reference);
-    h.value          = value;
-    h.error_estimate = std::max(mesh_pair_error(value, on_coarse), difference(exact, value));
+  const auto add = [&](const RowOf<2> &row, const fem::Compared &number, const fem::Compared &mirrored) {
+    Parameter h = measured("N/m", number, F, s.curves.in_stand.reference);
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
-    h.checks.push_back({coarse_mesh, on_coarse, ""});
-    add_check(h, fourier_solver, by_second);
+    h.checks.push_back({coarse_mesh, number.coarse, ""});
+    add_check(h, fourier_solver, number.second);
     h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
     run.results.add(row.of(pass, s.K), h);
   };
-  add(row::roll_contact::in_stand_tangent, held.tangent, coarse.tangent, held.exact,
-      second ? second->tangent : not_given, tangent);
-  add(row::roll_contact::in_stand_secant, held.secant, coarse.secant, held.secant,
-      second ? second->secant : not_given, secant);
+  add(row::roll_contact::in_stand_tangent, k.in_stand_tangent, k.tangent);
+  add(row::roll_contact::in_stand_secant, k.in_stand_secant, k.secant);
 }
 
-// K.tangent, K.secant and their values with the rolls held as in the stand, at one working load.
-std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &pass, const double F)
+void warn_of_stiffness(RunContext &run, const Study &s, const std::string &pass, const double F,
+                       const fem::StiffnessAtLoad &k)
 {
-  const auto fine             = slope_at(s.model->mirrored, s.mirrored, F);
-  const auto coarse           = slope_at(s.model->coarse, s.coarse, F, Role::companion);
-  const auto hertz            = reduce::line_contact(s.model->closed_form, F);
-  const auto laws             = reduce::secant_laws(s.model->closed_form, F);
-  const auto middle           = fem::barrel_profile(s.model->mirrored, fem::solve_load(s.model->mirrored, F));
-  const auto mid              = fem::middle_station(s.model->mirrored.grid);
-  const double section_secant = s.model->closed_form.length * middle.line_load[mid] / middle.approach[mid];
-  const auto held             = slope_at(s.model->in_stand, s.in_stand, F);
-  const std::string held_note = "bending, strip width, backup roll balanced by shear";
-
-  Parameter tangent = blank("N/m", F, s.mirrored.reference);
-  Parameter secant  = tangent;
-  tangent.value     = fine.tangent;
-  tangent.error_estimate =
-      std::max(mesh_pair_error(fine.tangent, coarse.tangent), difference(fine.exact, fine.tangent));
-  tangent.checks.push_back({"Hertz line contact, infinitely long (3.5b)", hertz.tangent, "no barrel ends"});
-  tangent.checks.push_back({"active set of this one load (2.8)", fine.exact, "steps as nodes come into contact"});
-  tangent.checks.push_back({coarse_mesh, coarse.tangent, ""});
-  tangent.checks.push_back(check(CheckId::held_as_in_stand, held.tangent, held_note));
-  secant.value          = fine.secant;
-  secant.error_estimate = mesh_pair_error(fine.secant, coarse.secant);
-  secant.checks.push_back(check(CheckId::johnson_secant, hertz.secant, "upper end of the band of closed forms"));
-  secant.checks.push_back({"Foeppl (3.8)", laws.foeppl, ""});
-  secant.checks.push_back({"half space (3.9)", laws.half_space, ""});
-  secant.checks.push_back({"Palmgren (3.10)", laws.palmgren, "lower end of the band"});
-  secant.checks.push_back(
-      check(CheckId::middle_section, section_secant, "the remaining difference belongs to the barrel ends"));
-  secant.checks.push_back({coarse_mesh, coarse.secant, ""});
-  secant.checks.push_back(check(CheckId::held_as_in_stand, held.secant, held_note));
-  std::optional<ContactSlope> second;
-  if (s.second) {
-    second = slope_of(s.second->mirrored, F);
-    add_check(tangent, fourier_solver, second->tangent);
-    add_check(secant, fourier_solver, second->secant);
-  }
-  run.results.add(row::roll_contact::tangent.of(pass, s.K), tangent);
-  run.results.add(row::roll_contact::secant.of(pass, s.K), secant);
-  add_curvature(run, s, pass, F, fine.curvature, coarse.curvature, second ? second->curvature : not_given);
-  add_held(run, s, pass, F, held, tangent, secant);
-  const double effect = held.tangent / fine.tangent - 1;
+  const double effect = k.in_stand_tangent.value / k.tangent.value - 1;
   const Warning warning{
       WarningId::contact_held,
       "",
@@ -179,9 +124,37 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
     run.warn(warning);
   else if (pass.empty())
     run.assume(text_of(warning));
-  if (middle.half_width[mid] == 0)
+  if (k.open_at_middle)
     run.warn(of_contact(WarningId::contact_partly_open, s.name,
                         fmt::format("at {} the rolls do not touch at mid-length", in_kN(F)), ""));
+}
+
+// K.tangent, K.secant and their values with the rolls held as in the stand, at one working load.
+std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &pass, const double F,
+                                       const fem::StiffnessAtLoad &k)
+{
+  const std::string held_note = "bending, strip width, backup roll balanced by shear";
+  Parameter tangent           = measured("N/m", k.tangent, F, s.curves.mirrored.reference);
+  Parameter secant            = measured("N/m", k.secant, F, s.curves.mirrored.reference);
+  tangent.checks.push_back({"Hertz line contact, infinitely long (3.5b)", k.hertz.tangent, "no barrel ends"});
+  tangent.checks.push_back({"active set of this one load (2.8)", k.exact, "steps as nodes come into contact"});
+  tangent.checks.push_back({coarse_mesh, k.tangent.coarse, ""});
+  tangent.checks.push_back(check(CheckId::held_as_in_stand, k.in_stand_tangent.value, held_note));
+  secant.checks.push_back(check(CheckId::johnson_secant, k.hertz.secant, "upper end of the band of closed forms"));
+  secant.checks.push_back({"Foeppl (3.8)", k.laws.foeppl, ""});
+  secant.checks.push_back({"half space (3.9)", k.laws.half_space, ""});
+  secant.checks.push_back({"Palmgren (3.10)", k.laws.palmgren, "lower end of the band"});
+  secant.checks.push_back(
+      check(CheckId::middle_section, k.middle_secant, "the remaining difference belongs to the barrel ends"));
+  secant.checks.push_back({coarse_mesh, k.secant.coarse, ""});
+  secant.checks.push_back(check(CheckId::held_as_in_stand, k.in_stand_secant.value, held_note));
+  add_check(tangent, fourier_solver, k.tangent.second);
+  add_check(secant, fourier_solver, k.secant.second);
+  run.results.add(row::roll_contact::tangent.of(pass, s.K), tangent);
+  run.results.add(row::roll_contact::secant.of(pass, s.K), secant);
+  add_curvature(run, s, pass, F, k);
+  add_held(run, s, pass, F, k);
+  warn_of_stiffness(run, s, pass, F, k);
   return {tangent, secant};
 }
 
@@ -207,45 +180,27 @@ void write_study_fields(RunContext &run, Study &s, const FourHigh &stand, const 
 // Half width, peak pressure and approach at mid-length, and the files of one working load.
 void add_section(RunContext &run, Study &s, const FourHigh &stand, const double F)
 {
-  const auto point  = fem::solve_load(s.model->mirrored, F);
-  const auto point2 = fem::solve_load(s.model->coarse, F);
-  const auto fine   = fem::barrel_profile(s.model->mirrored, point);
-  const auto coarse = fem::barrel_profile(s.model->coarse, point2);
-  const auto held   = fem::barrel_profile(s.model->in_stand, fem::solve_load(s.model->in_stand, F));
-  const auto hertz  = reduce::line_contact(s.model->closed_form, F);
-  const auto mid = fem::middle_station(s.model->mirrored.grid), mid2 = fem::middle_station(s.model->coarse.grid);
-  // Half width and peak are fitted apart (1.4); a parabola of them must carry the line load again.
-  const double misfit =
-      std::abs(0.5 * M_PI * fine.half_width[mid] * fine.peak_pressure[mid] / fine.line_load[mid] - 1);
-  const auto add = [&](const RowOf<1> &row, const double value, const double second, const double other,
-                       const double closed, const std::string &reference, const double least_error) {
-    Parameter p      = blank(row.unit, F, reference);
-    p.value          = value;
-    p.error_estimate = std::max(mesh_pair_error(value, second), least_error);
+  const auto section = fem::section_at(*s.model, s.curves, F);
+  const auto add     = [&](const RowOf<1> &row, const fem::Compared &number, const double closed,
+                       const std::string &reference) {
+    Parameter p = measured(row.unit, number, F, reference);
     p.checks.push_back({"Hertz line contact", closed, ""});
-    p.checks.push_back({coarse_mesh, second, ""});
-    add_check(p, fourier_solver, other);
+    p.checks.push_back({coarse_mesh, number.coarse, ""});
+    add_check(p, fourier_solver, number.second);
     run.results.add(row.of(s.name), p);
   };
-  const auto at_middle = [&](const Eigen::VectorXd &values) {
-    return s.second ? values[s.model->mirrored.grid.whole ? values.size() / 2 : 0] : not_given;
-  };
-  const BarrelProfile other = s.second ? s.second->mirrored_at : BarrelProfile();
-  add(row::contact::half_width, fine.half_width[mid], coarse.half_width[mid2], at_middle(other.half_width),
-      hertz.half_width, "at mid-length", misfit);
-  add(row::contact::peak_pressure, fine.peak_pressure[mid], coarse.peak_pressure[mid2],
-      at_middle(other.peak_pressure), hertz.peak_pressure, "at mid-length", misfit);
-  add(row::contact::approach, point.approach, point2.approach,
-      s.second ? F / slope_of(s.second->mirrored, F).secant : not_given, hertz.approach, s.mirrored.reference, 0);
-  if (s.second) {
-    add_line_load_spread(run, s.name, held, s.second->in_stand_at);
-    write_curve(run, curve::contact_barrel_second, s.name, barrel_table(s.second->in_stand_at));
-    write_curve(run, curve::contact_second, s.name, curve_table(s.second->mirrored, "N", "N/m"));
+  add(row::contact::half_width, section.half_width, section.hertz.half_width, "at mid-length");
+  add(row::contact::peak_pressure, section.peak_pressure, section.hertz.peak_pressure, "at mid-length");
+  add(row::contact::approach, section.approach, section.hertz.approach, s.curves.mirrored.reference);
+  if (const auto &second = s.curves.second) {
+    add_line_load_spread(run, s.name, section.in_stand.load, section.line_load_spread);
+    write_curve(run, curve::contact_barrel_second, s.name, barrel_table(second->in_stand_at));
+    write_curve(run, curve::contact_second, s.name, curve_table(second->mirrored, "N", "N/m"));
   }
 
-  write_curve(run, curve::contact_barrel, s.name, barrel_table(held));
-  write_curve(run, curve::contact_barrel_mirrored, s.name, barrel_table(fine));
-  write_study_fields(run, s, stand, point2.state);
+  write_curve(run, curve::contact_barrel, s.name, barrel_table(section.in_stand));
+  write_curve(run, curve::contact_barrel_mirrored, s.name, barrel_table(section.mirrored));
+  write_study_fields(run, s, stand, section.coarse_state);
 }
 
 std::string file_of(const RunContext &run, const Study &s)
@@ -282,13 +237,10 @@ ContactModel known_model(const FourHigh &stand, const ContactSettings &settings,
 
 void take_over(Study &s, SolvedStudy &&kept)
 {
-  s.mirrored        = std::move(kept.mirrored);
-  s.in_stand        = std::move(kept.in_stand);
-  s.coarse          = std::move(kept.coarse);
-  s.in_stand_coarse = std::move(kept.in_stand_coarse);
-  s.second          = std::move(kept.second);
-  s.fields          = std::move(kept.fields);
-  s.kept            = true;
+  s.curves = {std::move(kept.mirrored), std::move(kept.in_stand), std::move(kept.coarse),
+              std::move(kept.in_stand_coarse), std::move(kept.second)};
+  s.fields = std::move(kept.fields);
+  s.kept   = true;
 }
 
 fem::ContactPair without_problem(const fem::ContactPair &pair)
@@ -315,7 +267,8 @@ void keep_study(RunContext &run, Study &s)
 {
   if (s.kept)
     return;
-  SolvedStudy all{s.mirrored, s.in_stand, s.coarse, s.in_stand_coarse, s.second, {}, s.fields};
+  const auto &[mirrored, in_stand, coarse, in_stand_coarse, second] = s.curves;
+  SolvedStudy all{mirrored, in_stand, coarse, in_stand_coarse, second, {}, s.fields};
   for (const fem::ContactPair *pair : all_pairs(*s.model))
     all.pairs.push_back({without_problem(*pair), pair->solved->known()});
   keep_in_cache(run, "contact " + s.name, file_of(run, s), s.key, all);
@@ -335,13 +288,14 @@ void sweep_all(RunContext &run, const FourHigh &stand, Study &s, const ContactSe
   std::vector<IndependentStage> sweeps;
   if (second)  // the longest
     sweeps.push_back([&](RunContext &part_run) {
-      s.second = solve_again(part_run, stand, *second, s.name, settings, every_other, load);
+      s.curves.second = solve_again(part_run, stand, *second, s.name, settings, every_other, load);
     });
   sweeps.push_back(
       [](RunContext &) { fem::on_mesh(); });  // of rolls from the cache the fields are the first to ask
   sweeps.insert(sweeps.end(),
-                {swept(s.mirrored, s.model->mirrored), swept(s.in_stand, s.model->in_stand),
-                 swept(s.coarse, s.model->coarse), swept(s.in_stand_coarse, s.model->in_stand_coarse)});
+                {swept(s.curves.mirrored, s.model->mirrored), swept(s.curves.in_stand, s.model->in_stand),
+                 swept(s.curves.coarse, s.model->coarse),
+                 swept(s.curves.in_stand_coarse, s.model->in_stand_coarse)});
   run_side_by_side(run, std::move(sweeps));
 }
 
@@ -387,7 +341,7 @@ Study renamed(Study s, const std::string &name, const std::string &K)
   s.twin = s.name;
   s.name = name;
   s.K    = K;
-  for (ContactCurve *curve : {&s.mirrored, &s.in_stand, &s.coarse, &s.in_stand_coarse})
+  for (ContactCurve *curve : {&s.curves.mirrored, &s.curves.in_stand, &s.curves.coarse, &s.curves.in_stand_coarse})
     curve->name = name;
   return s;
 }
@@ -396,23 +350,26 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, Study &s, con
                            const std::vector<double> &loads)
 {
   const std::string &name = s.name, &K = s.K;
-  const auto &range = s.mirrored.load;
+  const auto &range = s.curves.mirrored.load;
   for (const double load : loads)
     require_resolved(run, *s.model, name, settings, load);
   SolvedContact out;
-  out.curve = s.mirrored;
+  out.curve = s.curves.mirrored;
+  std::vector<fem::Compared> tangents;
   for (std::size_t p = 0; p < loads.size(); ++p) {
-    const auto [tangent, secant] = add_stiffness(run, s, p == 0 ? "" : stand.passes[p].name, loads[p]);
+    const auto k                 = fem::stiffness_at(*s.model, s.curves, loads[p]);
+    const auto [tangent, secant] = add_stiffness(run, s, p == 0 ? "" : stand.passes[p].name, loads[p], k);
+    tangents.push_back(k.tangent);
     out.tangent.push_back(tangent);
     out.secant.push_back(secant);
   }
   add_section(run, s, stand, loads[0]);
-  add_contact_details(run, *s.model, name, K, stand, settings, loads[0], range[range.size() - 1], out.tangent[0]);
-  write_curve(run, curve::contact, name, curve_table(s.mirrored, "N", "N/m"));
-  write_curve(run, curve::contact_in_stand, name, curve_table(s.in_stand, "N", "N/m"));
+  add_contact_details(run, *s.model, name, K, stand, settings, loads[0], range[range.size() - 1], tangents[0]);
+  write_curve(run, curve::contact, name, curve_table(s.curves.mirrored, "N", "N/m"));
+  write_curve(run, curve::contact_in_stand, name, curve_table(s.curves.in_stand, "N", "N/m"));
   write_curve(run, curve::contact_closed, name, closed_table(s.model->closed_form, range, "N", "N/m"));
   run.progress.note(fmt::format("contact {}: {} loads, largest complementarity residual {:.1e}", name,
-                                range.size(), s.mirrored.residual));
+                                range.size(), s.curves.mirrored.residual));
   return out;
 }
 }  // namespace

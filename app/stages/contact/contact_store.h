@@ -28,7 +28,7 @@ template <class Io, class R, if_record<R, SolvedPair> = 0> void each_member(Io &
 /// what is read off a pair; not the rolls and the compliances made of them, which only another load needs.
 struct SolvedStudy {
   ContactCurve mirrored, in_stand, coarse, in_stand_coarse;
-  std::optional<SecondEngine> second;
+  std::optional<fem::SecondEngine> second;
   std::vector<SolvedPair> pairs;    ///< of all_pairs(), in their order
   std::vector<std::string> fields;  ///< VTU files of backup roll and work roll
 };

@@ -2,12 +2,13 @@
 #include "app/stages/contact/body_pair.h"
 #include "app/stages/contact/contact_files.h"
 #include "app/stages/contact/contact_model.h"
-#include "app/stages/contact/contact_slope.h"
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/contact/half_plane_stage.h"
 #include "app/stages/contact/space_stage.h"
+#include "core/numerics/difference.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/rows_of_contact.h"
+#include "fem/roll/contact_slope.h"
 #include "fem/roll/contact_study.h"
 #include "meshes/roll/contact_mesh_size.h"
 #include <algorithm>
@@ -86,10 +87,11 @@ LineAnswer by_finite_elements(RunContext &run, const TwoCylinders &spec, const S
   const auto curve2  = fem::sweep(coarse, range);
   const auto working = fem::sweep(fine, Eigen::VectorXd::Constant(1, c.at));
   const auto second  = fem::sweep(coarse, Eigen::VectorXd::Constant(1, c.at));
-  const auto slope = slope_at(fine, a.curve, c.at), slope2 = slope_at(coarse, curve2, c.at, Role::companion);
-  const auto point2 = fem::solve_load(coarse, c.at);
-  a.method          = "contact FEM, plane strain, " + fine.reference;
-  a.coarser         = "mesh twice as coarse";
+  const auto slope   = fem::slope_at(fine, a.curve, c.at),
+             slope2  = fem::slope_at(coarse, curve2, c.at, fem::Role::companion);
+  const auto point2  = fem::solve_load(coarse, c.at);
+  a.method           = "contact FEM, plane strain, " + fine.reference;
+  a.coarser          = "mesh twice as coarse";
   a.value  = {working.half_width[0], working.peak_pressure[0], working.approach[0], slope.tangent, slope.secant};
   a.second = {second.half_width[0], second.peak_pressure[0], second.approach[0], slope2.tangent, slope2.secant};
   a.exact  = slope.exact;

@@ -1,7 +1,7 @@
 #include "app/stages/contact/space_stage.h"
 #include "app/run/curve_files.h"
 #include "app/stages/contact/contact_files.h"
-#include "app/stages/contact/contact_slope.h"
+#include "core/numerics/difference.h"
 #include "app/stages/contact/space_contact.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/rows_of_contact.h"

@@ -1,6 +1,6 @@
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/bite/bite_stage.h"
-#include "app/stages/contact/contact_slope.h"
+#include "core/numerics/difference.h"
 #include "core/records/rows_of_bite.h"
 #include "core/records/rows_of_stand.h"
 #include <cmath>

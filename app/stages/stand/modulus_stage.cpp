@@ -1,12 +1,13 @@
 #include "app/stages/stand/modulus_stage.h"
 #include "app/run/curve_files.h"
 #include "app/stages/contact/contact_model.h"
-#include "app/stages/contact/contact_slope.h"
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/stand/mode_results.h"
+#include "core/numerics/difference.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_stand.h"
+#include "fem/roll/contact_slope.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/frame_closure.h"
 #include "reduce/chain/line_contact.h"
@@ -326,7 +327,7 @@ std::vector<PathPart> Modulus::path_at(const double F, const bool strip) const
   };
   for (const auto &[name, curve] : {std::pair("K3", parts.upper), std::pair("K5", parts.lower)})
     if (curve && !stand.given.count(name)) {
-      const auto slope = slope_of(*curve, F);
+      const auto slope = fem::slope_of(*curve, F);
       set(name, slope.tangent, slope.secant);
     }
   for (const std::size_t seat : {std::size_t(0), std::size_t(1)}) {

@@ -1,4 +1,4 @@
-#include "fem/roll/contact_readings.h"
+#include "fem/roll/contact_details.h"
 #include "meshes/roll/contact_mesh_size.h"
 #include "tests/support/closed_form.h"
 #include "tests/support/near.h"
@@ -154,4 +154,43 @@ TEST(WholeRoll, JointStiffnessIsThatOfItsMotions)
       near(dM, joint(3, 3) - joint(1, 3) * joint(1, 3) / joint(1, 1), within(1e-5, "difference of two solves")));
   EXPECT_LT(joint(0, 0), 0);
   EXPECT_EQ(joint(5, 5), 0);
+}
+
+// Uniform contact of straight rolls: what joint_at() is compared with in closed form.
+TEST(WholeRoll, JointIsComparedWithTheClosedFormsOfAUniformLoad)
+{
+  const auto a = fem::held_by_mirror(rolls().backup_roll, Extent::whole),
+             b = fem::held_by_mirror(rolls().work_roll, Extent::whole);
+  fem::ContactPairs pairs;
+  pairs.closed_form = {0.24, 0.6, 0.8, steel};
+  pairs.whole       = pairs.whole_coarse =
+      fem::make_pair("upper", rolls().backup_roll, a, rolls().work_roll, b, Eigen::VectorXd::Zero(a.grid.n_z));
+  const auto joint     = fem::joint_at(pairs, F, 2 * F);
+  const double tangent = 0.8 * closed_form::line_contact(F / 0.8, 0.24, 0.6, 210e9, 0.3).tangent;
+  const auto formula   = within(1e-12, "the same formula, written apart");
+  EXPECT_TRUE(near(joint.tangent, tangent, formula));
+  EXPECT_TRUE(near(joint.spread, tangent * 0.8 * 0.8 / 12, formula));
+  EXPECT_TRUE(near(joint.sideways, -F / 0.42, formula));
+  EXPECT_TRUE(near(joint.crossing, -F * 0.8 * 0.8 / 12 / 0.42, formula));
+  EXPECT_TRUE(near(joint.value(0, 0), joint.sideways, within(1e-12, "geometric, no fit")));
+  const auto exact = fem::joint_stiffness(pairs.whole, fem::solve_load(pairs.whole, F));
+  EXPECT_TRUE(near(joint.error(1, 1), std::abs(exact(1, 1) / joint.value(1, 1) - 1),
+                   within(1e-9, "one mesh twice: the active set alone")));
+  EXPECT_EQ(joint.error(5, 5), 0) << "nothing resists";
+}
+
+TEST(WholeRoll, OneSidednessIsThatOfTheMotionImposed)
+{
+  fem::ContactPairs pairs;
+  pairs.closed_form = {0.24, 0.6, 0.8, steel};
+  pairs.extent      = Extent::whole;
+  auto pair         = in_stand();
+  pair.load_offset  = 0.05;
+  pairs.mirrored = pairs.in_stand = pairs.in_stand_coarse = pair;
+  const auto sides                                        = fem::one_sidedness(pairs, F);
+  ASSERT_TRUE(sides);
+  EXPECT_TRUE(near(sides->offset.value, 0.05, within(1e-10, "imposed")));
+  EXPECT_TRUE(near(sides->tilt.value, fem::solve_load(pair, F).tilt, within(1e-12, "follows")));
+  EXPECT_EQ(sides->tilt.error, 0) << "one mesh twice";
+  EXPECT_EQ(sides->mirrored_offset, sides->offset.value);
 }

@@ -1,7 +1,7 @@
 #pragma once
 #include "fem/roll/contact_study.h"
 
-namespace mill {
+namespace mill::fem {
 /// Slopes of a load-approach curve at one load.  theory.md 2.4
 struct ContactSlope {
   double tangent;    ///< N/m, of the fitted curve where it is that of a line contact, else of the active set
@@ -17,12 +17,8 @@ enum class Role {
 
 /// @param curve  of the same pair, swept over loads that hold this one
 /// @throws InputError  the load is outside the curve
-ContactSlope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, double load,
-                      Role role = Role::result);
+ContactSlope slope_at(const ContactPair &pair, const ContactCurve &curve, double load, Role role = Role::result);
 
 /// The same from the samples alone, for curves of another engine; exact is NaN.
 ContactSlope slope_of(const ContactCurve &curve, double load);
-
-/// Relative difference |other / value - 1|: how far a second answer stands from the first.
-double difference(double other, double value);
-}  // namespace mill
+}  // namespace mill::fem

@@ -1,10 +1,10 @@
-#include "app/stages/contact/contact_slope.h"
+#include "fem/roll/contact_slope.h"
 #include "core/base/errors.h"
 #include "reduce/chain/contact_stiffness.h"
 #include <cmath>
 #include <optional>
 
-namespace mill {
+namespace mill::fem {
 namespace {
 constexpr double worst_result    = 1e-3;  // a smooth sweep reaches 1e-5
 constexpr double worst_companion = 1e-2;  // steps of a mesh twice as coarse, still a line contact
@@ -21,9 +21,9 @@ std::optional<reduce::ContactStiffness> fitted(const ContactCurve &curve, const 
 }
 }  // namespace
 
-ContactSlope slope_at(const fem::ContactPair &pair, const ContactCurve &curve, const double load, const Role role)
+ContactSlope slope_at(const ContactPair &pair, const ContactCurve &curve, const double load, const Role role)
 {
-  const auto point = fem::solve_load(pair, load);
+  const auto point = solve_load(pair, load);
   const auto fit   = fitted(curve, load, role == Role::companion ? worst_companion : worst_result);
   // The steps of a coarse mesh leave its slope, but nothing of its second derivative.
   const bool smooth = fit && fit->fit_error <= worst_result;
@@ -43,9 +43,4 @@ ContactSlope slope_of(const ContactCurve &curve, const double load)
   const auto interpolated = [&](const Eigen::VectorXd &v) { return v[i] + t * (v[i + 1] - v[i]); };
   return {interpolated(curve.tangent), interpolated(curve.secant), not_given, not_given};
 }
-
-double difference(const double other, const double value)
-{
-  return std::abs(other / value - 1);
-}
-}  // namespace mill
+}  // namespace mill::fem
