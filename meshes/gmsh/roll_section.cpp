@@ -101,8 +101,9 @@ SectionSurfaces add_section(const RollGeometry &roll, const SectionSize &s)
   const TaggedPoint c1 = sketch.at_angle(R, 4. / 3 * theta), c2 = sketch.point(R, 0);
   const TaggedPoint p1 = ring_below.back();
   const double reach   = R - Y - r;
-  const int n_far =
-      std::max(2, int(std::ceil(std::log1p(reach * (s.far_growth - 1) / t) / std::log(s.far_growth))));
+  // A section without room there is refused when it is meshed.
+  const int n_far = std::max(
+      2, int(std::ceil(std::log1p(std::max(0.0, reach) * (s.far_growth - 1) / t) / std::log(s.far_growth))));
   const auto ratio = [&](const double length) { return growth_filling(length, t, n_far); };
   const int m = nx / 3, k = ny / 3, ns = int(std::ceil(s.sector_elements * (90 - theta) / 45));
   const int left   = sketch.line(ring_below[0], n0, n_far, ratio(reach));
