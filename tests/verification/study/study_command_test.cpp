@@ -99,7 +99,8 @@ TEST(StudyCommand, LineContactHasTheReferenceScatter)
 TEST(StudyCommand, AResultThatDoesNotMoveIsNamedAndNotDrawn)
 {
   const std::string folder = scratch("study-still") + "/study";
-  expect_done(chain + "--method monte-carlo --samples 32 --vary 'given.K1~normal(10 %)' --watch K7 --watch f1 -o " +
+  expect_done(chain +
+              "--method monte-carlo --samples 32 --vary 'given.K1~normal(10 %)' --watch K7 --watch f1 -o " +
               folder);
   expect_done("study run " + folder + " -q");
   expect_done("study report " + folder + " -q");
