@@ -12,7 +12,7 @@
 
 namespace mill {
 namespace {
-std::optional<KeyList> inputs_of(const ChatterCase &spec, const Results &, const std::string &name)
+std::optional<KeyList> inputs_of(const ChatterCase &spec, const std::string &name)
 {
   for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
     const std::string &condition = spec.conditions[i].name;
@@ -50,8 +50,8 @@ const RunKind &chatter_kind()
         files.insert(files.end(), {m->mass, m->stiffness, m->force, m->readings, m->names});
       return files;
     };
-    k.inputs = [](MovingKeys &keys, const Results &results, const std::string &name) {
-      return inputs_of(std::get<ChatterCase>(keys.spec()), results, name);
+    k.inputs = [](MovingKeys &keys, const std::string &name) {
+      return inputs_of(std::get<ChatterCase>(keys.spec()), name);
     };
     k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
       return closed_form_chatter(std::get<ChatterCase>(the_case.spec));

@@ -62,8 +62,7 @@ const RunKind &cluster_kind()
       for (const ClusterRoll &roll : stand_of(the_case).rolls)
         describe_roll(manifest, roll.name, roll.barrel_diameter);
     };
-    k.inputs = stated_inputs;
-    k.trace  = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
       return closed_form_cluster(the_case);
     };
     return k;

@@ -36,12 +36,10 @@ const RunKind &run_kind(const BearingCase &)
     k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       add_bearings(manifest, all_bearings(the_case));
     };
-    k.inputs = [](MovingKeys &keys, const Results &, const std::string &name) {
-      return inputs_of_bearing_case(keys, name);
-    };
-    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
+    k.inputs = inputs_of_bearing_case;
+    k.trace  = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
       return closed_form_bearing_case(std::get<BearingCase>(the_case.spec),
-                                      wanted_keys(memory, the_case.spec).get());
+                                       wanted_keys(memory, the_case.spec).get());
     };
     return k;
   }();

@@ -53,10 +53,8 @@ const RunKind &run_kind(const BiteCase &)
     k.describe     = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       manifest["geometry"]["work_roll_diameter"] = std::get<BiteCase>(the_case.spec).roll_diameter;
     };
-    k.inputs = [](MovingKeys &keys, const Results &, const std::string &name) {
-      return inputs_of_bite_case(keys, name);
-    };
-    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
+    k.inputs = inputs_of_bite_case;
+    k.trace  = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
       return closed_form_bite_case(std::get<BiteCase>(the_case.spec), wanted_keys(memory, the_case.spec).get());
     };
     k.stand_in = bite_stand_in;

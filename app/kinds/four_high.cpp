@@ -87,58 +87,11 @@ std::optional<KeyList> rating_inputs_of(MovingKeys &keys, const FourHigh &stand,
   return inputs;
 }
 
-// stand.* of one pass: the springs on the path of the force, the touching or bending work rolls, the bite.
-KeyList modulus_keys(MovingKeys &moving, const Results &results, const std::string &name, const std::size_t p)
-{
-  const auto &stand = std::get<FourHigh>(moving.spec());
-  const KeyList rolls =
-      joined(keys_in("steel", "youngs_modulus poisson_ratio"),
-             keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes[p], p));
-  if (is_of(name, "stand.K_ww"))
-    return rolls;
-  const auto of_springs = [&](const std::vector<std::string> &springs) {
-    KeyList keys;
-    for (const std::string &spring : springs)
-      if (const Parameter *made = results.find(p == 0 ? spring : result_name({stand.passes[p].name, spring})))
-        keys = joined(std::move(keys), made->inputs);
-    return keys;
-  };
-  KeyList bending = joined(keys_in("steel", "youngs_modulus poisson_ratio"), roll_body_keys("work_roll"),
-                           keys_in("strip", "width"), keys_in("dynamics", "mass_reference"),
-                           keys_in("backup_roll", "bending_model"), of_springs({"K3", "K5"}));
-  if (stand.backup_roll.bending_model == BendingModel::solid)
-    bending = joined(std::move(bending), keys_in("dynamics", "frequency_limit elements_per_radius"));
-  if (is_of(name, "stand.K_bend"))
-    return bending;
-  const KeyList path = of_springs({"K1", "K2", "K3", "K5", "K6", "K7"});
-  if (is_of(name, "stand.modulus.kiss") || is_of(name, "stand.modulus.kiss_secant"))
-    return joined(path, rolls);
-  const KeyList with_strip = joined(path, bending, bite_keys(moving, p));
-  return ends(name, ".roll_speed") ? joined(with_strip, keys_in(fmt::format("pass.{}", p), "speed")) : with_strip;
-}
-
-std::optional<KeyList> modulus_inputs(MovingKeys &keys, const Results &results, const std::string &name)
-{
-  if (!is_of(name, family::stand))
-    return {};
-  const auto &stand = std::get<FourHigh>(keys.spec());
-  for (std::size_t p = 1; p < stand.passes.size(); ++p)
-    if (const std::string prefix = result_name({family::stand, stand.passes[p].name}); is_of(name, prefix))
-      return modulus_keys(keys, results, family::stand + name.substr(prefix.size()), p);
-  return modulus_keys(keys, results, name, 0);
-}
-
-std::optional<KeyList> inputs_of_stand(MovingKeys &keys, const Results &results, const std::string &full)
+std::optional<KeyList> inputs_of_stand(MovingKeys &keys, const std::string &full)
 {
   const auto &stand = std::get<FourHigh>(keys.spec());
-  if (const auto list = modulus_inputs(keys, results, full))
-    return list;
-  if (const auto list = turning_inputs(results, stand.drive.size(), full))
-    return list;
   for (std::size_t p = 0; p < stand.passes.size(); ++p) {
     const Pass &pass = stand.passes[p];
-    if (const auto list = response_inputs(results, stand.dynamics, pass, p, full))
-      return list;
     if (begins(full, "bite."))
       if (const auto list = bite_inputs(keys, p, stand.bite, full, pass.name))
         return list;
@@ -215,10 +168,8 @@ const RunKind &run_kind(const FourHigh &)
       add_bearings(manifest, stand.bearings);
       add_passes(manifest, stand.passes, stand.dynamics.force_meaning);
     };
-    k.inputs = [](MovingKeys &keys, const Results &results, const std::string &name) {
-      return inputs_of_stand(keys, results, name);
-    };
-    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &factors) {
+    k.inputs = inputs_of_stand;
+    k.trace  = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &factors) {
       return closed_form_four_high(std::get<FourHigh>(the_case.spec), memory, factors);
     };
     k.stand_in = four_high_stand_in;

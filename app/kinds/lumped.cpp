@@ -13,33 +13,6 @@
 
 namespace mill {
 namespace {
-// Of a response of a model in files.
-KeyList model_file_keys()
-{
-  return keys_in("model", "mass stiffness force readings gap_damper frequency_limit");
-}
-
-// Of a response on curves.
-KeyList curve_keys(const Lumped &lumped)
-{
-  KeyList keys;
-  for (int i = 2; lumped.dynamics.contact == ContactSprings::curve && i <= 6; ++i)
-    if (!lumped.curves.of(i).empty())
-      keys.push_back("curve.K" + std::to_string(i));
-  return keys;
-}
-
-std::optional<KeyList> inputs_of(const Lumped &lumped, const Results &results, const std::string &name)
-{
-  if (const auto keys = turning_inputs(results, lumped.drive.size(), name))
-    return of_kind(*keys, "lumped");
-  for (std::size_t p = 0; p < lumped.passes.size(); ++p)
-    if (const auto keys = response_inputs(results, lumped.dynamics, lumped.passes[p], p, name))
-      return of_kind(joined(*keys, lumped.detailed ? model_file_keys() : KeyList{}, curve_keys(lumped)), "lumped");
-  const Parameter *made = results.find(name);
-  return made ? std::optional<KeyList>(of_kind(made->inputs, "lumped")) : std::nullopt;
-}
-
 std::string lumped_refusal(const Case &the_case, const Verb verb)
 {
   if (verb != Verb::chatter)
@@ -75,9 +48,6 @@ const RunKind &run_kind(const Lumped &)
     k.describe     = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       const auto &lumped = std::get<Lumped>(the_case.spec);
       add_passes(manifest, lumped.passes, lumped.dynamics.force_meaning);
-    };
-    k.inputs = [](MovingKeys &keys, const Results &results, const std::string &name) {
-      return inputs_of(std::get<Lumped>(keys.spec()), results, name);
     };
     k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
       return closed_form_lumped(the_case, memory);

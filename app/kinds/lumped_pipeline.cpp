@@ -8,6 +8,7 @@
 #include "app/stages/stand/mode_results.h"
 #include "core/case/chain_curves.h"
 #include "core/case/lumped_model_toml.h"
+#include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
@@ -27,8 +28,9 @@ void add_turning_and_response(RunContext &run, const Lumped &lumped, const Lumpe
   responding.named      = &chain == &rolling ? GapState::rolling : GapState::open;
   responding.uncertain  = reduce::modal_sensitivities(chain, model);
   responding.gap_damper = measured || std::isnan(model.C.value) ? 0 : model.C.value;
-  responding.inputs     = joined(chain_mode_keys(model, lumped.dynamics, Half::upper),
-                                 chain_mode_keys(model, lumped.dynamics, Half::lower));
+  responding.inputs =
+      joined(chain_mode_keys(model, lumped.dynamics, Half::upper),
+             chain_mode_keys(model, lumped.dynamics, Half::lower), measured ? KeyList() : model.C.inputs);
   add_frequency_responses(run, lumped.frequency_response, lumped.dynamics, responding);
   add_campbell(run, lumped.campbell, {&rolling, turning_rolls(lumped), lumped.passes, lumped.drive});
 }
@@ -56,14 +58,19 @@ void add_modes_and_response(RunContext &run, const Lumped &lumped, const LumpedM
 }
 
 // The chain as it is given, or at the load of the pass on its curves.
+// @param of_pass  keys of the force and of how it drives
 void simulate_lumped_pass(RunContext &run, const LumpedModel &given, const Lumped &lumped, const Pass &pass,
-                          const ForceRecord &force)
+                          const ForceRecord &force, const KeyList &of_pass)
 {
-  if (lumped.dynamics.contact != ContactSprings::curve)
-    return simulate_pass(run, pass_model(given, lumped.dynamics), lumped.dynamics, pass, force);
+  if (lumped.dynamics.contact != ContactSprings::curve) {
+    PassModel linear = pass_model(given, lumped.dynamics);
+    linear.of_pass   = of_pass;
+    return simulate_pass(run, linear, lumped.dynamics, pass, force);
+  }
   const double load       = working_load(pass, force);
   const LumpedModel model = at_load(run, given, lumped.curves, lumped.dynamics, pass, load);
   PassModel driven        = pass_model(model, lumped.dynamics);
+  driven.of_pass          = of_pass;
   driven.curves = std::make_shared<CurveDrive>(curve_drive(lumped.curves, lumped.dynamics, given, model, load));
   simulate_pass(run, driven, lumped.dynamics, pass, force);
 }
@@ -89,7 +96,7 @@ void run_lumped(RunContext &run, Lumped lumped, const Goal goal, const std::stri
     if (!force_file.empty())
       pass.force_file = force_file;
     if (has_force(pass))
-      simulate_lumped_pass(run, model, lumped, pass, force_of(pass));
+      simulate_lumped_pass(run, model, lumped, pass, force_of(pass), response_keys(*run.keys, p));
     run.progress.at("passes", double(p + 1) / double(lumped.passes.size()));
   }
 }

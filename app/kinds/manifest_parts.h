@@ -1,4 +1,5 @@
 #pragma once
+#include "core/model/dynamics_settings.h"
 #include "core/model/pass.h"
 #include "core/model/roller_bearing.h"
 #include <nlohmann/json_fwd.hpp>

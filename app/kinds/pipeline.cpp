@@ -26,6 +26,7 @@
 #include "core/case/chain_curves.h"
 #include "core/case/given_instead.h"
 #include "core/case/lumped_model_toml.h"
+#include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
@@ -187,8 +188,8 @@ private:
   std::size_t n_passes, n_added = 0;
 };
 
-reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts, const std::size_t p,
-                                 const double load)
+reduce::ChainInputs chain_inputs(RunContext &run, const FourHigh &stand, const StandParts &parts,
+                                 const std::size_t p, const double load)
 {
   reduce::ChainInputs in;
   if (parts.contacts.count("upper"))
@@ -203,7 +204,7 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
   in.K_ww       = touching_work_rolls(stand, load, parts.contacts.count("upper") ? &in.K3 : nullptr);
   in.solid      = solid_rolls(parts.components);
   in.at         = at_force(load);
-  set_inputs(in, stand, p);
+  set_inputs(in, stand, p, *run.keys);
   return in;
 }
 
@@ -253,6 +254,8 @@ void add_turning_and_response(RunContext &run, const StandStates &states, const 
   responding.at         = chain.model.at;
   // The work-roll chocks of the components stand on their bearings.
   responding.inputs = joined(keys_of_models(chain), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
+  if (driven_state(stand.dynamics) == GapState::rolling)
+    responding.inputs = joined(std::move(responding.inputs), chain.model.C.inputs);
   add_frequency_responses(run, stand.frequency_response, stand.dynamics, responding);
   add_campbell(run, stand.campbell,
                {&states.named().models.craig_bampton, turning_rolls(stand), stand.passes, stand.drive});
@@ -288,6 +291,7 @@ void drive_pass(RunContext &run, const FourHigh &stand, const reduce::LumpedStan
     return;
   }
   PassModel model = model_of_pass(stand, chain, models);
+  model.of_pass   = response_keys(*run.keys, p);
   if (stand.dynamics.contact == ContactSprings::curve)
     model.curves = std::make_shared<CurveDrive>(curve_drive(run, curves_of(stand, parts, p), chain,
                                                             driven(models, stand.dynamics), stand.dynamics, pass,
@@ -301,7 +305,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
               const std::size_t p, const Goal goal, std::vector<Check> &gaps)
 {
   const bool first = p == 0;
-  const auto in    = chain_inputs(drawn, parts, p, forces.loads[p]);
+  const auto in    = chain_inputs(run, drawn, parts, p, forces.loads[p]);
   auto chain       = reduce::lumped_stand(drawn, in);
   add_films(chain.model, drawn, parts.bearings[p].film_damper, in);
   FourHigh stand   = drawn;
@@ -380,7 +384,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   resolve_frame(run, stand);
   stand.strip = fitted_strip(run, fit_question(stand, forces.loads));
   PartsOfStand made(run, stand, forces.loads, goal);
-  close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
+  close_frame(run, stand, chain_inputs(run, stand, made.parts, 0, forces.loads[0]));
   SideBySide passes(run);
   std::vector<std::vector<Check>> gaps(stand.passes.size());
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
@@ -426,9 +430,9 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   const bool gap_springs = stand.dynamics.force_meaning != ForceMeaning::measured;
   PartsOfStand made(run, stand, forces.loads, Goal::simulate, gap_springs);
   made.take_bite(p);
-  close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
+  close_frame(run, stand, chain_inputs(run, stand, made.parts, 0, forces.loads[0]));
   DrivenStand driven_stand;
-  const auto in = chain_inputs(stand, made.parts, p, forces.loads[p]);
+  const auto in = chain_inputs(run, stand, made.parts, p, forces.loads[p]);
   auto chain    = reduce::lumped_stand(stand, in);
   add_films(chain.model, stand, made.parts.bearings[p].film_damper, in);
   std::optional<StandModels> models;
@@ -463,7 +467,7 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
 void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
 {
   run_kind(run.the_case).run(run, goal, force_file);
-  set_inputs(run.results, run.the_case);
+  set_inputs(run.results, run.the_case, *run.keys);
   mark_estimates(run);
 }
 }  // namespace mill

@@ -12,9 +12,4 @@ void describe_roll(nlohmann::ordered_json &manifest, const std::string &name, co
   manifest["geometry"]["roll_" + name + "_diameter"] = diameter;
 }
 
-std::optional<KeyList> stated_inputs(MovingKeys &, const Results &results, const std::string &name)
-{
-  const Parameter *made = results.find(name);
-  return made ? std::optional<KeyList>(made->inputs) : std::nullopt;
-}
 }  // namespace mill

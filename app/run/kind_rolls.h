@@ -1,16 +1,11 @@
 #pragma once
-#include "core/records/key_list.h"
-#include "core/records/results.h"
 #include "dynamics/marks/marks.h"
 #include <cstddef>
 #include <nlohmann/json_fwd.hpp>
-#include <optional>
 #include <string>
 
 // What kinds of case with a list of rolls, roll.0 .., have in common.
 namespace mill {
-class MovingKeys;
-
 /// A roll as a source of marks.
 /// @param i         its place in the case
 /// @param diameter  m
@@ -18,7 +13,4 @@ dynamics::MarkRoll mark_roll(const std::string &name, std::size_t i, double diam
 
 /// Adds "roll_NAME_diameter", m, to the geometry of run.json.
 void describe_roll(nlohmann::ordered_json &manifest, const std::string &name, double diameter);
-
-/// Keys of a result as its stage stated them: RunKind::inputs of a kind without rules of its own.
-std::optional<KeyList> stated_inputs(MovingKeys &keys, const Results &results, const std::string &name);
 }  // namespace mill

@@ -1,54 +1,59 @@
 #include "app/run/result_inputs.h"
 #include "app/run/run_kind.h"
+#include "core/base/require.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/records/chain_number.h"
 #include <optional>
 #include <utility>
+#include <variant>
 
 namespace mill {
-void set_inputs(Results &results, const Case &the_case)
+void set_inputs(Results &results, const Case &the_case, MovingKeys &keys)
 {
-  MovingKeys keys(the_case.spec);
+  const RunKind &kind = run_kind(the_case);
+  if (!kind.inputs)
+    return;
   for (auto &[name, parameter] : results.values)
-    if (auto inputs = run_kind(the_case).inputs(keys, results, name))
+    if (auto inputs = kind.inputs(keys, name))
       parameter.inputs = std::move(*inputs);
 }
 
 std::vector<std::string> results_outside_the_chain(const Case &the_case, const std::string &key)
 {
-  std::vector<std::string> names{"K3.friction_tangent",
-                                 "K3.path_plateau",
-                                 "K5.friction_tangent",
-                                 "K5.path_plateau",
-                                 "K4.path_plateau",
-                                 "Kzc.motion.frequency",
-                                 "frf.bite.upper_work_roll.peak",
-                                 "campbell.gap_first_kind.speed"};
-  std::vector<std::string> reached;
   MovingKeys keys(the_case.spec);
-  for (const std::string &name : names) {
-    const auto inputs = run_kind(the_case).inputs(keys, Results(), name);
-    if (inputs && holds(*inputs, key))
+  std::vector<std::string> reached;
+  const auto add = [&](const char *name, const KeyList &inputs) {
+    if (holds(inputs, key))
       reached.push_back(name);
+  };
+  if (const auto of_kind = run_kind(the_case).inputs)
+    for (const char *name : {"K3.friction_tangent", "K3.path_plateau", "K5.friction_tangent", "K5.path_plateau",
+                             "K4.path_plateau", "Kzc.motion.frequency"})
+      add(name, of_kind(keys, name).value_or(KeyList()));
+  if (std::holds_alternative<FourHigh>(the_case.spec) || std::holds_alternative<Lumped>(the_case.spec)) {
+    add("frf.bite.upper_work_roll.peak", frequency_response_keys(keys));
+    add("campbell.gap_first_kind.speed", campbell_keys(keys));
   }
   return reached;
 }
 
-void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::size_t pass)
+void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::size_t pass, MovingKeys &keys)
 {
   // What is given was not solved; half of K_Zy is the bearing of its seat.
-  const auto solved = [&](const std::string &name) {
-    if (name.rfind("K_Zy", 0) == 0)
-      return !stand.given.count(name == word_of(ChainNumber::K_Zy) ? "Kzc1" : "Kzc4");
-    return name.rfind("Kzc", 0) != 0 || !stand.given.count(name.substr(0, 4));
+  const auto given_as = [](const NamedSpring &spring) {
+    return spring.number == ChainNumber::K_Zy         ? ChainNumber::Kzc1
+           : spring.number == ChainNumber::K_Zy_lower ? ChainNumber::Kzc4
+                                                      : spring.number;
   };
-  MovingKeys keys(stand);
   reduce::each_spring(
-      [&](const std::string &name, Parameter &spring) {
-        if (solved(name))
-          spring.inputs = spring_keys(keys, name, pass);
+      [&](const std::string &name, Parameter &parameter) {
+        const auto spring = spring_named(name);
+        require(spring.has_value(), "no keys are known for the spring " + name);
+        const ChainNumber seat = given_as(*spring);
+        if (!is_bearing(word_of(seat)) || !stand.given.count(word_of(seat)))
+          parameter.inputs = spring_keys(keys, *spring, pass);
       },
       springs);
 }

@@ -5,11 +5,12 @@
 namespace mill {
 struct Case;
 struct FourHigh;
+class MovingKeys;
 
-/// Writes into contacts, bearings, bites and responses of a run the keys that stand behind them, by the lists of
-/// core/case/provenance.h that a trace follows too.  Masses, springs and modes carry theirs along from the
-/// chain.
-void set_inputs(Results &results, const Case &the_case);
+/// Writes into contacts, bearings and bites of a run the keys that stand behind them, by the lists of
+/// core/case/provenance.h that a trace follows too.  All others carry theirs along from their stages.
+/// @param keys  of the case
+void set_inputs(Results &results, const Case &the_case, MovingKeys &keys);
 
 /// Results that a run adds to those of a trace and that state this key; they are not in the chain of springs and
 /// masses: "K3.friction_tangent" of "contact.upper.friction".
@@ -17,5 +18,6 @@ std::vector<std::string> results_outside_the_chain(const Case &the_case, const s
 
 /// The computed springs of a chain with their keys.
 /// @param pass  whose load they belong to
-void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, std::size_t pass);
+/// @param keys  of the case
+void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, std::size_t pass, MovingKeys &keys);
 }  // namespace mill

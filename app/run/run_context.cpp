@@ -6,6 +6,7 @@
 #include "core/base/name_part.h"
 #include "core/base/valid_text.h"
 #include "core/case/kinds.h"
+#include "core/case/moving_keys.h"
 #include "core/numerics/sparse.h"
 #include "core/process/parallel.h"
 #include "core/records/run_identity.h"
@@ -25,6 +26,11 @@
 
 namespace mill {
 using json = nlohmann::ordered_json;
+
+std::shared_ptr<MovingKeys> moving_keys_of(const Case &the_case)
+{
+  return std::make_shared<MovingKeys>(the_case.spec);
+}
 
 void RunContext::warn(Warning warning)
 {
@@ -49,7 +55,7 @@ void RunContext::assume(const std::string &text)
 
 RunContext RunContext::branch() const
 {
-  RunContext part_run{the_case, out, cache, fresh, made, threads, progress};
+  RunContext part_run{the_case, out, cache, fresh, made, keys, threads, progress};
   part_run.started = started;
   part_run.asked   = asked;
   part_run.earlier = this;

@@ -17,6 +17,10 @@
 namespace mill {
 class AskedSpeeds;
 struct Case;
+class MovingKeys;
+
+/// The lists of inputs of a case, see core/case/moving_keys.h.
+std::shared_ptr<MovingKeys> moving_keys_of(const Case &the_case);
 
 /// Time of one stage of a run.
 struct StageTime {
@@ -57,10 +61,11 @@ private:
 struct RunContext {
   const Case &the_case;
   const OutputDir &out;
-  std::string cache;                       ///< folder of condensed rolls
-  bool fresh                     = false;  ///< ignore what the cache holds
-  std::shared_ptr<MadeKeys> made = std::make_shared<MadeKeys>();
-  int threads                    = 1;
+  std::string cache;                         ///< folder of condensed rolls
+  bool fresh                       = false;  ///< ignore what the cache holds
+  std::shared_ptr<MadeKeys> made   = std::make_shared<MadeKeys>();
+  std::shared_ptr<MovingKeys> keys = moving_keys_of(the_case);  ///< lists of inputs, of the run and its branches
+  int threads                      = 1;
   Progress progress;
   Results results;
   std::vector<StageTime> times;

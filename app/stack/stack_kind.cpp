@@ -89,8 +89,7 @@ const RunKind &run_kind(const StackCase &)
       for (const StackRoll &roll : std::get<StackCase>(the_case.spec).stack->rolls)
         describe_roll(manifest, roll.name, roll.diameter);
     };
-    k.inputs = stated_inputs;
-    k.trace  = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
+    k.trace = [](const Case &the_case, ClosedFormMemory &, const std::map<std::string, double> &) {
       return traced(the_case);
     };
     return k;

@@ -113,7 +113,7 @@ void simulate_stack(RunContext &run, const StackInput &input, const std::vector<
   for (std::size_t p = 0; p < passes.size(); ++p) {
     if (passes[p].record.force.size() > 0) {
       PassModel model = pass_model(passes[p].driven(input.dynamics), no_chain(), input.dynamics);
-      model.inputs    = keys_of_response(run.the_case);
+      model.of_pass   = keys_of_response(run.the_case);
       simulate_pass(run, model, input.dynamics, passes[p].pass, passes[p].record);
     }
     run.progress.at("passes", double(p + 1) / double(passes.size()));

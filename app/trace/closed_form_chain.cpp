@@ -94,46 +94,46 @@ void add_modes_of_states(ClosedFormResults &all, const LumpedModel &model, const
 }
 
 // What a roll feels along the pass line; a lumped model may know one stiffness only.
-std::string bearing_across(const ClosedFormResults &all, const int roll)
+std::string bearing_across(const ClosedFormResults &all, const RollPlace roll)
 {
-  const std::string along = fmt::format("Kzc{}", roll + 1);
+  const std::string along = fmt::format("Kzc{}", int(roll) + 1);
   return find(all, along + "_across") ? along + "_across" : along;
 }
 
 void add_horizontal_modes(ClosedFormResults &all, const LumpedModel &model, const double chock_seat,
-                          const std::array<double, 2> chock_mass)
+                          const std::array<double, 2> chock_mass, MovingKeys *keys)
 {
   const HorizontalModes rolls = horizontal_modes(model, chock_seat, chock_mass);
   for (std::size_t i = 0; i < rolls.mover.size(); ++i) {
     const std::string &label = rolls.mover[i];
     ClosedFormResult r;
-    r.name             = fmt::format("fh{}", i + 1);
-    r.parameter.value  = rolls.modes.frequency[Eigen::Index(i)];
-    r.parameter.unit   = "Hz";
-    r.parameter.method = label + " on its bearings";
-    for (const std::size_t roll : rolls_in(label))
-      r.from = {fmt::format("M{}", roll + 2), bearing_across(all, int(roll))};
-    r.relation = "horizontal motion on the bearings";
-    r.file     = "dynamics/response/mill_model";
-    r.equation = "(6.9)";
-    inherit(r, all, chock_seat_keys(label, !std::isnan(chock_seat)));
+    r.name               = fmt::format("fh{}", i + 1);
+    r.parameter.value    = rolls.modes.frequency[Eigen::Index(i)];
+    r.parameter.unit     = "Hz";
+    r.parameter.method   = label + " on its bearings";
+    const RollPlace roll = rolls.roll[i];
+    r.from               = {fmt::format("M{}", int(roll) + 2), bearing_across(all, roll)};
+    r.relation           = "horizontal motion on the bearings";
+    r.file               = "dynamics/response/mill_model";
+    r.equation           = "(6.9)";
+    inherit(r, all, keys ? chock_seat_keys(*keys, roll) : KeyList());
     all.push_back(r);
   }
 }
 
 void add_response(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings,
-                  const Pass &pass, const std::size_t p, const std::string &prefix, ClosedFormMemory &memory)
+                  const Pass &pass, const std::size_t p, const std::string &prefix, ClosedFormMemory &memory,
+                  MovingKeys *keys)
 {
-  // The six masses are driven here on linear springs whatever dynamics.model and dynamics.contact say, and white
-  // force has no samples.
-  const KeyList all_own   = response_keys(settings, pass, p);
-  const KeyList of_detail = joined(detailed_model_keys(), keys_in("dynamics", "output_rate contact"));
-  KeyList keys;
-  for (const std::string &key : all_own)
-    if (!holds(of_detail, key))
-      keys.push_back(key);
-  const bool other_model = settings.model != StandModelKind::six_mass;
-  const auto add         = [&](const char *name, const double value, const Half half, const bool white) {
+  // The six masses are driven here on linear springs whatever dynamics.model and dynamics.contact say.
+  const bool measured = settings.force_meaning == ForceMeaning::measured;
+  const auto own      = [&](const ResponseReading reading) {
+    return keys ? joined(response_keys(*keys, p, reading), measured ? KeyList() : model.C.inputs) : KeyList();
+  };
+  const KeyList of_run = own(ResponseReading::model), driven = own(ResponseReading::six_masses),
+                under_white = own(ResponseReading::white);
+  const bool other_model    = settings.model != StandModelKind::six_mass;
+  const auto add            = [&](const char *name, const double value, const Half half, const bool white) {
     ClosedFormResult r;
     r.name            = pass.name + "." + name;
     r.parameter.value = value;
@@ -146,9 +146,9 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
     r.equation = white ? "(24.3)" : "(7.2)";
     r.stands_for =
         other_model && !white ? std::string("dynamics.model = \"") + word_of(settings.model) + "\"" : "";
-    inherit(r, all, white ? keys : joined(keys, keys_in("dynamics", "output_rate")));
+    inherit(r, all, white ? under_white : driven);
     if (!white)
-      r.parameter.inputs = joined(std::move(r.parameter.inputs), all_own);
+      r.parameter.inputs = joined(std::move(r.parameter.inputs), of_run);
     all.push_back(r);
   };
   const auto levels = driven_levels(model, settings, pass, memory);
@@ -200,8 +200,8 @@ void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_
   for (ClosedFormResult &r : made) {
     if (is_across_given_bearing(r.name, stand.given))
       continue;  // it is not known, as in a run
-    if (keys)
-      r.parameter.inputs = spring_keys(*keys, r.name, p);
+    if (const auto spring = spring_named(r.name); keys && spring)
+      r.parameter.inputs = spring_keys(*keys, *spring, p);
     r.parameter.value *= factor(factors, prefix + r.name);
     follow_given_bearing(r, stand);
     const std::string given =
@@ -343,13 +343,14 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
     const LumpedModel &model = chain.model;
     memory.stands.push_back({std::make_shared<FourHigh>(stand), model});
     if (p == 0) {
-      add_quick_modulus(all, stand, load, factors);
+      add_quick_modulus(all, stand, load, factors, keys.get());
       add_modes_of_states(all, model, stand.dynamics, "rolls as reduced finite elements");
       add_horizontal_modes(all, model, stand.frame.chock_to_housing_stiffness,
-                           {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower});
+                           {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower},
+                           keys.get());
     }
     if (has_force(pass) && memory.with_responses)
-      add_response(all, model, stand.dynamics, pass, p, prefix, memory);
+      add_response(all, model, stand.dynamics, pass, p, prefix, memory, keys.get());
   }
   return all;
 }
@@ -382,7 +383,9 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
   ClosedFormResults all;
   if (spec.detailed)
     return closed_form_model_in_files(spec.model);
-  const LumpedModel model = lumped_model_of(the_case);
+  LumpedModel model = lumped_model_of(the_case);
+  set_given_inputs(model);
+  const auto keys = wanted_keys(memory, the_case.spec);
   reduce::each_number(
       [&](const std::string &name, const Parameter &number) {
         if (of_the_chain(name) || (name.size() == 4 && name.rfind("Kzc", 0) == 0))
@@ -390,13 +393,10 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
       },
       model);
   add_modes_of_states(all, model, spec.dynamics, "");
-  add_horizontal_modes(all, model, not_given, {0, 0});
+  add_horizontal_modes(all, model, not_given, {0, 0}, keys.get());
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     if (has_force(spec.passes[p]) && memory.with_responses)
-      add_response(all, model, spec.dynamics, spec.passes[p], p, "", memory);
-  for (ClosedFormResult &r : all)
-    for (KeyList *list : {&r.parameter.inputs, &r.closed, &r.own_keys})
-      *list = of_kind(*list, the_case.kind);
+      add_response(all, model, spec.dynamics, spec.passes[p], p, "", memory, keys.get());
   return all;
 }
 

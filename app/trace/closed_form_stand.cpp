@@ -3,6 +3,8 @@
 #include "app/stages/stand/mode_results.h"
 #include "app/stages/stand/modulus_stage.h"
 #include "core/base/force_text.h"
+#include "core/case/moving_keys.h"
+#include "core/case/provenance.h"
 #include "core/model/four_high.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_stand.h"
@@ -32,6 +34,7 @@ struct ClosedFormModulus {
   const SpringFactors &factors;
   OperatingPoint at;
   double load;
+  MovingKeys *keys;  // null: no lists
 
   ResultName name_of(const RowOf<1> &row) const
   {
@@ -75,10 +78,7 @@ void ClosedFormModulus::add_kissing() const
   const std::string touching = name_of(row::stand::K_ww_tangent);
   add(made(touching, "N/m", reduce::line_contact(work_roll_pair(stand), load).tangent,
            "Hertz line contact of both work rolls over the barrel", at),
-      {},
-      joined(keys_in("steel", "youngs_modulus poisson_ratio"),
-             keys_in("work_roll", "barrel_diameter barrel_length"), load_keys(stand.passes.front(), 0)),
-      "reduce/chain/line_contact", "(3.5b)");
+      {}, keys ? touching_roll_keys(*keys, 0) : KeyList(), "reduce/chain/line_contact", "(3.5b)");
   const auto names = path({touching});
   add(made(name_of(row::stand::modulus_kiss), "N/m", series(names), "springs in series, work rolls on each other",
            at),
@@ -132,9 +132,7 @@ void ClosedFormModulus::add_with_strip() const
              "Euler beam on its contact line", at);
     if (stand.backup_roll.bending_model == BendingModel::solid)
       r.stands_for = "the work rolls by finite elements, backup_roll.bending_model = \"solid\"";
-    add(std::move(r), {"K3", "K5"},
-        joined(keys_in("steel", "youngs_modulus"), keys_in("work_roll", "barrel_diameter barrel_length"),
-               keys_in("strip", "width"), keys_in("dynamics", "mass_reference")),
+    add(std::move(r), {"K3", "K5"}, keys ? bent_work_roll_keys(*keys, false) : KeyList(),
         "reduce/chain/mill_modulus", "(30.3)");
     more.push_back(name_of(row::stand::K_bend));
   }
@@ -155,9 +153,9 @@ void ClosedFormModulus::add_with_strip() const
 }  // namespace
 
 void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand, const double load,
-                       const SpringFactors &factors)
+                       const SpringFactors &factors, MovingKeys *keys)
 {
-  const ClosedFormModulus modulus{all, stand, factors, force_text(load), load};
+  const ClosedFormModulus modulus{all, stand, factors, force_text(load), load, keys};
   modulus.add_kissing();
   if (modulus.add_bite())
     modulus.add_with_strip();

@@ -9,8 +9,9 @@ namespace mill {
 /// K4.plastic_slope, stand.K_bend, stand.modulus.tangent, stand.screw_sensitivity and stand.force_by.screw of the
 /// first pass, from its springs in `all`.
 /// @param load  N
+/// @param keys  of the case; null: no lists are asked for
 void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand, double load,
-                       const SpringFactors &factors);
+                       const SpringFactors &factors, MovingKeys *keys);
 
 /// mode.<name>.frequency and .gap_share of the six masses, from f1.. in `all`.
 /// @param settings    of the state whose modes they are

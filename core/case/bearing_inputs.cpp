@@ -154,6 +154,17 @@ std::string text_of_seat(const FourHigh &stand, const std::size_t place, const s
   return text;
 }
 
+std::string text_of_chock_seat(const CaseSpec &spec, const RollPlace roll)
+{
+  const auto *stand = std::get_if<FourHigh>(&spec);
+  if (!stand || !is_work_roll(roll))
+    return "";
+  const double stiffness = stand->frame.chock_to_housing_stiffness;
+  const bool upper = roll == RollPlace::upper_work, yields = !std::isnan(stiffness);
+  const double chock = upper ? stand->work_roll.chock_mass_upper : stand->work_roll.chock_mass_lower;
+  return record_text(stiffness, yields ? chock : not_given);
+}
+
 std::string text_of_bearing_case(const BearingCase &spec, const BearingCaseReading &reading)
 {
   const BearingLoad none;

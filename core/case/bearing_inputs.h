@@ -1,8 +1,10 @@
 #pragma once
+#include "core/case/kinds.h"
 #include "core/case/pass_inputs.h"
 #include "core/model/bearing_case.h"
 #include "core/model/four_high.h"
 #include "core/model/oil_film_bearing.h"
+#include "core/model/roll_kind.h"
 #include "core/model/roller_bearing.h"
 #include <array>
 #include <string>
@@ -105,6 +107,10 @@ struct SeatReading {
   bool rating      = false;  ///< of rollers
 };
 std::string text_of_seat(const FourHigh &stand, std::size_t place, std::size_t pass, const SeatReading &reading);
+
+/// The seat of the chocks of a roll in the housing, for motion along the pass line.
+/// @returns  its text; empty where no stand is drawn and of a backup roll
+std::string text_of_chock_seat(const CaseSpec &spec, RollPlace roll);
 
 /// Results of kind "bearing".
 struct BearingCaseReading {

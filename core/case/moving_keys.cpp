@@ -1,4 +1,5 @@
 #include "core/case/moving_keys.h"
+#include "core/case/chain_curves.h"
 #include "core/case/stand_rows.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -107,6 +108,16 @@ template <class Spec> void add_bearings(CaseRows &all, Spec &spec)
     all.add("bearing." + film.name, oil_film_rows(), film);
 }
 
+// What moves and turns in a stand, drawn or lumped.
+template <class Stand>
+void add_motion(CaseRows &all, Stand &stand, const std::vector<Field<CampbellSettings>> &campbell)
+{
+  all.add("frequency_response", frequency_response_rows(), stand.frequency_response);
+  all.add("campbell", campbell, stand.campbell);
+  for (std::size_t i = 0; i < stand.drive.size(); ++i)
+    all.add(fmt::format("drive.order.{}", i), drive_order_rows(), stand.drive[i]);
+}
+
 void add_rows(CaseRows &all, FourHigh &stand)
 {
   all.add("steel", steel_rows(), stand.steel);
@@ -122,12 +133,20 @@ void add_rows(CaseRows &all, FourHigh &stand)
   all.add("contact.lower", roll_contact_rows(), stand.lower_contact);
   add_bite(all, stand.bite);
   all.add("dynamics", dynamics_rows(), stand.dynamics);
-  all.add("frequency_response", frequency_response_rows(), stand.frequency_response);
-  all.add("campbell", campbell_rows(), stand.campbell);
-  for (std::size_t i = 0; i < stand.drive.size(); ++i)
-    all.add(fmt::format("drive.order.{}", i), drive_order_rows(), stand.drive[i]);
+  add_motion(all, stand, campbell_rows());
   all.add("stand", stand_span_rows(), stand.span);
   all.add("analysis", chatter_analysis_rows(), stand.analysis);
+}
+
+void add_rows(CaseRows &all, Lumped &lumped)
+{
+  if (lumped.detailed)
+    all.add("model", model_file_rows(), lumped.model);
+  all.add("curve", chain_curve_rows(), lumped.curves);
+  for (std::size_t p = 0; p < lumped.passes.size(); ++p)
+    add_pass_rows(all, p, pass_rows(), lumped.passes[p]);
+  all.add("dynamics", chain_dynamics_rows(), lumped.dynamics);
+  add_motion(all, lumped, chain_campbell_rows());
 }
 
 // A cylinder has a diameter and a plane has none.
@@ -190,7 +209,6 @@ void add_rows(CaseRows &all, BiteCase &spec)
   add_bite(all, spec.bite);
 }
 
-void add_rows(CaseRows &, Lumped &) {}
 void add_rows(CaseRows &, ChatterCase &) {}
 void add_rows(CaseRows &, ClusterCase &) {}
 void add_rows(CaseRows &, StackCase &) {}
@@ -211,13 +229,14 @@ void add_pass_rows(CaseRows &all, const std::size_t p, const std::vector<Field<P
       });
 }
 
-MovingKeys::MovingKeys(CaseSpec of_case) : changed(std::move(of_case))
+MovingKeys::MovingKeys(CaseSpec of_case) : kept(std::move(of_case)), changed(kept)
 {
   std::visit([&](auto &spec) { add_rows(rows, spec); }, changed);
 }
 
 const KeyList &MovingKeys::of(const std::string &what, const Text &text)
 {
+  const std::lock_guard<std::mutex> one_list(making);
   const auto made = known.find(what);
   return made != known.end() ? made->second
                              : known.emplace(what, rows.moving([&] { return text(changed); })).first->second;

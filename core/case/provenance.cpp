@@ -1,9 +1,11 @@
 #include "core/case/provenance.h"
 #include "core/base/require.h"
+#include "core/case/modulus_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
+#include "core/records/contact_name.h"
 #include "core/records/record_text.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -156,16 +158,41 @@ KeyList bite_keys(MovingKeys &keys, const std::size_t p, const BiteReading &read
 
 // Chain
 
-KeyList spring_keys(MovingKeys &keys, const std::string &name, const std::size_t p)
+KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, const std::size_t p)
 {
-  if (name == "K3" || name == "K5")
-    return contact_keys(keys, name == "K3" ? "upper" : "lower", p);
-  if (name == "K4")
+  const auto seat = [&](const RollPlace place) { return seat_keys(keys, std::size_t(place), p, {spring.across}); };
+  switch (spring.number) {
+  case ChainNumber::K3:
+    return contact_keys(keys, word_of(ContactName::upper), p);
+  case ChainNumber::K5:
+    return contact_keys(keys, word_of(ContactName::lower), p);
+  case ChainNumber::K4:
     return bite_keys(keys, p);
-  if (name == "K_Zy" || name == "K_Zy_lower")
-    return seat_keys(keys, name == "K_Zy" ? 0 : 3, p);
-  require(name.rfind("Kzc", 0) == 0, "no keys are known for the spring " + name);
-  return seat_keys(keys, std::size_t(name.at(3) - '1'), p, {name.find("_across") != std::string::npos});
+  case ChainNumber::K_Zy:
+  case ChainNumber::Kzc1:
+    return seat(RollPlace::upper_backup);
+  case ChainNumber::Kzc2:
+    return seat(RollPlace::upper_work);
+  case ChainNumber::Kzc3:
+    return seat(RollPlace::lower_work);
+  case ChainNumber::K_Zy_lower:
+  case ChainNumber::Kzc4:
+    return seat(RollPlace::lower_backup);
+  case ChainNumber::M1:
+  case ChainNumber::M2:
+  case ChainNumber::M3:
+  case ChainNumber::M4:
+  case ChainNumber::M5:
+  case ChainNumber::M6:
+  case ChainNumber::K1:
+  case ChainNumber::K2:
+  case ChainNumber::K6:
+  case ChainNumber::K7:
+  case ChainNumber::K_ZW:
+    break;
+  }
+  require(false, std::string("the chain makes ") + word_of(spring.number) + " itself");
+  return {};
 }
 
 KeyList mass_shape_keys(const DynamicsSettings &dynamics)
@@ -194,71 +221,64 @@ std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, const Hal
   return parts;
 }
 
-KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, const Half half)
+KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dynamics, const Half half)
 {
   KeyList keys;
   for (const std::string &part : chain_parts(dynamics, half)) {
     const auto i = std::size_t(part[1] - '1');
     keys         = joined(std::move(keys), (part[0] == 'M' ? model.M[i] : model.K[i]).inputs);
   }
-  return joined(keys, keys_in("dynamics", "frame"));
-}
-
-std::vector<std::size_t> rolls_in(const std::string &label)
-{
-  const char *const rolls[] = {"upper backup roll", "upper work roll", "lower work roll", "lower backup roll"};
-  std::vector<std::size_t> indices;
-  for (std::size_t i = 0; i < 4; ++i)
-    if (label.find(rolls[i]) != std::string::npos)
-      indices.push_back(i);
-  return indices;
-}
-
-KeyList chock_seat_keys(const std::string &label, const bool seat_given)
-{
-  KeyList keys;
-  for (const std::size_t roll : rolls_in(label)) {
-    if (roll == 0 || roll == 3)
-      continue;
-    keys.push_back("frame.chock_to_housing_stiffness");
-    if (seat_given)
-      keys.push_back(roll == 1 ? "work_roll.chock_mass_upper" : "work_roll.chock_mass_lower");
-  }
   return keys;
 }
 
-KeyList horizontal_mode_keys(const LumpedModel &model, const std::string &label, const bool seat_given)
+KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, const Half half)
 {
-  KeyList keys = chock_seat_keys(label, seat_given);
-  for (const std::size_t roll : rolls_in(label))
-    keys =
-        joined(keys, model.M[roll + 1].inputs,
-               std::isnan(model.Kzc_across[roll].value) ? model.Kzc[roll].inputs : model.Kzc_across[roll].inputs);
-  return keys;
+  return joined(chain_number_keys(model, dynamics, half), keys_in("dynamics", "frame"));
 }
 
-KeyList of_kind(const KeyList &keys, const std::string &kind)
+KeyList chock_seat_keys(MovingKeys &keys, const RollPlace roll)
 {
-  std::vector<std::string> sections;
-  for (const SectionRows &section : sections_of(kind))
-    sections.push_back(section.name);
-  KeyList known;
-  for (const std::string &key : keys) {
-    const bool there = std::any_of(sections.begin(), sections.end(), [&](const std::string &section) {
-      return !section.empty() && key.rfind(section + ".", 0) == 0;
-    });
-    if (there && (kind != "lumped" || !holds(detailed_model_keys(), key)))
-      known.push_back(key);
-  }
-  return known;
+  return keys.of(std::string("chock seat of the ") + word_of(roll),
+                 [&](const CaseSpec &spec) { return text_of_chock_seat(spec, roll); });
 }
 
-KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, const std::size_t p)
+KeyList horizontal_mode_keys(const LumpedModel &model, const RollPlace roll)
 {
-  const KeyList keys = joined(force_keys(pass, p),
-                              keys_in("dynamics", "modal_damping force_meaning frame output_rate contact model"),
-                              dynamics.model != StandModelKind::six_mass ? detailed_model_keys() : KeyList{});
-  return dynamics.force_meaning == ForceMeaning::measured ? keys : joined(keys, KeyList{"given.C"});
+  const auto i           = std::size_t(roll);
+  const Parameter across = model.Kzc_across[i];
+  return joined(model.M[i + 1].inputs, std::isnan(across.value) ? model.Kzc[i].inputs : across.inputs);
+}
+
+// Responses
+
+KeyList response_keys(MovingKeys &keys, const std::size_t p, const ResponseReading reading)
+{
+  return keys.of(fmt::format("response {} {}", p, int(reading)),
+                 [&](const CaseSpec &spec) { return text_of_response(spec, p, reading); });
+}
+
+KeyList frequency_response_keys(MovingKeys &keys)
+{
+  return keys.of("frequency response", text_of_frequency_response);
+}
+
+KeyList campbell_keys(MovingKeys &keys)
+{
+  return keys.of("campbell", text_of_campbell);
+}
+
+// Mill modulus
+
+KeyList touching_roll_keys(MovingKeys &keys, const std::size_t p)
+{
+  return keys.of(fmt::format("touching rolls {}", p),
+                 [&](const CaseSpec &spec) { return text_of_touching_rolls(std::get<FourHigh>(spec), p); });
+}
+
+KeyList bent_work_roll_keys(MovingKeys &keys, const bool solid)
+{
+  return keys.of(solid ? "bent work rolls" : "work rolls as beams",
+                 [&](const CaseSpec &spec) { return text_of_bent_work_rolls(std::get<FourHigh>(spec), solid); });
 }
 
 void set_given_inputs(GivenValues &given)
@@ -269,13 +289,14 @@ void set_given_inputs(GivenValues &given)
 
 void set_given_inputs(LumpedModel &model)
 {
-  const auto set = [](auto &list, const char *letter) {
+  const auto set = [](auto &list, const char *letter, const char *ending = "") {
     for (std::size_t i = 0; i < list.size(); ++i)
-      list[i].inputs = {fmt::format("given.{}{}", letter, i + 1)};
+      list[i].inputs = {fmt::format("given.{}{}{}", letter, i + 1, ending)};
   };
   set(model.M, "M");
   set(model.K, "K");
   set(model.Kzc, "Kzc");
+  set(model.Kzc_across, "Kzc", "_across");
   model.C.inputs = {"given.C"};
 }
 

@@ -2,9 +2,12 @@
 #include "core/case/bearing_inputs.h"
 #include "core/case/bite_inputs.h"
 #include "core/case/contact_inputs.h"
+#include "core/case/response_inputs.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/given.h"
 #include "core/model/pass.h"
+#include "core/model/roll_kind.h"
+#include "core/records/chain_number.h"
 #include "core/records/key_list.h"
 #include <string>
 #include <vector>
@@ -47,8 +50,8 @@ KeyList seat_keys(MovingKeys &keys, std::size_t i, std::size_t p, const SeatRead
 /// Kzc.* of kind "bearing".
 KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading = {});
 
-/// A spring that the chain of a stand takes from elsewhere, by its name: "K3", "K4", "K_Zy", "Kzc2_across".
-KeyList spring_keys(MovingKeys &keys, const std::string &name, std::size_t p);
+/// A spring that the chain of a stand takes from elsewhere: K3, K4, K5, a bearing, or both of a backup roll.
+KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, std::size_t p);
 
 /// The bite of a pass of a stand or of kind "bite".
 KeyList bite_keys(MovingKeys &keys, std::size_t p, const BiteReading &reading = {});
@@ -67,19 +70,24 @@ KeyList detailed_model_keys();
 enum class Half { upper, lower };
 /// Numbers of the chain, "M1" .. "K7".
 std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, Half half);
-/// The keys behind those numbers, and what joins them.
+/// The keys behind those numbers.
+KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
+/// And what joins them to modes.
 KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
-/// Rolls that a horizontal mode is named after: 0 upper backup, 1 upper work, 2 lower work, 3 lower backup.
-std::vector<std::size_t> rolls_in(const std::string &label);
-/// Inputs of a horizontal mode in addition to mass and bearing of its roll: the seat of the work rolls' chocks.
-KeyList chock_seat_keys(const std::string &label, bool seat_given);
-/// All of it.
-KeyList horizontal_mode_keys(const LumpedModel &model, const std::string &label, bool seat_given);
-/// Those of the keys that a case of this kind has: a lumped model knows neither frame nor other models of the
-/// stand.
-KeyList of_kind(const KeyList &keys, const std::string &kind);
-/// Keys of a response in addition to those of its chain.
-KeyList response_keys(const DynamicsSettings &dynamics, const Pass &pass, std::size_t p);
+/// Of a horizontal mode: mass and bearing of its roll, and the seat of its chocks where the stand is drawn.
+KeyList horizontal_mode_keys(const LumpedModel &model, RollPlace roll);
+KeyList chock_seat_keys(MovingKeys &keys, RollPlace roll);
+/// Keys of a response in addition to those of its masses, springs and damper.
+KeyList response_keys(MovingKeys &keys, std::size_t p, ResponseReading reading = ResponseReading::model);
+/// The same of frf.*.
+KeyList frequency_response_keys(MovingKeys &keys);
+/// Settings of campbell.* with the orders of the drive.
+KeyList campbell_keys(MovingKeys &keys);
+
+/// Work rolls that touch each other at the load of a pass, and their bending under the strip.
+/// @param solid  by finite elements where the case asks for them; false: beams
+KeyList touching_roll_keys(MovingKeys &keys, std::size_t p);
+KeyList bent_work_roll_keys(MovingKeys &keys, bool solid);
 
 /// A given value has its own key as its only input.
 void set_given_inputs(GivenValues &given);

@@ -110,20 +110,24 @@ MillModel mill_model(const LumpedModel &lumped, const DynamicsSettings &settings
 namespace {
 // Adds one roll on its bearings; for a work roll in series with its chock seat.  (6.9), (6.10)
 struct HorizontalRoll {
-  std::string label, bearing, seat;
+  RollPlace place;
+  std::string bearing, seat;
   double mass, bearing_stiffness, seat_stiffness, chock_mass;
 };
 
 void add_roll(const HorizontalRoll &roll, std::vector<double> &masses, MillModel &model)
 {
-  const int here = int(masses.size());
+  const int here          = int(masses.size());
+  const std::string label = word_of(roll.place);
   masses.push_back(roll.mass);
-  model.labels.push_back(roll.label);
+  model.labels.push_back(label);
+  model.rolls.push_back(roll.place);
   if (std::isnan(roll.seat_stiffness)) {
     model.springs.push_back({roll.bearing, here, ground, roll.bearing_stiffness});
   } else if (roll.chock_mass > 0) {
     masses.push_back(roll.chock_mass);
-    model.labels.push_back("chocks of the " + roll.label);
+    model.labels.push_back("chocks of the " + label);
+    model.rolls.push_back(roll.place);
     model.springs.push_back({roll.bearing, here, here + 1, roll.bearing_stiffness});
     model.springs.push_back({roll.seat, here + 1, ground, roll.seat_stiffness});
   } else {
@@ -142,10 +146,10 @@ MillModel horizontal_model(const LumpedModel &lumped, const ChockSeats &seats)
   };
   const auto M                            = [&](const int i) { return lumped.M[std::size_t(i - 1)].value; };
   const std::vector<HorizontalRoll> rolls = {
-      {"upper backup roll", "Kzc1", "", M(2), Kzc(1), not_given, 0},
-      {"upper work roll", "Kzc2", "Kx1", M(3), Kzc(2), seats.stiffness[0], seats.chock_mass[0]},
-      {"lower work roll", "Kzc3", "Kx2", M(4), Kzc(3), seats.stiffness[1], seats.chock_mass[1]},
-      {"lower backup roll", "Kzc4", "", M(5), Kzc(4), not_given, 0}};
+      {RollPlace::upper_backup, "Kzc1", "", M(2), Kzc(1), not_given, 0},
+      {RollPlace::upper_work, "Kzc2", "Kx1", M(3), Kzc(2), seats.stiffness[0], seats.chock_mass[0]},
+      {RollPlace::lower_work, "Kzc3", "Kx2", M(4), Kzc(3), seats.stiffness[1], seats.chock_mass[1]},
+      {RollPlace::lower_backup, "Kzc4", "", M(5), Kzc(4), not_given, 0}};
   MillModel model;
   std::vector<double> masses;
   for (const HorizontalRoll &roll : rolls)

@@ -2,6 +2,7 @@
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
 #include "core/model/material.h"
+#include "core/model/roll_kind.h"
 #include <Eigen/Core>
 #include <array>
 #include <functional>
@@ -36,6 +37,7 @@ struct MillModel {
   Eigen::VectorXd b;                ///< (n) -, force on each mass per unit of bite force
   Eigen::VectorXd load_cell;        ///< (n) N/m, load-cell force = load_cell . y (6.8)
   double load_cell_share = 1;       ///< -, part of the mean bite force that the load cell shows (6.8)
+  std::vector<RollPlace> rolls;     ///< (n) which roll a mass is of, of a horizontal model; else empty
 };
 
 /// The vertical chain M1..M6 with the springs and dampers that belong to the meaning of the force.

@@ -1,4 +1,6 @@
 #include "app/stages/response/campbell_stage.h"
+#include "app/stages/response/turning_rolls.h"
+#include "core/case/moving_keys.h"
 #include "core/records/campbell_record.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
@@ -13,7 +15,6 @@
 #include <utility>
 
 namespace mill {
-namespace {
 std::array<double, 2> working_speeds(const CampbellSettings &settings, const std::vector<Pass> &passes)
 {
   if (!std::isnan(settings.working_speeds[0]))
@@ -25,6 +26,7 @@ std::array<double, 2> working_speeds(const CampbellSettings &settings, const std
   return range;
 }
 
+namespace {
 std::vector<CampbellMode> named_modes(const RunContext &run, const reduce::StandWithModes &model)
 {
   std::vector<CampbellMode> modes;
@@ -42,9 +44,9 @@ std::string bearing_title(const TurningRoll &roll)
   return title;
 }
 
-std::string line_name(const DriveOrder &order)
+std::string line_name(const std::string &order)
 {
-  return "drive, " + order.name;
+  return "drive, " + order;
 }
 
 void add_bearing_lines(CampbellRecord &record, const TurningRoll &roll, const int harmonics)
@@ -91,7 +93,7 @@ void add_drive_lines(CampbellRecord &record, const TurningStand &stand)
     for (const TurningRoll &roll : stand.rolls)
       if (order.per_turn_of == roll.kind && !std::isnan(roll.diameter))
         record.lines.push_back(
-            dynamics::line_of(line_name(order), "drive", word_of(roll.kind), order.count, roll.diameter));
+            dynamics::line_of(line_name(order.name), "drive", word_of(roll.kind), order.count, roll.diameter));
 }
 
 std::string number(const double value)
@@ -115,29 +117,17 @@ std::string crossings_csv(const CampbellRecord &record)
 
 // Keys behind the crossing of a line with a mode: those of the mode, and of what turns.
 KeyList keys_of(const RunContext &run, const CampbellMode &mode, const CampbellLine &line,
-                const TurningStand &stand)
+                const std::vector<DriveOrder> &drive)
 {
-  KeyList keys = run.find(row::modes::frequency.of("", mode.key))->inputs;
-  for (const TurningRoll &roll : stand.rolls)
-    if (line.shaft == word_of(roll.kind)) {
-      keys = joined(std::move(keys), KeyList{roll.diameter_key});
-      if (roll.bearing && line.group == bearing_title(roll))
-        keys = joined(keys,
-                      keys_in("bearing." + roll.bearing->name,
-                              "bore outside_diameter pitch_diameter roller_diameter rollers_per_row "
-                              "roller_cone_angle cup_angle"),
-                      keys_in("campbell", "bearing_harmonics"));
-    }
-  for (std::size_t i = 0; i < stand.drive.size(); ++i)
-    if (line.name == line_name(stand.drive[i]))
-      keys = joined(std::move(keys), keys_in(fmt::format("drive.order.{}", i), "per_turn_of count"));
-  for (std::size_t p = 0; p < stand.passes.size(); ++p)  // which crossing is the nearest
-    if (!std::isnan(stand.passes[p].speed))
-      keys = joined(std::move(keys), keys_in(fmt::format("pass.{}", p), "speed"));
-  return joined(keys, keys_in("campbell", "working_speeds speeds roll_orders"));
+  std::string name = line.name;
+  for (std::size_t i = 0; i < drive.size(); ++i)
+    if (name == line_name(drive[i].name))
+      name = line_name(std::to_string(i));
+  return joined(run.find(row::modes::frequency.of("", mode.key))->inputs,
+                run.keys->of("line " + name, [&](const CaseSpec &spec) { return text_of_line(spec, name); }));
 }
 
-void add_results(RunContext &run, const CampbellRecord &record, const TurningStand &stand)
+void add_results(RunContext &run, const CampbellRecord &record, const std::vector<DriveOrder> &drive)
 {
   for (std::size_t m = 0; m < record.modes.size(); ++m) {
     const auto crossing = dynamics::nearest(record, int(m));
@@ -154,7 +144,7 @@ void add_results(RunContext &run, const CampbellRecord &record, const TurningSta
     p.error_estimate = mode.error_estimate;
     if (std::isnan(p.error_estimate))
       p.error_lacks = run.find(row::modes::frequency.of("", mode.key))->error_lacks;
-    p.inputs    = keys_of(run, mode, line, stand);
+    p.inputs    = keys_of(run, mode, line, drive);
     Parameter d = p;
     d.value     = crossing->distance;
     d.unit      = "1";
@@ -199,6 +189,6 @@ void add_campbell(RunContext &run, const CampbellSettings &settings, const Turni
   record.crossings = dynamics::crossings(record.modes, record.lines, record.speeds, record.working);
   run.out.write("curves/campbell.json", json_of_record(record));
   run.out.write("campbell.csv", crossings_csv(record));
-  add_results(run, record, stand);
+  add_results(run, record, stand.drive);
 }
 }  // namespace mill

@@ -25,6 +25,9 @@ struct TurningStand {
   const std::vector<DriveOrder> &drive;
 };
 
+/// m/s: the range that the settings give, or that of the passes; NaN: neither.
+std::array<double, 2> working_speeds(const CampbellSettings &settings, const std::vector<Pass> &passes);
+
 /// Lines of what turns in a stand: orders of its rolls, events of their bearings, orders of the drive; notes where
 /// one is left out.  Nothing else of the record is filled.
 CampbellRecord turning_lines(const CampbellSettings &settings, const TurningStand &stand);

@@ -1,6 +1,7 @@
 #include "app/stages/response/detailed_model_stage.h"
 #include "app/stages/response/dynamics_stage.h"
 #include "app/stages/stand/mode_results.h"
+#include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/records/detailed_model.h"
 #include "core/records/rows_of_stand.h"
@@ -57,7 +58,7 @@ void run_detailed_model(RunContext &run, const Lumped &lumped, const Goal goal, 
     f.unit        = "Hz";
     f.method      = "matrices of model " + files.name;
     f.error_lacks = keys_in("model", "mass stiffness");
-    f.inputs      = keys_in("model", "mass stiffness");
+    f.inputs      = f.error_lacks;
     run.results.add(row::modes::vertical.of("", std::to_string(i + 1)), f);
   }
   run.assume(fmt::format("modal damping of {:g} % in every mode", 100 * settings.modal_damping));
@@ -67,10 +68,9 @@ void run_detailed_model(RunContext &run, const Lumped &lumped, const Goal goal, 
   chain.C.value   = files.gap_damper;
   PassModel model = pass_model(s, chain, settings);
   model.method    = "model " + files.name;
-  model.inputs    = joined(keys_in("model", "mass stiffness force readings gap_damper frequency_limit"),
-                           keys_in("dynamics", "force_meaning"));
   for (std::size_t p = 0; p < lumped.passes.size(); ++p) {
-    Pass pass = lumped.passes[p];
+    model.of_pass = response_keys(*run.keys, p);  // the files are among them
+    Pass pass     = lumped.passes[p];
     if (!force_file.empty())
       pass.force_file = force_file;
     if (has_force(pass))

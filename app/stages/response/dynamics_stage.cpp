@@ -4,6 +4,7 @@
 #include "app/stages/response/nonlinear_stage.h"
 #include "app/stages/stand/mode_results.h"
 #include "core/base/force_text.h"
+#include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
@@ -24,11 +25,15 @@
 
 namespace mill {
 namespace {
-// Keys behind both halves of the chain.
-KeyList inputs_of(const LumpedModel &model, const DynamicsSettings &settings)
+// Keys behind the work rolls of the chain, each driven with its half; one of another model moves with the whole.
+std::array<KeyList, 2> inputs_of(const LumpedModel &model, const DynamicsSettings &settings, const bool six_masses)
 {
-  return joined(chain_mode_keys(model, settings, Half::upper), chain_mode_keys(model, settings, Half::lower),
-                keys_in("dynamics", "force_meaning"));
+  const bool measured = settings.force_meaning == ForceMeaning::measured;
+  const auto half     = [&](const Half one) {
+    return joined(chain_number_keys(model, settings, one), measured ? KeyList() : model.C.inputs);
+  };
+  const KeyList upper = half(Half::upper), lower = half(Half::lower), both = joined(upper, lower);
+  return six_masses ? std::array<KeyList, 2>{upper, lower} : std::array<KeyList, 2>{both, both};
 }
 
 // Error of a frequency from the errors of springs and masses: half the strain-energy share of a spring, and half
@@ -51,6 +56,8 @@ void state_error(Parameter &f, const dynamics::Modes &modes, const Eigen::Index 
   for (int j = 0; j < 6; ++j)
     add("M" + std::to_string(j + 1), model.M[std::size_t(j)], modes.kinetic_share(mode, j));
 }
+
+constexpr std::array<const char *, 2> driven_rolls{"upper_work_roll", "lower_work_roll"};
 
 double in_g(const double acceleration)
 {
@@ -156,6 +163,7 @@ HorizontalModes horizontal_modes(const LumpedModel &model, const double chock_se
     Eigen::Index most = 0;
     all.modes.kinetic_share.row(i).maxCoeff(&most);
     all.mover.push_back(all.rolls.labels[std::size_t(most)]);
+    all.roll.push_back(all.rolls.rolls[std::size_t(most)]);
   }
   return all;
 }
@@ -208,7 +216,7 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
   } else
     add_vertical_modes(run, model, in_state(settings, GapState::open), GapState::rolling);
 
-  const auto [horizontal, sideways, mover] = horizontal_modes(model, chock_seat, chock_mass);
+  const auto [horizontal, sideways, mover, roll] = horizontal_modes(model, chock_seat, chock_mass);
   if (mover.empty())
     return;
   const auto n_plane = horizontal.M.size();
@@ -229,7 +237,8 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
     f.unit        = "Hz";
     f.method      = "rolls on their bearings, " + label + (std::isnan(chock_seat) ? ", chock seats rigid" : "");
     f.at          = model.at;
-    f.inputs      = horizontal_mode_keys(model, label, !std::isnan(chock_seat));
+    f.inputs      = joined(chock_seat_keys(*run.keys, roll[std::size_t(i)]),
+                           horizontal_mode_keys(model, roll[std::size_t(i)]));
     f.error_lacks = {"mass that moves along the pass line: the vertical equivalent mass is used"};
     run.results.add(row::modes::horizontal.of(std::to_string(i + 1)), f);
   }
@@ -263,8 +272,11 @@ PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings)
 {
   const auto chain = dynamics::mill_model(model, settings);
   const auto modes = dynamics::modes(chain);
-  return {
-      dynamics::driven_model(chain), "six-mass chain", modes.frequency.maxCoeff(), inputs_of(model, settings), {}};
+  return {dynamics::driven_model(chain),
+          "six-mass chain",
+          modes.frequency.maxCoeff(),
+          inputs_of(model, settings, true),
+          {}};
 }
 
 dynamics::ModalModel driven_modes(const reduce::StandWithModes &stand, const LumpedModel &chain,
@@ -282,7 +294,7 @@ PassModel pass_model(const reduce::StandWithModes &stand, const LumpedModel &cha
   PassModel p{dynamics::driven_model(driven_modes(stand, chain, settings)),
               title_of(stand.model.name),
               limit,
-              inputs_of(chain, settings),
+              inputs_of(chain, settings, false),
               {},
               limit};
   // Modes up to the limit are trusted; those above are driven too, since they deflect under slower forces.
@@ -381,7 +393,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   const Eigen::MatrixXd coarse =
       curves ? every_other(response.acceleration)
              : dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate).acceleration;
-  const auto add = [&](const RowOf<2> &row, const std::string &roll, const double value, const double second,
+  const auto add = [&](const RowOf<2> &row, const std::size_t roll, const double value, const double second,
                        std::vector<Check> checks) {
     Parameter p;
     p.value  = value;
@@ -393,10 +405,10 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
                      {{statistics.mean, "kN", force_form(statistics.mean)},
                       {statistics.largest - statistics.smallest, "kN", ".3f"}}};
     p.error_lacks = {"dynamics.modal_damping", "spectrum of pass.force", "dynamics.model: modes that it lacks"};
-    p.inputs      = model.inputs;
+    p.inputs      = joined(model.inputs[roll], model.of_pass);
     p.checks      = std::move(checks);
     p.checks.push_back({"half the output rate", second, "what the sampling moves"});
-    run.results.add(row.of(pass.name, roll), p);
+    run.results.add(row.of(pass.name, driven_rolls[roll]), p);
   };
   std::vector<Check> measured_rms[2], measured_peak[2];
   if (!pass.measured_file.empty()) {
@@ -418,8 +430,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   }
   const Eigen::VectorXd *rolls[] = {&upper, &lower};
   const int columns[]            = {dynamics::upper_work_roll, dynamics::lower_work_roll};
-  const char *names[]            = {"upper_work_roll", "lower_work_roll"};
-  for (int r = 0; r < 2; ++r) {
+  for (std::size_t r = 0; r < 2; ++r) {
     const auto fine = dynamics::level(*rolls[r]), half = dynamics::level(coarse.col(columns[r]));
     const auto with_runs = [&](std::vector<Check> checks, const bool peak) {
       if (curves)
@@ -432,8 +443,8 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
     if (!std::isnan(pass.measured_peak_g[r]))
       measured_peak[r].push_back(
           check(CheckId::measured, pass.measured_peak_g[r], "peak of a record that is not at hand"));
-    add(row::response::peak, names[r], in_g(fine.peak), in_g(half.peak), with_runs(measured_peak[r], true));
-    add(row::response::rms, names[r], in_g(fine.rms), in_g(half.rms), with_runs(measured_rms[r], false));
+    add(row::response::peak, r, in_g(fine.peak), in_g(half.peak), with_runs(measured_peak[r], true));
+    add(row::response::rms, r, in_g(fine.rms), in_g(half.rms), with_runs(measured_rms[r], false));
   }
 
   run.out.write_table(file, dynamics::response_table(response));
@@ -451,6 +462,7 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   if (pass.synthetic || pass.force_file.empty())
     run.assume(pass.name + ": the force record is synthetic, noise in the stated range; its spectrum is assumed");
   if (curves)
-    add_nonlinear(run, *model.curves, *curves, settings, pass, force, model.method);
+    add_nonlinear(run, *model.curves, *curves,
+                  {settings, pass, force, model.method, joined(model.inputs[0], model.inputs[1], model.of_pass)});
 }
 }  // namespace mill

@@ -42,7 +42,8 @@ ChainModes chain_modes(const LumpedModel &model, const DynamicsSettings &setting
 struct HorizontalModes {
   dynamics::MillModel rolls;
   dynamics::Modes modes;
-  std::vector<std::string> mover;  ///< (modes) label of the roll
+  std::vector<std::string> mover;  ///< (modes) what moves most: "chocks of the upper work roll"
+  std::vector<RollPlace> roll;     ///< (modes) the roll that it is or belongs to
 };
 /// @param chock_seat  N/m, of each work roll, both sides; NaN: rigid
 /// @param chock_mass  kg, both chocks of the upper and of the lower work roll
@@ -59,12 +60,13 @@ struct CurveDrive;
 /// A model as a pass drives it, with what is known of it.
 struct PassModel {
   dynamics::DrivenModel driven;
-  std::string method;               ///< "six-mass chain"
-  double highest_mode = 0;          ///< Hz
-  std::vector<std::string> inputs;  ///< keys behind it
-  std::vector<double> missing;      ///< Hz, modes of the stand that it cannot show
-  double limit = not_given;         ///< Hz, above which its modes are not trusted; NaN: not known
+  std::string method;             ///< "six-mass chain"
+  double highest_mode = 0;        ///< Hz
+  std::array<KeyList, 2> inputs;  ///< keys behind the motion of the upper and of the lower work roll
+  std::vector<double> missing;    ///< Hz, modes of the stand that it cannot show
+  double limit = not_given;       ///< Hz, above which its modes are not trusted; NaN: not known
   std::shared_ptr<const CurveDrive> curves = nullptr;  ///< of its contacts; null: the linear model alone
+  KeyList of_pass                          = {};       ///< keys of the force of its pass, and of how it drives
 };
 PassModel pass_model(const LumpedModel &model, const DynamicsSettings &settings);
 /// @param chain  the lumped model of the same stand

@@ -3,7 +3,7 @@
 #include "app/stages/stand/mode_results.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
-#include "core/case/turning_keys.h"
+#include "core/case/moving_keys.h"
 #include "core/numerics/root_search.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
@@ -223,7 +223,7 @@ private:
                            title_of(r.model->name), r.modal.frequency.size(), 100 * dynamics.modal_damping,
                            range[0], range[1]);
     p.at     = stand.at;
-    p.inputs = joined(stand.inputs, frequency_response_keys());
+    p.inputs = joined(stand.inputs, frequency_response_keys(*run.keys));
     const Eigen::Index row = Eigen::Index(place), column = Eigen::Index(force);
     if (lacks.empty())
       p.error_estimate = (band.peak_high(row, column) - band.peak_low(row, column)) / (2 * peak.magnitude);

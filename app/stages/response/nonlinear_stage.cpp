@@ -188,8 +188,8 @@ void write_events(RunContext &run, const CurveDrive &drive, const dynamics::Curv
 
 class ResultsOfPass {
 public:
-  ResultsOfPass(RunContext &run, const NonlinearRecord &record, const Pass &pass)
-      : run_(run), pass_(pass), record_(record)
+  ResultsOfPass(RunContext &run, const NonlinearRecord &record, const DrivenPass &driven)
+      : run_(run), driven_(driven), record_(record)
   {
   }
 
@@ -200,6 +200,7 @@ public:
     p.unit           = row.unit;
     p.method         = record_.model + ", " + method;
     p.at             = at_force(record_.load);
+    p.inputs         = driven_.inputs;
     p.error_estimate = error;
     if (std::isnan(error))
       p.error_lacks = {"dynamics.modal_damping", "curves of the contacts"};
@@ -208,18 +209,18 @@ public:
   template <class Row, class... Part> void add(const Row &row, const Parameter &p, const Part &...part)
   {
     if (!std::isnan(p.value))
-      run_.results.add(row.of(pass_.name, part...), p);
+      run_.results.add(row.of(driven_.pass.name, part...), p);
   }
 
 private:
   RunContext &run_;
-  const Pass &pass_;
+  const DrivenPass &driven_;
   const NonlinearRecord &record_;
 };
 
-void add_results(RunContext &run, const NonlinearRecord &record, const Pass &pass)
+void add_results(RunContext &run, const NonlinearRecord &record, const DrivenPass &driven)
 {
-  ResultsOfPass results(run, record, pass);
+  ResultsOfPass results(run, record, driven);
   for (std::size_t i = 0; i < record.rolls.size(); ++i) {
     const NonlinearRoll &roll = record.rolls[i];
     Parameter p =
@@ -279,18 +280,18 @@ std::vector<Check> checks_of_level(const CurveRuns &runs, const int column, cons
           {"curves by fixed steps", value(runs.fixed.response), "implicit, of second order (36.7)"}};
 }
 
-void add_nonlinear(RunContext &run, const CurveDrive &drive, const CurveRuns &runs,
-                   const DynamicsSettings &settings, const Pass &pass, const ForceRecord &force,
-                   const std::string &method)
+void add_nonlinear(RunContext &run, const CurveDrive &drive, const CurveRuns &runs, const DrivenPass &driven)
 {
+  const Pass &pass  = driven.pass;
+  const double rate = driven.settings.output_rate;
   StageTimer timer(run, "curves of the contacts, " + pass.name);
   const std::string item       = slug(pass.name);
-  const NonlinearRecord record = record_of(drive, runs, pass, force, method, settings.output_rate);
+  const NonlinearRecord record = record_of(drive, runs, pass, driven.force, driven.method, rate);
   run.out.write("curves/nonlinear-" + item + ".json", json_of_record(record));
   write_backbones(run, record, item);
-  write_spectra(run, runs, settings.output_rate, item);
+  write_spectra(run, runs, rate, item);
   write_events(run, drive, runs.curve, item);
-  add_results(run, record, pass);
+  add_results(run, record, driven);
   const std::vector<std::string> concerned{result_name({family::nonlinear, pass.name}), pass.name};
   if (!record.linear_enough)
     run.warn({WarningId::springs_not_linear, pass.name, "linear springs were not enough at this load",

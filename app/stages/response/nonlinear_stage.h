@@ -2,6 +2,7 @@
 #include "app/run/run_context.h"
 #include "app/stages/response/contact_curves.h"
 #include "core/base/parameter.h"
+#include "core/records/key_list.h"
 #include "dynamics/nonlinear/curve_response.h"
 
 namespace mill {
@@ -20,9 +21,16 @@ CurveRuns run_on_curves(const CurveDrive &drive, const dynamics::DrivenModel &li
 /// @param peak    the largest value, else the rms; g
 std::vector<Check> checks_of_level(const CurveRuns &runs, int column, bool peak);
 
+/// What drives a stand on curves.
+struct DrivenPass {
+  const DynamicsSettings &settings;
+  const Pass &pass;
+  const ForceRecord &force;
+  std::string method;  ///< of the linear model
+  KeyList inputs;      ///< keys behind model and force
+};
+
 /// nonlinear.<pass>.*, curves/nonlinear-<pass>.json, curves/nonlinear-<pass>-spectrum.csv,
 /// curves/backbone-<pass>.csv, response/<pass>-parted.csv, and a warning where linear springs were not enough.
-void add_nonlinear(RunContext &run, const CurveDrive &drive, const CurveRuns &runs,
-                   const DynamicsSettings &settings, const Pass &pass, const ForceRecord &force,
-                   const std::string &method);
+void add_nonlinear(RunContext &run, const CurveDrive &drive, const CurveRuns &runs, const DrivenPass &driven);
 }  // namespace mill

@@ -1,5 +1,7 @@
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/bite/bite_stage.h"
+#include "core/case/moving_keys.h"
+#include "core/case/provenance.h"
 #include "core/numerics/difference.h"
 #include "core/records/rows_of_bite.h"
 #include "core/records/rows_of_stand.h"
@@ -116,6 +118,7 @@ struct GaugeNumber {
   const char *equation;
   double value, error, by_differences;
   std::string also;  ///< what else has no error
+  KeyList inputs;
 };
 
 void add_gauge_number(RunContext &run, const GaugeNumber &g, const Parameter &M, const Parameter &slope)
@@ -125,6 +128,7 @@ void add_gauge_number(RunContext &run, const GaugeNumber &g, const Parameter &M,
   p.value          = g.value;
   p.method         = "mill modulus and plastic slope " + std::string(g.equation);
   p.at             = slope.at;
+  p.inputs         = g.inputs;
   p.error_estimate = g.error;
   if (std::isnan(g.error)) {
     p.error_lacks = M.error_lacks;
@@ -146,7 +150,7 @@ ResultName stand_result(const FourHigh &stand, const std::size_t pass, const Row
 }
 
 void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, const Parameter &slope,
-               const reduce::LoadDeflection &stretch)
+               const StretchedStand &stretched)
 {
   const std::string &name  = stand.passes[pass].name;
   const auto gauge_result  = [&](const RowOf<1> &row) { return stand_result(stand, pass, row); };
@@ -156,15 +160,16 @@ void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, c
     return;
   const Parameter M = *modulus;  // results move with every new one
   const reduce::GaugeCoupling gauge{M.value, slope.value};
-  const CoupledCheck coupled(stand, stand.passes[pass], circle->value, stretch);
+  const CoupledCheck coupled(stand, stand.passes[pass], circle->value, stretched.stretch);
   const double share = gauge.Q / (gauge.M + gauge.Q), eM = M.error_estimate, eQ = slope.error_estimate;
   const double by_screw = coupled.read([](const CoupledGauge &c) { return c.by_screw(); });
   const auto add        = [&](const GaugeNumber &g) { add_gauge_number(run, g, M, slope); };
-  add({gauge_result(row::stand::screw_sensitivity), "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, ""});
+  add({gauge_result(row::stand::screw_sensitivity), "(30.7)", gauge.screw(), share * (eM + eQ), by_screw, "",
+       stretched.inputs});
   add({gauge_result(row::stand::thickness_by_eccentricity), "(30.7)", -gauge.screw(), share * (eM + eQ), -by_screw,
-       ""});
+       "", stretched.inputs});
   add({gauge_result(row::stand::force_by_screw), "(30.9)", gauge.force_by_screw(), share * eM + (1 - share) * eQ,
-       not_given, ""});
+       not_given, "", stretched.inputs});
   for (const GaugeInput &input : gauge_inputs) {
     const std::string of_bite = input.force->of(name);
     const Parameter *there    = run.results.find(of_bite);
@@ -173,14 +178,17 @@ void add_gauge(RunContext &run, const FourHigh &stand, const std::size_t pass, c
     const double F_x       = there->value;
     const double eF        = there->checks.empty() ? not_given : difference(there->checks.front().value, F_x);
     const std::string also = std::isnan(eF) ? of_bite : "";
+    BiteReading reading;
+    reading.speed        = input.force == &row::bite::force_by_roll_speed;
+    const KeyList inputs = joined(stretched.inputs, bite_keys(*run.keys, pass, reading));
     const double by_differences =
         input.member ? coupled.read([&](const CoupledGauge &c) { return c.by(input.member, input.step); })
                      : not_given;
     add({gauge_result(*input.thickness), "(30.8)", gauge.thickness_by(F_x), eF + (1 - share) * eM + share * eQ,
-         by_differences, also});
+         by_differences, also, inputs});
     if (input.member == &Strip::entry_thickness)
       add({gauge_result(row::stand::force_by_entry_thickness), "(30.9)", gauge.force_by(F_x),
-           eF + share * (eM + eQ), gauge.M * by_differences, also});
+           eF + share * (eM + eQ), gauge.M * by_differences, also, inputs});
   }
 }
 }  // namespace mill

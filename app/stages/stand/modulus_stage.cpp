@@ -3,6 +3,8 @@
 #include "app/stages/contact/contact_model.h"
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/stand/mode_results.h"
+#include "core/case/moving_keys.h"
+#include "core/case/provenance.h"
 #include "core/numerics/difference.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/result_names.h"
@@ -112,7 +114,7 @@ public:
     if (parts.pass == 0)
       write();
     if (!with_strip.empty())
-      add_gauge(run, stand, parts.pass, parts.K4.plastic_slope, stretch(true));
+      add_gauge(run, stand, parts.pass, parts.K4.plastic_slope, {stretch(true), of_strip});
   }
 
 private:
@@ -123,6 +125,7 @@ private:
   Parameter flattening;
   double bend = 0;  // m/N, both work rolls
   std::vector<PathPart> common, with_strip, touching;
+  KeyList of_path, of_rolls, of_bending, of_strip;  // keys behind the springs of the chain and what joins them
 
   const Parameter &result(const std::string &name) const
   {
@@ -219,11 +222,12 @@ void Modulus::add_contact_of_work_rolls()
     return reduce::line_contact(work_roll_pair(stand), load).approach;
   };
   Parameter tangent = touching_work_rolls(stand, F, run.results.find(of_pass("K3.tangent")));
-  tangent.checks    = {{"differences of the approach (3.4)", 0.02 * F / (stretch(1.01 * F) - stretch(0.99 * F)),
-                        "1 % of the force"}};
-  Parameter secant  = tangent;
-  secant.value      = contact.secant;
-  secant.method     = "Hertz line contact of both work rolls over the barrel (3.5a)";
+  tangent.inputs = of_rolls = touching_roll_keys(*run.keys, parts.pass);
+  tangent.checks   = {{"differences of the approach (3.4)", 0.02 * F / (stretch(1.01 * F) - stretch(0.99 * F)),
+                       "1 % of the force"}};
+  Parameter secant = tangent;
+  secant.value     = contact.secant;
+  secant.method    = "Hertz line contact of both work rolls over the barrel (3.5a)";
   secant.checks = {{"Foeppl (3.8)", laws.foeppl, ""}, {"Palmgren (3.10)", laws.palmgren, "lower end of the band"}};
   run.results.add(name_of(row::stand::K_ww_tangent), tangent);
   run.results.add(name_of(row::stand::K_ww_secant), secant);
@@ -268,7 +272,9 @@ void Modulus::state_error(reduce::MillModulus &m, const std::vector<PathPart> &p
 void Modulus::add_touching()
 {
   add_contact_of_work_rolls();
-  common   = common_path();
+  common = common_path();
+  for (const char *name : {"K1", "K2", "K3", "K5", "K6", "K7"})
+    of_path = joined(std::move(of_path), spring(name).inputs);
   touching = common;
   touching.push_back(part(name_of(row::stand::K_ww_tangent), result(name_of(row::stand::K_ww_tangent)),
                           result(name_of(row::stand::K_ww_secant)).value));
@@ -277,6 +283,7 @@ void Modulus::add_touching()
   Parameter tangent = result_of(m, "K1, K2, K3, work rolls on each other, K5, K6, K7 in series (30.1)", true);
   tangent.checks.push_back(difference_of_stretch(false));
   Parameter secant = result_of(m, "screw-down of touching work rolls from zero force (30.2)", false);
+  tangent.inputs = secant.inputs = joined(of_path, of_rolls);
   run.results.add(name_of(row::stand::modulus_kiss), tangent);
   run.results.add(name_of(row::stand::modulus_kiss_secant), secant);
 }
@@ -286,6 +293,8 @@ void Modulus::add_bending()
   const double K3 = spring("K3").value, K5 = spring("K5").value, b = stand.strip.width;
   const Component *solid = solid_work_roll(stand, parts);
   bend                   = work_rolls_bending(stand, solid, b, K3, K5);
+  of_bending             = joined(bent_work_roll_keys(*run.keys, true), spring("K3").inputs, spring("K5").inputs);
+  of_strip               = joined(of_path, of_bending, bite_keys(*run.keys, parts.pass));
   if (!(bend * K3 > least_bending))
     return;  // the strip is as wide as the barrel
   Parameter p       = made("N/m", 1 / bend,
@@ -312,6 +321,7 @@ void Modulus::add_bending()
                              : Check{"rolls by finite elements (22.13a)", fine, ""});
   } else
     p.error_lacks = {name_of(row::stand::K_bend)};
+  p.inputs = of_bending;
   run.results.add(name_of(row::stand::K_bend), p);
 }
 
@@ -391,6 +401,7 @@ void Modulus::add_with_strip()
     const double load = first * std::exp(i * h);
     sum += h / 3 * (i == 0 || i == n ? 1 : i % 2 ? 4 : 2) * load * compliance(load);
   }
+  tangent.inputs = secant.inputs = of_strip;
   secant.checks.push_back({"tangents summed over the force", F / sum, "from the smallest force of the curve"});
   run.results.add(name_of(row::stand::modulus_tangent), tangent);
   run.results.add(name_of(row::stand::modulus_secant), secant);
@@ -413,6 +424,7 @@ void Modulus::add_by_width()
                        "flattening and bending of the work rolls under another width, "
                          "same force and arc (30.10)",
                        at);
+  p.inputs      = of_strip;
   p.checks      = {{"flattening alone", by_width(0), "work rolls that do not bend"}};
   p.error_lacks = {"K4.flattening"};
   run.results.add(name_of(row::stand::modulus_by_width), p);

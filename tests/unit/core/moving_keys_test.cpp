@@ -44,7 +44,8 @@ TEST(MovingKeys, OneRowThatEntersATextMovesIt)
   MovingKeys keys(changed_demo().spec);
   const auto width = [](const CaseSpec &spec) { return record_text(std::get<FourHigh>(spec).strip.width); };
   EXPECT_EQ(keys.of("width", width), KeyList{"strip.width"});
-  EXPECT_EQ(width(keys.spec()), width(changed_demo().spec)) << "every row is put back";
+  EXPECT_EQ(keys.of("once more", width), KeyList{"strip.width"}) << "every row is put back";
+  EXPECT_EQ(width(keys.spec()), width(changed_demo().spec));
 }
 
 TEST(MovingKeys, NecksFollowTheLengthsOfTheWorkRollAlone)
