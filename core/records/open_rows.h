@@ -12,8 +12,10 @@ inline constexpr RowOf<2> rating{"bearing.{bearing}.{key}", "", "", ""};
 inline constexpr RowOf<2> film{"bearing.{bearing}.film.{key}", "", "", ""};
 inline constexpr RowOf<2> bite{"bite.{pass}.{quantity}", "", "", ""};
 inline constexpr RowOf<3> bite_model{"bite.{pass}.{bite_model}.{quantity}", "", "", ""};
+inline constexpr RowOf<4> below_bite_model{"bite.{pass}.{bite_model}.{quantity}.{key}", "", "", ""};
 inline constexpr RowOf<1> bite_fit{"bite.fit.{key}", "", "", ""};
 inline constexpr RowOf<2> chatter{"chatter.{pass}.{key}", "", "", ""};
-inline constexpr const ResultRow *all[]{&roll_contact, &bite_spring, &contact,    &one_bearing, &rating,
-                                        &film,         &bite,        &bite_model, &bite_fit,    &chatter};
+inline constexpr const ResultRow *all[]{&roll_contact,     &bite_spring, &contact, &one_bearing,
+                                        &rating,           &film,        &bite,    &bite_model,
+                                        &below_bite_model, &bite_fit,    &chatter};
 }  // namespace mill::row::open

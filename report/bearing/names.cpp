@@ -36,7 +36,7 @@ BearingGroup group_of(const std::string &name)
     return BearingGroup::motion;
   if (id->is_of(row::open::one_bearing))
     return BearingGroup::stiffness;
-  if (id->place("bearing_spring") != family::bearing)
+  if (family::bearing != id->place("bearing_spring"))
     return BearingGroup::others;
   return id->is_of(of_rows)        ? BearingGroup::rows
          : id->is_of(of_rollers)   ? BearingGroup::rollers

@@ -90,7 +90,7 @@ std::vector<BitePass> bite_passes(const Run &run)
         pass.models.push_back(model.key);
     for (const Result &other : run.results)
       if (const auto of_model = result_id(other.name);
-          of_model && of_model->is_of(row::bite_model::force) && of_model->place("pass") == name)
+          of_model && of_model->is_of(row::bite_model::force) && name == of_model->place("pass"))
         if (const std::string key = of_model->place("bite_model"); !find_model(key))
           pass.models.push_back(key);
     passes.push_back(std::move(pass));

@@ -39,7 +39,8 @@ std::vector<Group> bite_groups(const Run &run)
     if (is_of_spring(*id))
       groups.front().results.push_back(&result);
     const bool fit = is_of_fit(*id);
-    if (!fit && !id->is_of(row::bite::all) && !id->is_of(row::open::bite))
+    if (!fit && !id->is_of(row::bite::all) && !id->is_of(row::open::bite) &&
+        !id->is_of(row::open::below_bite_model))
       continue;
     const std::string title = fit ? "Fit to measured values" : "Bite of " + id->place("pass");
     if (groups.back().title != title)

@@ -130,7 +130,7 @@ std::string gap_table(const Run &run)
   for (const bool open : {false, true})
     for (const Result &result : run.results) {
       const auto id = result_id(result.name);
-      if (!id || !id->is_of(row::modes::frequency) || id->place("open") != state_of(open))
+      if (!id || !id->is_of(row::modes::frequency) || state_of(open) != id->place("open"))
         continue;
       const std::string key = id->place("mode");
       if (open && run.find(row::modes::frequency.of("", key)))

@@ -29,8 +29,8 @@ bool is_of_contact(const std::string &name, const std::string &contact)
     return is_contact(contact, ContactName::space);
   if (id->is_of(row::line::all))
     return is_contact(contact, ContactName::line);
-  return (id->is_of(row::contact::all) && id->place("contact") == contact) ||
-         (id->is_of(row::open::contact) && id->place("rolls") == contact);
+  return (id->is_of(row::contact::all) && contact == id->place("contact")) ||
+         (id->is_of(row::open::contact) && contact == id->place("rolls"));
 }
 
 // Loads of the passes; for two cylinders the load at which the scalar results stand.

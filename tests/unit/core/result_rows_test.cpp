@@ -83,6 +83,7 @@ TEST(ResultRows, WithoutARowANameIsOfItsFamily)
   ASSERT_TRUE(of_model);
   EXPECT_TRUE(of_model->is_of(row::open::bite_model));
   EXPECT_EQ(of_model->place("pass"), "pass 1");
+  EXPECT_TRUE(result_id_or_open("bite.1.karman.some.thing")->is_of(row::open::below_bite_model));
   EXPECT_TRUE(result_id_or_open("bite.fit.some.thing")->is_of(row::open::bite_fit)) << "not of a pass \"fit\"";
   EXPECT_TRUE(result_id_or_open("bearing.trb.film.new")->is_of(row::open::film)) << "before the rating";
   EXPECT_EQ(result_id_or_open("chatter.2.of.another.version")->place("pass"), "2");
