@@ -4,6 +4,7 @@
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/records/chain_number.h"
+#include "core/records/rows_of_stand.h"
 #include <optional>
 #include <utility>
 
@@ -40,9 +41,13 @@ void set_inputs(reduce::ChainInputs &springs, const FourHigh &stand, const std::
 {
   // What is given was not solved; half of K_Zy is the bearing of its seat.
   const auto solved = [&](const std::string &name) {
-    if (name.rfind("K_Zy", 0) == 0)
-      return !stand.given.count(name == word_of(ChainNumber::K_Zy) ? "Kzc1" : "Kzc4");
-    return name.rfind("Kzc", 0) != 0 || !stand.given.count(name.substr(0, 4));
+    const auto id = result_id(name);
+    if (id && id->is_of(row::chain::K_Zy))
+      return !stand.given.count(word_of(ChainNumber::Kzc1));
+    if (id && id->is_of(row::chain::K_Zy_lower))
+      return !stand.given.count(word_of(ChainNumber::Kzc4));
+    return !id || !(id->is_of(row::chain::Kzc) || id->is_of(row::chain::Kzc_across)) ||
+           !stand.given.count(id->place("seat"));
   };
   MovingKeys keys(stand);
   reduce::each_spring(
