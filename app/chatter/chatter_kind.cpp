@@ -5,8 +5,8 @@
 #include "app/trace/closed_form_parts.h"
 #include "core/case/moving_keys.h"
 #include "core/model/case.h"
-#include "core/records/result_names.h"
-#include "core/records/result_words.h"
+#include "core/records/rows_of_bite.h"
+#include "core/records/rows_of_chatter.h"
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
@@ -14,15 +14,16 @@ namespace mill {
 namespace {
 std::optional<KeyList> inputs_of(const ChatterCase &spec, const std::string &name)
 {
-  for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
-    const std::string &condition = spec.conditions[i].name;
-    const KeyList speed          = keys_in(fmt::format("condition.{}", i), "speed");
-    if (begins(name, "bite." + condition + "."))
+  const auto id = result_id(name);
+  for (std::size_t i = 0; id && i < spec.conditions.size(); ++i) {
+    if (spec.conditions[i].name != id->place("pass"))
+      continue;
+    const KeyList speed = keys_in(fmt::format("condition.{}", i), "speed");
+    if (id->is_of(row::bite::all) || id->is_of(row::bite_model::all) || id->is_of(row::bite_slope::all))
       return joined(chatter_bite_keys(spec, i), speed);
     const KeyList searched =
         joined(chatter_bite_keys(spec, i), chatter_stand_keys(spec), keys_in("analysis", "speeds"));
-    if (name == result_name({family::chatter, condition, word_of(ResultWord::critical_speed)}) ||
-        name == result_name({family::chatter, condition, word_of(ResultWord::frequency)}))
+    if (id->is_of(row::chatter::critical_speed) || id->is_of(row::chatter::frequency))
       return searched;
   }
   return {};

@@ -6,6 +6,7 @@
 #include "core/case/fields.h"
 #include "core/records/result_names.h"
 #include "core/records/result_words.h"
+#include "core/records/rows_of_stand.h"
 #include "report/results/named_mode.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -78,9 +79,8 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
 {
   std::vector<std::pair<std::string, const Parameter *>> modes;  // key and frequency
   for (const auto &[name, p] : results.values)
-    if (const auto parts = parts_of(name);
-        parts.size() == 3 && parts[0] == family::mode && is_word(parts[2], ResultWord::frequency))
-      modes.emplace_back(parts[1], &p);
+    if (const auto id = result_id(name); id && id->is_of(row::modes::frequency) && id->place("open").empty())
+      modes.emplace_back(id->place("mode"), &p);
   const auto rank = [](const auto &mode) {
     return is_word(mode.first, ResultWord::gap_first_kind)    ? 0
            : is_word(mode.first, ResultWord::gap_second_kind) ? 1
@@ -89,7 +89,7 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
   };
   std::stable_sort(modes.begin(), modes.end(), [&](const auto &a, const auto &b) { return rank(a) < rank(b); });
   for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i) {
-    const Parameter *open = results.find(result_name({family::open, family::mode, modes[i].first, "frequency"}));
+    const Parameter *open = results.find(row::modes::frequency.of(family::open, modes[i].first));
     const Parameter &p    = *modes[i].second;
     lines.push_back(fmt::format("  {:<54} {:>9}{}{}", report::mode_in_words(p.method), engineering(p), accuracy(p),
                                 open ? ", open stand " + engineering(*open) : ""));

@@ -3,6 +3,10 @@
 #include "app/study/study_statistics.h"
 #include "app/verbs/checked_case.h"
 #include "core/model/case.h"
+#include "core/records/chain_number.h"
+#include "core/records/rows_of_bearing.h"
+#include "core/records/rows_of_bite.h"
+#include "core/records/rows_of_contact.h"
 #include <algorithm>
 #include <cmath>
 
@@ -10,13 +14,15 @@ namespace mill {
 namespace {
 constexpr double share_of_deviation = 0.1;  // larger step of the differences
 
-// Name of a result of a run in the closed forms.
+// Name of a result of a run in the closed forms, which have one stiffness of a spring, "K3".
 std::string quick_name(const std::string &name)
 {
-  for (const std::string ending : {".tangent", ".combined"})
-    if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0)
-      return name.substr(0, name.size() - ending.size());
-  return name;
+  const auto id = result_id(name);
+  if (id && id->is_of(row::roll_contact::tangent) && id->place("pass").empty())
+    return id->place("roll_contact");
+  if (id && id->is_of(row::bearing::tangent))
+    return id->place("bearing_spring");
+  return id && id->is_of(row::bite_spring::combined) ? word_of(ChainNumber::K4) : name;
 }
 
 // Results of a row in the order of the names; all NaN where it fails.

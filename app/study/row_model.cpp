@@ -9,6 +9,9 @@
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include "core/records/cache_limit.h"
+#include "core/records/open_rows.h"
+#include "core/records/rows_of_chatter.h"
+#include "core/records/rows_of_contact.h"
 #include "core/records/short_names.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -56,7 +59,10 @@ bool holds_all(const NamedResults &results, const std::vector<std::string> &name
 // A result of the roll contacts alone.
 bool is_of_contacts(const std::string &name)
 {
-  return name.rfind("K3.", 0) == 0 || name.rfind("K5.", 0) == 0 || name.rfind("contact.", 0) == 0;
+  const auto id = result_id_or_open(name);
+  return id && ((id->is_of(row::roll_contact::all) && id->place("pass").empty()) || id->is_of(row::contact::all) ||
+                id->is_of(row::space::all) || id->is_of(row::line::all) || id->is_of(row::open::roll_contact) ||
+                id->is_of(row::open::contact));
 }
 
 // May this work give all of these names?
@@ -70,7 +76,9 @@ bool may_give(const Case &the_case, const Work &work, const std::vector<std::str
     return false;
   // Chatter of a stand is asked for by its names; without names modes are enough.
   const bool of_chatter = std::any_of(names.begin(), names.end(), [](const std::string &name) {
-    return name.rfind("chatter.", 0) == 0 || name.rfind("critical_speed", 0) == 0;
+    const auto id = result_id_or_open(name);
+    return (id && (id->is_of(row::chatter::all) || id->is_of(row::open::chatter))) ||
+           name.rfind("critical_speed", 0) == 0;  // of the closed forms
   });
   if (work.goal == Goal::chatter)
     return of_chatter;
@@ -81,15 +89,18 @@ bool may_give(const Case &the_case, const Work &work, const std::vector<std::str
 std::vector<std::string> usual_names(const NamedResults &results)
 {
   std::vector<std::string> names;
-  for (const char *name : {"K3.tangent", "K3", "K4.combined", "K4", "K5.tangent", "K5", "f1", "f2", "f3", "f4",
-                           "f5", "f6", "critical_speed"})
-    if (find_result(results, name) && names.size() < most_watched)
+  const auto add = [&](const std::string &name) {
+    const bool known = find_result(results, name) && names.size() < most_watched;
+    if (known)
       names.push_back(name);
-  // A spring by both its names is one.
-  for (const char *spring : {"K3", "K4", "K5"})
-    if (std::any_of(names.begin(), names.end(),
-                    [&](const std::string &name) { return name.rfind(std::string(spring) + ".", 0) == 0; }))
-      names.erase(std::remove(names.begin(), names.end(), spring), names.end());
+    return known;
+  };
+  for (const auto &[of_run, of_closed_forms] :
+       {std::pair("K3.tangent", "K3"), {"K4.combined", "K4"}, {"K5.tangent", "K5"}})
+    if (!add(of_run))  // a spring by both its names is one
+      add(of_closed_forms);
+  for (const char *name : {"f1", "f2", "f3", "f4", "f5", "f6", "critical_speed"})
+    add(name);
   for (const auto &[name, result] : results)
     if (names.size() < most_watched && !find_result(results, "f1"))
       names.push_back(name);

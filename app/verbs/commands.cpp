@@ -22,6 +22,7 @@
 #include "core/model/case.h"
 #include "core/process/memory.h"
 #include "core/records/cache_limit.h"
+#include "core/records/rows_of_chatter.h"
 #include "report/compare/comparison.h"
 #include "report/front/html.h"
 #include "report/results/names.h"
@@ -36,18 +37,12 @@ namespace mill {
 namespace {
 std::string manifest_path;
 
-// chatter.CONDITION.variant.NAME.*, .scheme., .speed_slope.KEY and the like.
-bool is_of_a_variant(const std::string &name)
-{
-  return name.rfind("chatter.", 0) == 0 && std::count(name.begin(), name.end(), '.') > 2;
-}
-
 void print_table(const Results &results)
 {
   using console::print;
   print(fmt::format("{:<34} {:>22} {:>9}  {}\n", "result", "value", "error", "at"));
   for (const auto &[name, p] : results.values) {
-    if (report::is_of_one_model(name) || is_of_a_variant(name))
+    if (report::is_of_one_model(name) || is_made_by(row::chatter::of_variants, name))
       continue;  // side by side in the report
     print(fmt::format("{:<34} {:>22} {:>9}  {}\n", visible(name, true), engineering(p),
                       std::isnan(p.error_estimate) ? "-" : percent_text(p.error_estimate),

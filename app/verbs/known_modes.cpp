@@ -2,28 +2,24 @@
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/stored_run.h"
-#include "core/base/digits.h"
 #include "core/base/errors.h"
 #include "core/model/case.h"
-#include "core/records/cluster_names.h"
-#include "core/records/result_names.h"
-#include "core/records/result_words.h"
+#include "core/records/rows_of_cluster.h"
+#include "core/records/rows_of_stand.h"
 #include <algorithm>
 
 namespace mill {
 namespace {
-// "mode.gap_first_kind.frequency" -> key and words; a mode without a name of its own is none here.
-bool is_named(const std::vector<std::string> &parts)
+// "mode.gap_first_kind.frequency"; a mode without a name of its own is none here.
+bool is_named(const ResultId &id)
 {
-  return parts.size() == 3 && parts[0] == family::mode && is_word(parts[2], ResultWord::frequency);
+  return id.is_of(row::modes::frequency) && id.place("open").empty();
 }
 
-// "f3", "cluster.pass 1.f3", "cluster.f3"
-bool is_numbered(const std::vector<std::string> &parts)
+// "f3", "cluster.pass 1.f3"
+bool is_numbered(const ResultId &id)
 {
-  const std::string &last = parts.back();
-  const bool stack        = parts[0] == family::cluster && parts.size() <= 3;
-  return (parts.size() == 1 || stack) && last.size() > 1 && last[0] == 'f' && is_digits(last.substr(1));
+  return (id.is_of(row::modes::vertical) && id.place("open").empty()) || id.is_of(row::cluster::frequency);
 }
 
 // Results that are natural frequencies: those with names, else those of the first pass by their numbers.
@@ -31,16 +27,16 @@ class Frequencies {
 public:
   void add(const std::string &name, const double value, const double error, const std::vector<std::string> &inputs)
   {
-    const auto parts = parts_of(name);
-    if (!(value > 0) || (!is_named(parts) && !is_numbered(parts)))
+    const auto id = result_id(name);
+    if (!(value > 0) || !id || (!is_named(*id) && !is_numbered(*id)))
       return;
     CampbellMode mode;
-    mode.key            = is_named(parts) ? parts[1] : parts.back();
-    mode.name           = is_named(parts) ? parts[1] : "mode " + parts.back().substr(1);
+    mode.key            = is_named(*id) ? id->place("mode") : "f" + id->place("n");
+    mode.name           = is_named(*id) ? id->place("mode") : "mode " + id->place("n");
     mode.frequency      = value;
     mode.error_estimate = error;
     std::replace(mode.name.begin(), mode.name.end(), '_', ' ');
-    auto &list = is_named(parts) ? named : numbered;
+    auto &list = is_named(*id) ? named : numbered;
     if (std::any_of(list.begin(), list.end(), [&](const CampbellMode &m) { return m.key == mode.key; }))
       return;  // of a later pass
     list.push_back(mode);

@@ -1,4 +1,5 @@
 #include "core/case/given.h"
+#include "core/base/source_text.h"
 #include "core/base/units.h"
 #include "core/case/stand_reader.h"
 #include <algorithm>
@@ -149,21 +150,17 @@ std::vector<std::string> given_table_keys()
 
 bool parse_source(const std::string &text, Parameter &parameter)
 {
-  const auto colon       = text.find(": ");
-  const std::string name = text.substr(0, colon);
-  if (name == calibrated) {
+  if (text.substr(0, text.find(": ")) == calibrated) {
     parameter.source = Source::measured;
     parameter.method = text;
     return true;
   }
-  for (const Source source :
-       {Source::computed, Source::given, Source::published, Source::measured, Source::assumed, Source::estimated})
-    if (name == name_of(source)) {
-      parameter.source = source;
-      parameter.method = colon == std::string::npos ? "" : text.substr(colon + 2);
-      return true;
-    }
-  return false;
+  auto [source, method] = source_in(text);
+  if (source) {
+    parameter.source = *source;
+    parameter.method = std::move(method);
+  }
+  return source.has_value();
 }
 
 std::string given_toml(const Row &row, const Parameter &parameter)

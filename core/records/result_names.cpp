@@ -21,17 +21,6 @@ bool is_of(const std::string &name, const std::string &subject)
          (name.size() == subject.size() || name[subject.size()] == '.');
 }
 
-std::vector<std::string> parts_of(const std::string &name)
-{
-  std::vector<std::string> parts(1);
-  for (const char c : name)
-    if (c == '.')
-      parts.emplace_back();
-    else
-      parts.back() += c;
-  return parts;
-}
-
 std::string spring_of_contact(const std::string &contact)
 {
   const auto name = choice_named<ContactName>(contact);

@@ -168,6 +168,7 @@ std::vector<ResultPlace> places_of_bite()
                           {"friction_factor", "factor on the friction"},
                           {"flow_stress_factor", "factor on the flow stress"}}),
           place_of_names("unknown", {"friction", "flow_stress"}, {}, with_spaces),
+          place_of_names("quantity", {}),
           place_of_names("measure", {"force", "slip", "torque"},
                          {{"force", "roll force"}, {"slip", "forward slip"}, {"torque", "torque of one roll"}})};
 }

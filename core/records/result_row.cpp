@@ -1,4 +1,5 @@
 #include "core/records/result_row.h"
+#include "core/records/open_rows.h"
 #include "core/records/result_place.h"
 #include <algorithm>
 #include <iterator>
@@ -60,14 +61,30 @@ RowPattern pattern_of(const ResultRow &row, const std::string &spelling)
   return pattern;
 }
 
+void add_patterns(std::vector<RowPattern> &all, const ResultRow &row)
+{
+  for (const std::string &spelling : spellings(row.name))
+    all.push_back(pattern_of(row, spelling));
+}
+
 const std::vector<RowPattern> &patterns()
 {
   static const std::vector<RowPattern> all = [] {
     std::vector<RowPattern> made;
     for (const RowGroup &group : row_groups())
       for (const ResultRow *row : group.rows)
-        for (const std::string &spelling : spellings(row->name))
-          made.push_back(pattern_of(*row, spelling));
+        add_patterns(made, *row);
+    return made;
+  }();
+  return all;
+}
+
+const std::vector<RowPattern> &open_patterns()
+{
+  static const std::vector<RowPattern> all = [] {
+    std::vector<RowPattern> made;
+    for (const ResultRow *row : row::open::all)
+      add_patterns(made, *row);
     return made;
   }();
   return all;
@@ -84,26 +101,31 @@ std::optional<std::string> inside_of(const NamePiece &piece, const std::string &
   return piece.place->takes(inside) ? std::optional(std::move(inside)) : std::nullopt;
 }
 
-std::optional<ResultId> id_by(const RowPattern &pattern, std::vector<std::string> parts)
+// The last of n parts with all that follow it.
+std::string rest_of(const std::vector<std::string> &parts, const std::size_t n)
+{
+  std::string rest = parts[n - 1];
+  for (std::size_t i = n; i < parts.size(); ++i)
+    rest += "." + parts[i];
+  return rest;
+}
+
+std::optional<ResultId> id_by(const RowPattern &pattern, const std::vector<std::string> &parts)
 {
   const std::size_t n = pattern.pieces.size();
   const auto *last    = pattern.pieces.back().place;
-  if (last && last->takes_rest && parts.size() > n) {
-    for (std::size_t i = n; i < parts.size(); ++i)
-      parts[n - 1] += "." + parts[i];
-    parts.resize(n);
-  }
-  if (parts.size() != n)
+  const bool longer   = last && last->takes_rest && parts.size() > n;
+  if (parts.size() != n && !longer)
     return std::nullopt;
+  for (std::size_t i = 0; i < n; ++i)  // words first: a place costs a text
+    if (!pattern.pieces[i].place && parts[i] != pattern.pieces[i].before)
+      return std::nullopt;
   ResultId id{pattern.row, {}};
   for (std::size_t i = 0; i < n; ++i) {
     const NamePiece &piece = pattern.pieces[i];
-    if (!piece.place) {
-      if (parts[i] != piece.before)
-        return std::nullopt;
+    if (!piece.place)
       continue;
-    }
-    const auto inside = inside_of(piece, parts[i]);
+    const auto inside = inside_of(piece, longer && i + 1 == n ? rest_of(parts, n) : parts[i]);
     if (!inside)
       return std::nullopt;
     id.places.emplace_back(piece.place->name, *inside);
@@ -184,12 +206,13 @@ std::string ResultId::place(const std::string &name) const
   return match == places.end() ? "" : match->second;
 }
 
-std::optional<ResultId> result_id(const std::string &name)
+namespace {
+std::optional<ResultId> best_id(const std::vector<RowPattern> &patterns, const std::string &name)
 {
   const auto parts       = split_at_points(name);
   const RowPattern *best = nullptr;
   std::optional<ResultId> id;
-  for (const RowPattern &pattern : patterns()) {
+  for (const RowPattern &pattern : patterns) {
     if (best && !knows_more(pattern, *best))
       continue;
     if (auto match = id_by(pattern, parts)) {
@@ -198,6 +221,18 @@ std::optional<ResultId> result_id(const std::string &name)
     }
   }
   return id;
+}
+}  // namespace
+
+std::optional<ResultId> result_id(const std::string &name)
+{
+  return best_id(patterns(), name);
+}
+
+std::optional<ResultId> result_id_or_open(const std::string &name)
+{
+  auto id = result_id(name);
+  return id ? id : best_id(open_patterns(), name);
 }
 
 bool is_made_by(const ResultRow &row, const std::string &name)

@@ -98,6 +98,13 @@ inline constexpr Search by_scheme{&scheme_critical_speed, &scheme_frequency, &sc
 inline constexpr Search of_variant{&variant_critical_speed, &variant_frequency, &variant_work_roll_ratio};
 inline constexpr Search of_structure{&structure_critical_speed, &structure_frequency, &structure_work_roll_ratio};
 
+/// Of other searches and by one input, of which a reader wants many side by side.
+inline constexpr const ResultRow *of_variants[]{
+    &scheme_critical_speed,    &scheme_frequency,    &scheme_work_roll_ratio,
+    &variant_critical_speed,   &variant_frequency,   &variant_work_roll_ratio,
+    &structure_critical_speed, &structure_frequency, &structure_work_roll_ratio,
+    &friction_slope,           &speed_slope};
+
 inline constexpr const ResultRow *all[]{&critical_speed,
                                         &critical_speed_highest,
                                         &critical_speed_low,

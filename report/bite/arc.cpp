@@ -1,4 +1,5 @@
 #include "core/base/files.h"
+#include "core/records/rows_of_bite.h"
 #include "report/bite/figures.h"
 #include "report/page/curves.h"
 #include "report/results/names.h"
@@ -34,15 +35,6 @@ const Model *find_model(const std::string &key)
     if (key == model.key)
       return &model;
   return nullptr;
-}
-
-// Between prefix and suffix; empty when the name is something else.
-std::string between(const std::string &name, const std::string &prefix, const std::string &suffix)
-{
-  if (name.size() <= prefix.size() + suffix.size() || name.compare(0, prefix.size(), prefix) != 0 ||
-      name.compare(name.size() - suffix.size(), suffix.size(), suffix) != 0)
-    return "";
-  return name.substr(prefix.size(), name.size() - prefix.size() - suffix.size());
 }
 
 Plot along_arc(const char *title, const char *quantity, const char *unit, const bool narrow = false)
@@ -85,19 +77,21 @@ std::vector<BitePass> bite_passes(const Run &run)
 {
   std::vector<BitePass> passes;
   for (const Result &result : run.results) {
-    const std::string name = between(result.name, "bite.", ".force");
-    if (name.empty() || name.find('.') != std::string::npos)
+    const auto id = result_id(result.name);
+    if (!id || !id->is_of(row::bite::force))
       continue;
+    const std::string name = id->place("pass");
     BitePass pass{name, slug(name), {}};
     for (const PassInfo &info : run.manifest.passes)
       if (info.name == name)
         pass.slug = info.slug;
     for (const Model &model : known_models)
-      if (run.find(result_name({family::bite, name, model.key, "force"})))
+      if (run.find(row::bite_model::force.of(name, model.key)))
         pass.models.push_back(model.key);
     for (const Result &other : run.results)
-      if (const std::string key = between(other.name, "bite." + name + ".", ".force"); !key.empty())
-        if (!find_model(key))
+      if (const auto of_model = result_id(other.name);
+          of_model && of_model->is_of(row::bite_model::force) && name == of_model->place("pass"))
+        if (const std::string key = of_model->place("bite_model"); !find_model(key))
           pass.models.push_back(key);
     passes.push_back(std::move(pass));
   }

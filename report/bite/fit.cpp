@@ -1,4 +1,6 @@
+#include "core/base/source_text.h"
 #include "core/model/bite_setup.h"
+#include "core/records/rows_of_bite.h"
 #include "report/bite/figures.h"
 #include "report/page/curves.h"
 #include "report/plot/number.h"
@@ -12,28 +14,27 @@ namespace mill::report {
 namespace {
 using Eigen::VectorXd;
 
-const Result *fit_result(const Run &run, const std::string &name)
+double fit_value(const Run &run, const RowOf<1> &row, const std::string &number)
 {
-  return run.find(result_name({family::bite, bite_fit, name}));
-}
-
-double fit_value(const Run &run, const std::string &name)
-{
-  const Result *result = fit_result(run, name);
+  const Result *result = run.find(row.of(number));
   return result ? result->value : std::nan("");
 }
 
+struct FittedNumber {
+  const Result *result;
+  std::string name;  // "friction"
+};
+
 // Numbers of the fit: those that have an interval, or were kept.
-std::vector<const Result *> fitted_numbers(const Run &run)
+std::vector<FittedNumber> fitted_numbers(const Run &run)
 {
-  std::vector<const Result *> numbers;
-  for (const Result &result : run.results) {
-    const auto parts = parts_of(result.name);
-    if (!is_of(result.name, family::bite) || parts.size() != 3 || parts[1] != bite_fit)
-      continue;
-    if (fit_result(run, parts[2] + "_low") || result.source.rfind("given", 0) == 0)
-      numbers.push_back(&result);
-  }
+  std::vector<FittedNumber> numbers;
+  for (const Result &result : run.results)
+    if (const auto id = result_id(result.name); id && id->is_of(row::bite_fit::number)) {
+      const std::string name = id->place("number");
+      if (run.find(row::bite_fit::number_low.of(name)) || source_in(result.source).source == Source::given)
+        numbers.push_back({&result, name});
+    }
   return numbers;
 }
 
@@ -65,9 +66,9 @@ bool has_fit(const Run &run)
 std::string fit_table(const Run &run)
 {
   std::string body;
-  for (const Result *number : fitted_numbers(run)) {
-    const std::string name = parts_of(number->name)[2];
-    const double low = fit_value(run, name + "_low"), high = fit_value(run, name + "_high");
+  for (const auto &[number, name] : fitted_numbers(run)) {
+    const double low       = fit_value(run, row::bite_fit::number_low, name),
+                 high      = fit_value(run, row::bite_fit::number_high, name);
     const Shown shown      = engineering(number->value, number->unit);
     const double unit      = shown.value / number->value;
     const auto cell        = [](const std::string &text) { return "<td class=\"num\">" + text + "</td>"; };
@@ -86,15 +87,13 @@ std::string fit_table(const Run &run)
 
 std::string fit_residuals(const Run &run)
 {
-  const std::string prefix = result_name({family::bite, bite_fit, "residual"}) + ".";
   std::string body;
   for (const Result &result : run.results) {
-    if (result.name.rfind(prefix, 0) != 0)
+    const auto id = result_id(result.name);
+    if (!id || !id->is_of(row::bite_fit::residual))
       continue;
-    const auto dot     = result.name.rfind('.');
-    const auto measure = choice_named<PassMeasure>(result.name.substr(dot + 1));
-    body += "<tr><th scope=\"row\">" + escaped(result.name.substr(prefix.size(), dot - prefix.size())) +
-            "</th><td>" +
+    const auto measure = choice_named<PassMeasure>(id->place("measure"));
+    body += "<tr><th scope=\"row\">" + escaped(id->place("pass")) + "</th><td>" +
             (measure == PassMeasure::force  ? "rolling force"
              : measure == PassMeasure::slip ? "forward slip"
                                             : "torque of a roll") +
@@ -117,8 +116,9 @@ std::string fit_region(const Run &run)
   Plot plot;
   plot.title = "Friction and flow stress that the measured values allow";
   plot.width = 700;
-  plot.x     = around(fit_result(run, "friction") ? "friction \u00b5" : "factor on the friction", x);
-  plot.y     = around("factor on the flow stress", y);
+  plot.x =
+      around(run.find(row::bite_fit::number.of("friction")) ? "friction \u00b5" : "factor on the friction", x);
+  plot.y = around("factor on the flow stress", y);
   plot.lines.push_back({"both with 95 %", x, y, Pen::dark});
   if (const Table *lines = stored_curve(run, curve::bite_fit_lines)) {
     const Pen pens[] = {Pen::warm, Pen::dashed, Pen::dotted, Pen::warm_dashed, Pen::chained, Pen::pale_dashed};
@@ -129,9 +129,9 @@ std::string fit_region(const Run &run)
       plot.lines.push_back({name, lx, inside(lx, ly, plot.x, plot.y), pens[pen++]});
     }
   }
-  const double friction =
-      std::isfinite(fit_value(run, "friction")) ? fit_value(run, "friction") : fit_value(run, "friction_factor");
-  plot.points.push_back({friction, fit_value(run, "flow_stress_factor"), "fit"});
+  const auto value      = [&](const char *number) { return fit_value(run, row::bite_fit::number, number); };
+  const double friction = std::isfinite(value("friction")) ? value("friction") : value("friction_factor");
+  plot.points.push_back({friction, value("flow_stress_factor"), "fit"});
   return svg_plot(plot);
 }
 }  // namespace mill::report

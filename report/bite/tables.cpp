@@ -5,6 +5,7 @@
 #include "report/page/curves.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
+#include "report/results/named_mode.h"
 #include <algorithm>
 #include <cmath>
 
@@ -27,8 +28,7 @@ std::string source_of(const Run &run, const BitePass &pass, const std::string &m
   const Result *force = run.find(result_name({family::bite, pass.name, model, "force"}));
   if (!force)
     return "";
-  const std::string start = "computed: ";
-  return force->source.compare(0, start.size(), start) == 0 ? force->source.substr(start.size()) : force->source;
+  return method_of(*force);
 }
 
 double k4(const Run &run, const std::string &quantity)

@@ -3,7 +3,9 @@
 #include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "core/records/json_archive.h"
+#include "core/records/open_rows.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_chatter.h"
 #include <algorithm>
 #include <filesystem>
 #include <map>
@@ -25,14 +27,15 @@ template <class Record> std::optional<Record> stored(const fs::path &path, std::
   return std::nullopt;
 }
 
-// Place of a condition among the results; those without any come last.
-std::size_t place_of(const Run &run, const std::string &name)
+// Places of the conditions among the results.
+std::map<std::string, std::size_t> places_of(const Run &run)
 {
-  const std::string subject = result_name({family::chatter, name});
+  std::map<std::string, std::size_t> places;
   for (std::size_t i = 0; i < run.results.size(); ++i)
-    if (is_of(run.results[i].name, subject))
-      return i;
-  return run.results.size();
+    if (const auto id = result_id_or_open(run.results[i].name);
+        id && (id->is_of(row::chatter::all) || id->is_of(row::open::chatter)))
+      places.emplace(id->place("pass"), i);
+  return places;
 }
 
 // "10" behind "9", letters behind numbers.
@@ -81,9 +84,14 @@ ChatterData read_chatter(const Run &run)
       condition.name = slug;
     data.conditions.push_back(condition);
   }
+  const auto places   = places_of(run);
+  const auto place_of = [&](const ChatterCondition &condition) {  // those without results come last
+    const auto place = places.find(condition.name);
+    return place == places.end() ? run.results.size() : place->second;
+  };
   std::stable_sort(data.conditions.begin(), data.conditions.end(),
                    [&](const ChatterCondition &a, const ChatterCondition &b) {
-                     const std::size_t i = place_of(run, a.name), j = place_of(run, b.name);
+                     const std::size_t i = place_of(a), j = place_of(b);
                      return i != j ? i < j : earlier(a.name, b.name);
                    });
   return data;

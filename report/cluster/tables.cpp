@@ -1,9 +1,12 @@
 #include "core/base/si_unit.h"
 #include "core/records/cluster_names.h"
+#include "core/records/result_names.h"
+#include "core/records/rows_of_stand.h"
 #include "report/cluster/figures.h"
 #include "report/page/cells.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
+#include "report/results/named_mode.h"
 #include <algorithm>
 #include <cmath>
 
@@ -108,40 +111,34 @@ std::string share_table(const ClusterPassRecord &pass)
 }
 
 namespace {
-// "gap mode, first kind: why; how" -> the name.
-std::string name_in(const Result &result)
+// The first place of the name of a mode in a state of the gap.
+std::string state_of(const bool open)
 {
-  const std::string source = result.source.substr(result.source.find(": ") + 2);
-  return source.substr(0, source.find(": "));
+  return open ? family::open : "";
 }
 
-// KEY of "mode.KEY.frequency"; empty: another result.
-std::string key_of_mode(const std::string &name, const std::string &family)
+std::string share_cell(const Run &run, const bool open, const std::string &key)
 {
-  static const std::string last = ".frequency";
-  if (name.rfind(family, 0) != 0 || name.size() <= family.size() + last.size() ||
-      name.compare(name.size() - last.size(), last.size(), last) != 0)
-    return "";
-  return name.substr(family.size(), name.size() - family.size() - last.size());
+  const Result *share = run.find(row::modes::gap_share.of(state_of(open), key));
+  return cell(share ? fixed(100 * share->value, 1) : "-");
 }
 }  // namespace
 
 std::string gap_table(const Run &run)
 {
   std::string rows;
-  const auto share_of = [&](const std::string &mode) {
-    const Result *share = run.find(mode + ".gap_share");
-    return cell(share ? fixed(100 * share->value, 1) : "-");
-  };
   for (const bool open : {false, true})
     for (const Result &result : run.results) {
-      const std::string key = key_of_mode(result.name, open ? "open.mode." : "mode.");
-      if (key.empty() || (open && run.find("mode." + key + ".frequency")))
+      const auto id = result_id(result.name);
+      if (!id || !id->is_of(row::modes::frequency) || state_of(open) != id->place("open"))
         continue;
-      const Result *other = run.find("open.mode." + key + ".frequency");
-      rows += row_head(name_in(result)) + cell(open ? "-" : fixed(result.value, 1)) +
-              (open ? cell("-") : share_of("mode." + key)) + cell(other ? fixed(other->value, 1) : "-") +
-              share_of("open.mode." + key) + "</tr>\n";
+      const std::string key = id->place("mode");
+      if (open && run.find(row::modes::frequency.of("", key)))
+        continue;
+      const Result *other = run.find(row::modes::frequency.of(family::open, key));
+      rows += row_head(named_mode(result).name) + cell(open ? "-" : fixed(result.value, 1)) +
+              (open ? cell("-") : share_cell(run, false, key)) + cell(other ? fixed(other->value, 1) : "-") +
+              share_cell(run, true, key) + "</tr>\n";
     }
   return rows.empty() ? ""
                       : table_of("<th>mode</th><th>rolling, Hz</th><th>of the gap, %</th><th>open, Hz</th>"

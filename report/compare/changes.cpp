@@ -1,5 +1,6 @@
 #include "core/records/result_names.h"
-#include "core/records/result_words.h"
+#include "core/records/rows_of_chatter.h"
+#include "core/records/rows_of_stand.h"
 #include "report/compare/certainty.h"
 #include <algorithm>
 #include <cmath>
@@ -108,13 +109,19 @@ std::vector<DifferentInput> different_inputs(const Inputs &first, const Inputs &
   return different;
 }
 
+const ResultRow *const moduli[]{&row::stand::modulus_kiss, &row::stand::modulus_kiss_secant,
+                                &row::stand::modulus_tangent, &row::stand::modulus_secant,
+                                &row::stand::modulus_by_width};
+const ResultRow *const critical_speeds[]{&row::chatter::critical_speed, &row::chatter::scheme_critical_speed,
+                                         &row::chatter::variant_critical_speed,
+                                         &row::chatter::structure_critical_speed};
+
 // What a mill is judged by.
 bool leads(const Result &result)
 {
-  const auto parts = parts_of(result.name);
-  return is_of(result.name, result_name({family::stand, "modulus"})) ||
-         (parts.front() == family::mode && is_word(parts.back(), ResultWord::frequency)) ||
-         (parts.front() == family::chatter && is_word(parts.back(), ResultWord::critical_speed));
+  const auto id = result_id(result.name);
+  return id && ((id->is_of(moduli) && id->place("pass").empty()) ||
+                (id->is_of(row::modes::frequency) && id->place("open").empty()) || id->is_of(critical_speeds));
 }
 
 double change_between(const Result &first, const Result &other)

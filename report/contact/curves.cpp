@@ -1,4 +1,7 @@
 #include "report/contact/curves.h"
+#include "core/records/contact_name.h"
+#include "core/records/open_rows.h"
+#include "core/records/rows_of_contact.h"
 #include "report/page/curves.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
@@ -17,6 +20,19 @@ const std::array<ClosedForm, 4> closed_secants{{
 namespace {
 constexpr double not_stored = std::numeric_limits<double>::quiet_NaN();
 
+bool is_of_contact(const std::string &name, const std::string &contact)
+{
+  const auto id = result_id_or_open(name);
+  if (!id)
+    return false;
+  if (id->is_of(row::space::all))
+    return is_contact(contact, ContactName::space);
+  if (id->is_of(row::line::all))
+    return is_contact(contact, ContactName::line);
+  return (id->is_of(row::contact::all) && contact == id->place("contact")) ||
+         (id->is_of(row::open::contact) && contact == id->place("rolls"));
+}
+
 // Loads of the passes; for two cylinders the load at which the scalar results stand.
 std::vector<WorkingLoad> working_loads(const Run &run, const std::string &contact, const std::string &unit)
 {
@@ -27,7 +43,7 @@ std::vector<WorkingLoad> working_loads(const Run &run, const std::string &contac
   if (!loads.empty())
     return loads;
   for (const Result &result : run.results)
-    if (is_of(result.name, result_name({family::contact, contact})) && !result.at.empty()) {
+    if (is_of_contact(result.name, contact) && !result.at.empty()) {
       const double load = quantity_at(result, unit);
       if (std::isfinite(load))
         return std::vector<WorkingLoad>(1, {result.at, load, not_stored, not_stored});

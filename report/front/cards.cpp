@@ -1,10 +1,13 @@
 // The numbers that a mill is judged by, one card each.
 #include "report/front/cards.h"
 #include "core/base/short_number.h"
-#include "core/base/text.h"
 #include "core/records/marks_record.h"
 #include "core/records/result_names.h"
 #include "core/records/result_words.h"
+#include "core/records/rows_of_bite.h"
+#include "core/records/rows_of_cluster.h"
+#include "core/records/rows_of_response.h"
+#include "core/records/rows_of_stand.h"
 #include "report/front/stability.h"
 #include "report/marks/figures.h"
 #include "report/page/curves.h"
@@ -38,19 +41,14 @@ const Result *largest_level(const Run &run, std::string &label)
 
 // Cards --------------------------------------------------------------------------------------------------------
 
-// "pass 1.peak_g.upper_work_roll"
-bool is_acceleration_in_g(const std::string &name)
-{
-  const auto parts = parts_of(name);
-  return parts.size() > 1 && text_ends_with(parts[parts.size() - 2], "_g");
-}
+const ResultRow *const in_units_of_g[]{&row::response::peak, &row::response::rms};
 
 std::string card(const Result *result, const std::string &label, const std::string &below = "",
                  const std::string &state = "")
 {
   if (!has_value(result))
     return "";
-  const bool acceleration = is_acceleration_in_g(result->name);
+  const bool acceleration = is_made_by(in_units_of_g, result->name);
   const Shown shown =
       acceleration ? Shown{in_g(result->value, result->unit), "g"} : engineering(result->value, result->unit);
   const std::string number =
@@ -151,8 +149,9 @@ std::string mode_cards(const Run &run)
     return all;
   std::size_t n = 0;
   for (const Result &result : run.results)
-    if (is_of(result.name, family::mode) && ends_with(result.name, ".frequency") && has_value(&result) &&
-        n++ < most_modes)
+    if (const auto id = result_id(result.name); id && id->is_of(row::modes::frequency) &&
+                                                id->place("open").empty() && has_value(&result) &&
+                                                n++ < most_modes)
       all += card(&result, named_mode(result).name, named_mode(result).model);
   return n > 0 ? all : card(run.find("f1"), "lowest mode, f1") + card(run.find("f6"), "highest mode, f6");
 }
@@ -165,9 +164,8 @@ std::string force_card(const Run &run)
   std::string worst;
   double largest = 0;
   for (const Result &result : run.results) {
-    const auto parts = parts_of(result.name);
-    if (parts.size() != 3 || parts[0] != family::bite || !is_word(parts[2], ResultWord::force) ||
-        !has_value(&result))
+    const auto id = result_id(result.name);
+    if (!id || !id->is_of(row::bite::force) || !has_value(&result))
       continue;
     for (const Check &check : result.checks)
       if (const double apart = result.value / check.value - 1;
@@ -177,7 +175,7 @@ std::string force_card(const Run &run)
           const Shown value = engineering(force, result.unit);
           return significant(value.value, 3) + " " + value.unit;
         };
-        worst = tile("force of the bite against " + check.name + ", " + parts[1], percent(apart), "",
+        worst = tile("force of the bite against " + check.name + ", " + id->place("pass"), percent(apart), "",
                      in_unit(result.value) + " against " + in_unit(check.value) + "; " + force_remedy,
                      result.source, " fair");
       }
@@ -220,12 +218,12 @@ std::string bite_cards(const Run &run)
 {
   std::string all;
   for (const Result &result : run.results)
-    if (is_of(result.name, family::bite) && !is_of_one_model(result.name))
-      for (const auto &[quantity, label] : {std::pair("force", ", roll force"),
-                                            {"torque", ", torque of one roll"},
-                                            {"forward_slip", ", forward slip"}})
-        if (const auto dot = result.name.find('.', 5); result.name.substr(dot + 1) == quantity)
-          all += card(&result, result.name.substr(5, dot - 5) + label);
+    if (const auto id = result_id(result.name))
+      for (const auto &[row, label] : {std::pair(&row::bite::force, ", roll force"),
+                                       {&row::bite::torque, ", torque of one roll"},
+                                       {&row::bite::forward_slip, ", forward slip"}})
+        if (id->is_of(*row))
+          all += card(&result, id->place("pass") + label);
   all += card(run.find("bite.fit.friction"), "friction, fitted") +
          card(run.find("bite.fit.flow_stress_factor"), "flow stress, factor fitted");
   return all + card(run.find("K4.combined"), "K4, strip and both arcs") +
@@ -256,13 +254,18 @@ std::string cluster_cards(const Run &run)
     return all;
   std::size_t n = 0;
   for (const Result *result : groups.front().results) {
-    const auto parts = parts_of(result->name);
-    const bool mode  = parts.size() == 4;
-    if (parts[0] == family::chatter || (mode && (!gap.empty() || n++ >= most_modes)))
-      continue;
-    std::string label = parts.back();
-    std::replace(label.begin(), label.end(), mode ? '-' : '_', ' ');
-    all += card(result, mode ? label : label + ", " + parts[1]);
+    const auto id = result_id(result->name);
+    if (id->is_of(row::cluster::mode)) {
+      std::string label = id->place("mode");
+      std::replace(label.begin(), label.end(), '-', ' ');
+      if (gap.empty() && n++ < most_modes)
+        all += card(result, label);
+    } else
+      for (const auto &[row, label] : {std::pair<const ResultRow *, const char *>(&row::cluster::force, "force"),
+                                       {&row::cluster::buckling_factor, "buckling factor"},
+                                       {&row::cluster::leaving_force, "leaving force"}})
+        if (id->is_of(*row))
+          all += card(result, label + (", " + id->place("pass")));
   }
   return all;
 }
@@ -285,8 +288,7 @@ std::string marks_cards(const Run &run)
 {
   std::string all = card(run.find(result_name({marks_family, "frequency"})), "frequency of the marks");
   for (const Result &result : run.results)
-    if (const auto parts = parts_of(result.name);
-        parts.size() == 3 && parts[0] == marks_family && is_word(parts[2], ResultWord::per_turn))
+    if (is_made_by(row::marks::per_turn, result.name))
       all += card(&result, meaning_of(result.name));
   return all;
 }

@@ -1,6 +1,7 @@
 // The chain in numbers, on the first screen: springs, bearings and masses with their errors and where they come
 // from.
 #include "report/front/chain_table.h"
+#include "core/base/source_text.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include "report/results/names.h"
@@ -19,10 +20,7 @@ std::string origin_of(const Result &result)
 {
   if (!result.estimated.empty())
     return result.estimated.size() == result.inputs.size() ? "estimated" : "partly estimated";
-  for (const char *origin : {"given", "estimated", "measured", "published", "assumed"})
-    if (result.source.rfind(origin, 0) == 0)
-      return origin;
-  return "computed";
+  return name_of(source_in(result.source).source.value_or(Source::computed));
 }
 
 std::string row_of(const std::string &name, const Result &result)

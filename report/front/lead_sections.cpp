@@ -1,3 +1,5 @@
+#include "core/records/open_rows.h"
+#include "core/records/rows_of_chatter.h"
 #include "report/modes/model_data.h"
 #include "report/modes/named_modes.h"
 #include "report/page/curves.h"
@@ -48,8 +50,10 @@ std::string what_is_in_short(const Run &run)
 
 bool has_chatter(const Run &run)
 {
-  return std::any_of(run.results.begin(), run.results.end(),
-                     [](const Result &result) { return is_of(result.name, family::chatter); });
+  return std::any_of(run.results.begin(), run.results.end(), [](const Result &result) {
+    const auto id = result_id_or_open(result.name);
+    return id && (id->is_of(row::chatter::all) || id->is_of(row::open::chatter));
+  });
 }
 
 std::string what_chatter_leaves_out()

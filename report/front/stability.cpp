@@ -2,7 +2,7 @@
 #include "report/front/stability.h"
 #include "core/base/digits.h"
 #include "core/records/result_names.h"
-#include "core/records/result_words.h"
+#include "core/records/rows_of_chatter.h"
 #include "report/page/curves.h"
 #include "report/plot/number.h"
 #include <cmath>
@@ -43,10 +43,9 @@ std::vector<SpeedVerdict> speed_verdicts(const Run &run)
   if (!all.empty())
     return all;
   for (const Result &result : run.results)
-    if (const auto parts = parts_of(result.name); parts.size() == 3 && parts[0] == family::chatter &&
-                                                  is_word(parts[2], ResultWord::growth_rate) &&
-                                                  std::isfinite(result.value))
-      all.push_back(of_condition(run, parts[1], result));
+    if (const auto id = result_id(result.name);
+        id && id->is_of(row::chatter::growth_rate) && std::isfinite(result.value))
+      all.push_back(of_condition(run, id->place("pass"), result));
   worst_first(all);
   return all;
 }

@@ -1,6 +1,6 @@
 #include "report/modes/named_modes.h"
 #include "core/records/result_names.h"
-#include "core/records/result_words.h"
+#include "core/records/rows_of_stand.h"
 #include "report/modes/model_data.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
@@ -17,12 +17,11 @@ struct ModeRow {
 
 ModeRow row_of(const Run &run, const std::string &key)
 {
-  const std::string frequency = result_name({family::mode, key, "frequency"}),
-                    share     = result_name({family::mode, key, "gap_share"});
-  ModeRow row{run.find(frequency), run.find(result_name({family::open, frequency})), run.find(share)};
-  if (!row.rolling)
-    row.share = run.find(result_name({family::open, share}));
-  return row;
+  ModeRow mode{run.find(row::modes::frequency.of("", key)), run.find(row::modes::frequency.of(family::open, key)),
+               run.find(row::modes::gap_share.of("", key))};
+  if (!mode.rolling)
+    mode.share = run.find(row::modes::gap_share.of(family::open, key));
+  return mode;
 }
 
 std::string number_cell(const Result *frequency)
@@ -50,12 +49,11 @@ std::string named_mode_table(const Run &run)
 {
   std::string body;
   for (const Result &mode : run.results) {
-    const auto parts   = parts_of(mode.name);
-    const bool is_open = parts.front() == family::open;
-    if (!is_word(parts.back(), ResultWord::frequency) || parts.size() != (is_open ? 4u : 3u) ||
-        parts[is_open] != family::mode)
+    const auto id = result_id(mode.name);
+    if (!id || !id->is_of(row::modes::frequency))
       continue;
-    const ModeRow row = row_of(run, parts[parts.size() - 2]);
+    const bool is_open = !id->place("open").empty();
+    const ModeRow row  = row_of(run, id->place("mode"));
     if (!is_open || !row.rolling)  // a mode of both states has one row
       body += table_row(row);
   }

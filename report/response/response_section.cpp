@@ -1,4 +1,5 @@
 #include "core/model/dynamics_settings.h"
+#include "core/records/rows_of_response.h"
 #include "report/page/curves.h"
 #include "report/page/sections.h"
 #include "report/plot/number.h"
@@ -14,7 +15,7 @@ namespace {
 StandModelKind driven_model(const Run &run)
 {
   const auto peak = std::find_if(run.results.begin(), run.results.end(), [](const Result &result) {
-    return ends_with(result.name, ".peak_g.upper_work_roll");
+    return is_made_by(row::response::peak, result.name);
   });
   for (const auto &[model, source] : {std::pair(StandModelKind::beam, "rolls as beams"),
                                       std::pair(StandModelKind::craig_bampton, "reduced finite elements")})

@@ -18,18 +18,18 @@ const ResultRow *const chatter_first[]{&row::chatter::critical_speed, &row::chat
                                        &row::chatter::margin};
 const ResultRow *const bite_first[]{&row::bite::force, &row::bite::friction, &row::bite::film_thickness,
                                     &row::bite::flattened_radius};
-}  // namespace
 
-std::vector<Group> chatter_groups(const Run &run)
+// Results of these rows by condition, "Chatter, condition 2".
+template <std::size_t n>
+std::vector<Group> groups_of(const Run &run, const char *subject, const ResultRow *const (&rows)[n])
 {
   std::vector<Group> groups;
   for (const Result &result : run.results) {
-    const bool chatter = is_made_by(chatter_first, result.name);
-    if (!chatter && !is_made_by(bite_first, result.name))
+    const auto id = result_id(result.name);
+    if (!id || !id->is_of(rows))
       continue;
-    const std::string name = result_id(result.name)->place("pass");
-    const std::string title =
-        std::string(chatter ? "Chatter" : "Bite") + (name == tandem_item ? ", " : ", condition ") + name;
+    const std::string name  = id->place("pass");
+    const std::string title = subject + std::string(name == tandem_item ? ", " : ", condition ") + name;
     const auto known =
         std::find_if(groups.begin(), groups.end(), [&](const Group &group) { return group.title == title; });
     if (known == groups.end())
@@ -37,8 +37,20 @@ std::vector<Group> chatter_groups(const Run &run)
     else
       known->results.push_back(&result);
   }
-  std::stable_partition(groups.begin(), groups.end(),
-                        [](const Group &group) { return group.title.rfind("Chatter", 0) == 0; });
+  return groups;
+}
+}  // namespace
+
+std::vector<Group> condition_groups(const Run &run)
+{
+  return groups_of(run, "Chatter", chatter_first);
+}
+
+std::vector<Group> chatter_groups(const Run &run)
+{
+  std::vector<Group> groups = condition_groups(run);
+  for (const Group &group : groups_of(run, "Bite", bite_first))
+    groups.push_back(group);
   return groups;
 }
 }  // namespace mill::report

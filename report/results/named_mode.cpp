@@ -1,6 +1,13 @@
 #include "report/results/named_mode.h"
+#include "core/base/source_text.h"
 
 namespace mill::report {
+std::string method_of(const Result &result)
+{
+  const auto [source, method] = source_in(result.source);
+  return source == Source::computed && !method.empty() ? method : result.source;
+}
+
 std::string mode_in_words(const std::string &method)
 {
   return method.substr(0, method.find(": "));
@@ -8,9 +15,7 @@ std::string mode_in_words(const std::string &method)
 
 NamedMode named_mode(const Result &mode)
 {
-  // "computed: NAME: DECIDED; method of the frequency"
-  const std::string start = "computed: ";
-  const std::string text  = mode.source.rfind(start, 0) == 0 ? mode.source.substr(start.size()) : mode.source;
+  const std::string text = method_of(mode);  // "NAME: DECIDED; method of the frequency"
   const auto colon = text.find(": "), end = text.rfind("; ");
   NamedMode named{mode_in_words(text), "", ""};
   if (colon != std::string::npos)

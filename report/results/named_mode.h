@@ -3,6 +3,9 @@
 #include <string>
 
 namespace mill::report {
+/// "contact FEM" of "computed: contact FEM"; of what is not computed the whole source.
+std::string method_of(const Result &result);
+
 /// The name of a mode: "NAME: DECIDED; method of the frequency" up to the colon.
 std::string mode_in_words(const std::string &method);
 

@@ -1,8 +1,10 @@
 #include "report/results/names.h"
 #include "core/records/chain_number.h"
 #include "core/records/contact_name.h"
+#include "core/records/open_rows.h"
 #include "core/records/result_names.h"
 #include "core/records/result_place.h"
+#include "core/records/rows_of_contact.h"
 #include "core/records/rows_of_stand.h"
 #include "report/results/named_mode.h"
 #include <algorithm>
@@ -14,12 +16,14 @@ void add(Group &group, const Result *result)
   if (result)
     group.results.push_back(result);
 }
-}  // namespace
 
-bool ends_with(const std::string &name, const std::string &ending)
+bool is_of_a_contact(const std::string &name)
 {
-  return name.size() >= ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0;
+  const auto id = result_id_or_open(name);
+  return id && (id->is_of(row::contact::all) || id->is_of(row::space::all) || id->is_of(row::line::all) ||
+                id->is_of(row::open::contact));
 }
+}  // namespace
 
 std::string meaning_of(const std::string &name)
 {
@@ -50,7 +54,7 @@ std::vector<Group> short_groups(const Run &run)
       chain{"", {}}, fit{"Fit to measured values", {}};
   if (run.manifest.kind == KindOfCase::two_cylinders || !chain_value(run, "K1"))
     for (const Result &result : run.results)
-      if (is_of(result.name, family::contact))
+      if (is_of_a_contact(result.name))
         contact.results.push_back(&result);
   for (int i = 1; i <= 7; ++i)
     add(stiffness, chain_value(run, "K" + std::to_string(i)));
@@ -80,9 +84,8 @@ std::vector<Group> short_groups(const Run &run)
        {std::ref(contact), std::ref(stiffness), std::ref(mass), std::ref(named), std::ref(chain), std::ref(fit)})
     if (!group.results.empty())
       groups.push_back(group);
-  for (const Group &group : chatter_groups(run))
-    if (group.title.rfind("Chatter", 0) == 0)
-      groups.push_back(group);
+  for (const Group &group : condition_groups(run))
+    groups.push_back(group);
   return groups;
 }
 

@@ -12,8 +12,6 @@ std::string meaning_of(const std::string &name);
 /// vibrating mill feels, else its combined value.  nullptr when the run has none.
 const Result *chain_value(const Run &run, const std::string &name);
 
-bool ends_with(const std::string &text, const std::string &ending);
-
 struct Group {
   std::string title;
   std::vector<const Result *> results;
@@ -27,6 +25,8 @@ std::vector<Group> short_groups(const Run &run);
 std::vector<Group> bearing_groups(const Run &run);
 /// Results of a run of kind "bite": K4, then every pass by the model that gives it.
 std::vector<Group> bite_groups(const Run &run);
+/// Of every condition or pass that chatter was computed of.
+std::vector<Group> condition_groups(const Run &run);
 /// What one asks for first in a run of kind "chatter": of every condition, then of its bite.
 std::vector<Group> chatter_groups(const Run &run);
 /// What one asks for first: force, named frequencies and limits of every pass, what was fitted.

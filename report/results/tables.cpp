@@ -1,7 +1,11 @@
 #include "report/results/tables.h"
 #include "core/base/si_unit.h"
+#include "core/base/source_text.h"
 #include "core/model/material.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_bearing.h"
+#include "core/records/rows_of_bite.h"
+#include "core/records/rows_of_stand.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
 #include <algorithm>
@@ -10,16 +14,13 @@
 
 namespace mill::report {
 namespace {
-bool contains(std::string text, const std::string &word)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](const unsigned char c) { return std::tolower(c); });
-  return text.find(word) != std::string::npos;
-}
+// Shown in percent.
+const ResultRow *const shares[]{&row::bearing::row_share, &row::motion::without_contact, &row::bite::elastic_share,
+                                &row::modes::gap_share};
 
 bool is_share(const Result &result)
 {
-  return is_in(result.unit, SiUnit::one) &&
-         (contains(result.name, "share") || contains(result.name, "without_contact"));
+  return is_in(result.unit, SiUnit::one) && is_made_by(shares, result.name);
 }
 
 // At most five digits; six above 1e5, as in published tables of stiffnesses.
@@ -189,9 +190,8 @@ std::string accuracy_cell(const Result &result)
       lacks += " and " + std::to_string(result.error_lacks.size() - most) + " more";
     return "\u2013<small>not known of " + escaped(lacks) + "</small>";
   }
-  for (const char *origin : {"given", "published", "measured", "assumed", "estimated"})
-    if (result.source.rfind(origin, 0) == 0)
-      return std::string("\u2013<small>") + origin + ", not computed here</small>";
+  if (const auto source = source_in(result.source).source; source && source != Source::computed)
+    return std::string("\u2013<small>") + name_of(*source) + ", not computed here</small>";
   return "\u2013<small>no independent estimate</small>";
 }
 

@@ -1,4 +1,5 @@
 #include "report/stack/figures.h"
+#include "core/records/rows_of_stack.h"
 #include "core/records/stack_names.h"
 #include "report/cluster/figures.h"
 #include "report/page/curves.h"
@@ -27,15 +28,26 @@ Plot over_width(const std::string &title, const char *quantity, const std::strin
   return plot;
 }
 
-// Names of the results "FAMILY.NAME.*" in their order.
-std::vector<std::string> names_of(const Run &run, const std::string &family)
+// What is in this place of results of these rows, in their order.
+template <std::size_t n>
+std::vector<std::string> names_of(const Run &run, const ResultRow *const (&rows)[n], const char *place)
 {
   std::vector<std::string> names;
   std::set<std::string> seen;
   for (const Result &result : run.results)
-    if (const auto parts = parts_of(result.name); parts[0] == family && seen.insert(parts[1]).second)
-      names.push_back(parts[1]);
+    if (const auto id = result_id(result.name); id && id->is_of(rows) && seen.insert(id->place(place)).second)
+      names.push_back(id->place(place));
   return names;
+}
+
+std::vector<std::string> names_of_pairs(const Run &run)
+{
+  return names_of(run, row::pair::all, "pair");
+}
+
+std::vector<std::string> names_of_rolls(const Run &run)
+{
+  return names_of(run, row::roll::all, "roll");
 }
 
 // The upper half; made rolls have the same curves, turned or mirrored.
@@ -118,7 +130,7 @@ std::vector<std::string> line_load_drawings(const Run &run)
   std::vector<std::string> drawings;
   double largest = 0;
   std::vector<std::pair<std::string, const Table *>> curves;
-  for (const std::string &name : names_of(run, family::pair))
+  for (const std::string &name : names_of_pairs(run))
     if (const Table *table = is_made(name) ? nullptr : stored_curve(run, curve::stack_pair, name)) {
       curves.emplace_back(name, table);
       const VectorXd load = values_of(*table, {"line_load", "N/mm"});
@@ -192,7 +204,7 @@ std::vector<std::string> deflection_drawings(const Run &run)
        {std::tuple<const char *, const char *, Column>{"Deflection upwards", "displacement", {"y", "mm"}},
         {"Bending stress", "stress", {"bending_stress", "MPa"}}}) {
     Plot plot = over_width(title, quantity, column.unit);
-    for (const std::string &name : names_of(run, family::roll)) {
+    for (const std::string &name : names_of_rolls(run)) {
       const Table *table = is_made(name) ? nullptr : stored_curve(run, curve::stack_roll, name);
       if (!table)
         continue;
@@ -292,7 +304,7 @@ std::vector<std::string> mode_drawings(const Run &run)
                    y = values_of(*table, {"y", "-"});
     if (roll.size() == 0 || z.size() != roll.size() || y.size() != roll.size())
       continue;
-    const auto names = names_of(run, family::roll);
+    const auto names = names_of_rolls(run);
     for (const Rows &rows : rows_of(roll)) {
       const auto r    = std::size_t(rows.value) - 1;
       const bool made = r < names.size() && is_made(names[r]);

@@ -6,6 +6,7 @@
 #include "core/base/errors.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_bite.h"
 #include "reduce/bite/schedule/large_flattening.h"
 #include <algorithm>
 #include <cmath>
@@ -14,6 +15,13 @@
 
 namespace mill {
 namespace {
+bool is_of_bite(const std::string &name, const std::string &pass)
+{
+  const auto id = result_id(name);
+  return id && pass == id->place("pass") &&
+         (id->is_of(row::bite::all) || id->is_of(row::bite_model::all) || id->is_of(row::bite_slope::all));
+}
+
 bite::Theory closed_theory(const bite::RollBite &bite)
 {
   return slides(bite.strip.friction) ? bite::Theory::bland_ford : bite::Theory::hu_ehmann;
@@ -108,7 +116,7 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
     note_bite(run, study);
     write_bite(run, study);
     for (auto &[name, parameter] : run.results.values)
-      if (parameter.inputs.empty() && is_of(name, result_name({family::bite, force.name})))
+      if (parameter.inputs.empty() && is_of_bite(name, force.name))
         parameter.inputs = q.keys[p];
     add_models(force, study);
   } catch (const InputError &e) {

@@ -3,7 +3,6 @@
 #include "core/base/units.h"
 #include "core/case/case_template.h"
 #include "core/case/kinds.h"
-#include "core/records/result_names.h"
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -91,7 +90,8 @@ bool is_section(const SectionRows &rows, const std::string &name)
 {
   if (rows.repeat == Repeat::once)
     return name == rows.name;
-  return is_of(name, rows.name) && name.size() > rows.name.size() + 1;
+  const std::string start = rows.name + ".";
+  return name.size() > start.size() && name.compare(0, start.size(), start) == 0;
 }
 }  // namespace
 

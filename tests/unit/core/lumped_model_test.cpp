@@ -1,5 +1,6 @@
 // The lumped model on disk: a valid case that keeps every number with its source.
 #include "core/base/files.h"
+#include "core/base/source_text.h"
 #include "core/case/given.h"
 #include "core/case/input_reference.h"
 #include "core/case/lumped_model_toml.h"
@@ -131,7 +132,11 @@ TEST(Source, EveryTextIsUnderstood)
     Parameter parameter;
     EXPECT_TRUE(parse_source(text, parameter)) << text;
     EXPECT_EQ(source_text(parameter), text);
+    EXPECT_EQ(source_in(text).source, parameter.source);
+    EXPECT_EQ(source_in(text).method, parameter.method);
   }
+  EXPECT_FALSE(source_in("guessed: so").source);
+  EXPECT_EQ(source_in("guessed: so").method, "guessed: so");
   Parameter parameter;
   EXPECT_FALSE(parse_source("guessed", parameter));
   EXPECT_FALSE(parse_source("", parameter));

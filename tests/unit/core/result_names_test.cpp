@@ -14,7 +14,6 @@ TEST(ResultNames, NamesAreSplitIntoPartsAndSubjects)
   EXPECT_TRUE(is_of("K4", "K4"));
   EXPECT_FALSE(is_of("contact.upper.half_width", "contact.up")) << "a subject ends at a dot";
   EXPECT_FALSE(is_of("K", "K4"));
-  EXPECT_EQ(parts_of("bite.pass 1.force"), (std::vector<std::string>{"bite", "pass 1", "force"}));
   EXPECT_EQ(spring_of_contact("lower"), "K5");
   EXPECT_EQ(spring_of_contact("line"), "contact.line");
 }

@@ -1,6 +1,7 @@
 // Rows of the results: names, places, meanings, and what they cite.
 #include "core/base/files.h"
 #include "core/base/name_part.h"
+#include "core/records/open_rows.h"
 #include "core/records/result_place.h"
 #include "core/records/rows_of_bite.h"
 #include "core/records/rows_of_chatter.h"
@@ -69,6 +70,25 @@ TEST(ResultRows, TheRowThatKnowsMoreOfTheWordsIsTaken)
   EXPECT_TRUE(fit->is_of(row::cluster::fit));
   EXPECT_EQ(fit->place("key"), "support.E.stiffness") << "a key keeps its points";
   EXPECT_EQ(result_id("chatter.2.speed_slope.oil.friction.mu1")->place("key"), "oil.friction.mu1");
+}
+
+TEST(ResultRows, WithoutARowANameIsOfItsFamily)
+{
+  const auto spring = result_id_or_open("Kzc.something_new");
+  ASSERT_TRUE(spring);
+  EXPECT_TRUE(spring->is_of(row::open::one_bearing));
+  EXPECT_FALSE(result_id("Kzc.something_new"));
+  EXPECT_EQ(meaning_of_result("Kzc.something_new"), "");
+  const auto of_model = result_id_or_open("bite.pass 1.karman.something_new");
+  ASSERT_TRUE(of_model);
+  EXPECT_TRUE(of_model->is_of(row::open::bite_model));
+  EXPECT_EQ(of_model->place("pass"), "pass 1");
+  EXPECT_TRUE(result_id_or_open("bite.1.karman.some.thing")->is_of(row::open::below_bite_model));
+  EXPECT_TRUE(result_id_or_open("bite.fit.some.thing")->is_of(row::open::bite_fit)) << "not of a pass \"fit\"";
+  EXPECT_TRUE(result_id_or_open("bearing.trb.film.new")->is_of(row::open::film)) << "before the rating";
+  EXPECT_EQ(result_id_or_open("chatter.2.of.another.version")->place("pass"), "2");
+  EXPECT_TRUE(result_id_or_open("contact.upper.half_width")->is_of(row::contact::all)) << "a row of its own first";
+  EXPECT_FALSE(result_id_or_open("something.else.entirely.new"));
 }
 
 TEST(ResultRows, EveryRowHasAMeaningAndCitesWhatExists)
