@@ -23,10 +23,10 @@ namespace {
 bool says_untold(const std::string &name, const std::string &text)
 {
   const std::string words = "not identified";
-  const auto position     = text.find(words);
-  if (position == std::string::npos)
+  const auto begin        = text.find(words);
+  if (begin == std::string::npos)
     return false;
-  const std::string rest = text.substr(position + words.size());
+  const std::string rest = text.substr(begin + words.size());
   if (rest.empty() || rest[0] != ':')
     return true;
   const auto is_word = [&](const std::size_t i) {
