@@ -44,7 +44,7 @@ struct ChatterAdder {
   RunContext &run;
   const ChatterStudy &study;
   std::string method;
-  OperatingPoint at;
+  OperatingPoint operating_point;
   void operator()(const ResultName &name, const double value, const double error = not_given,
                   std::vector<Check> checks = {}) const
   {
@@ -54,7 +54,7 @@ struct ChatterAdder {
     p.value          = value;
     p.unit           = name.row().unit;
     p.method         = method;
-    p.at             = at;
+    p.at             = operating_point;
     p.error_estimate = error;
     p.checks         = std::move(checks);
     p.inputs         = study.question.inputs;

@@ -85,16 +85,16 @@ Eigen::Index leading_mode(const Eigen::VectorXd &w, const Eigen::VectorXd &gap)
 
 StripRolls strip_rolls(const ClusterStand &stand)
 {
-  StripRolls at;
-  at.upper        = cluster::strip_roll(stand);
+  StripRolls rolls;
+  rolls.upper     = cluster::strip_roll(stand);
   const auto dash = stand.stack.strip.find('-');
   if (dash == std::string::npos)
-    return at;
+    return rolls;
   const std::string name = stand.stack.strip.substr(dash + 1);
   for (std::size_t i = 0; i < stand.rolls.size(); ++i)
     if (stand.rolls[i].name == name)
-      at.lower = int(i);
-  return at;
+      rolls.lower = int(i);
+  return rolls;
 }
 
 bool StripRolls::is_upper(const cluster::Stack &stack, const std::size_t roll) const
@@ -357,7 +357,7 @@ DrivenStand driven_cluster(RunContext &run, const std::string &wanted)
     throw InputError("--pass \"" + wanted + "\": the case has no pass of this name");
   const ClusterForce force           = cluster_force(stand, *pass);
   const cluster::PassState state     = cluster::pass_state(stand, *pass, force.value, computed_laws(run, stand));
-  const StripRolls at                = strip_rolls(stand);
+  const StripRolls rolls             = strip_rolls(stand);
   const cluster::GapStand gap        = gap_stand_of(stand, state);
   const cluster::GapStandModes modes = seen_modes(gap);  // the force moves no other
   const Points points                = points_of(stand, state.stack, false);
@@ -371,9 +371,9 @@ DrivenStand driven_cluster(RunContext &run, const std::string &wanted)
   // What the supports above the strip take up; of a stack of one half that of the half.
   Eigen::VectorXd row = Eigen::VectorXd::Zero(gap.M.size());
   for (std::size_t i = 0; i < gap.supports.size(); ++i)
-    if (at.is_upper(state.stack, std::size_t(state.stack.supports[i].roll)))
+    if (rolls.is_upper(state.stack, std::size_t(state.stack.supports[i].roll)))
       row += gap.supports[i].row(state.stack.per_roll() * state.stack.supports[i].roll + 1).transpose() /
-             (at.lower < 0 ? 2 : 1);
+             (rolls.lower < 0 ? 2 : 1);
   modal.load_cell = modes.shape.transpose() * row;
   DrivenStand driven;
   driven.modes                  = modal;

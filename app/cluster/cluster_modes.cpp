@@ -86,12 +86,12 @@ bool is_listed(const reduce::ModeName &name)
 NamedStackModes named_modes(const ClusterStand &stand, const cluster::PassState &state, const double K4)
 {
   const cluster::GapStand gap = gap_stand_of(stand, state);
-  const StripRolls at         = strip_rolls(stand);
+  const StripRolls rolls      = strip_rolls(stand);
   NamedStackModes named{cluster::modes_of(gap, K4), {}};
   const Eigen::VectorXd share = reduce::gap_shares(named.modes.frequency, named.modes.shape, gap.b);
   std::vector<reduce::GapMotion> motions;
   for (Eigen::Index k = 0; k < share.size(); ++k)
-    motions.push_back(gap_motion(state, gap, at, named.modes.frequency[k], share[k], named.modes.shape.col(k)));
+    motions.push_back(gap_motion(state, gap, rolls, named.modes.frequency[k], share[k], named.modes.shape.col(k)));
   named.names = reduce::gap_mode_names(motions);
   return named;
 }

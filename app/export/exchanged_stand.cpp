@@ -9,7 +9,7 @@
 namespace mill {
 dynamics::ExchangedStand exchanged_stand(const DrivenStand &stand, const fmu::ExportedModel &unit)
 {
-  const auto own               = driven_of(stand);
+  const auto driven            = driven_of(stand);
   dynamics::ExchangedStand out = stand.modes
                                      ? dynamics::exchanged(*stand.modes)
                                      : dynamics::exchanged(dynamics::mill_model(stand.chain, stand.dynamics),
@@ -27,13 +27,13 @@ dynamics::ExchangedStand exchanged_stand(const DrivenStand &stand, const fmu::Ex
   out.source              = unit.source;
   out.series              = unit.series;
   out.step                = unit.step;
-  const double difference = dynamics::difference_from(dynamics::first_order_form(out), own, out.frequency);
+  const double difference = dynamics::difference_from(dynamics::first_order_form(out), driven, out.frequency);
   if (!(difference <= dynamics::exchange_agreement))
     throw std::logic_error(
         fmt::format("the exported matrices differ by {:.2g} from the model of this program, {:g} "
                     "is allowed; no file was written",
                     difference, dynamics::exchange_agreement));
-  dynamics::add_step_test(out, own);
+  dynamics::add_step_test(out, driven);
   return out;
 }
 }  // namespace mill

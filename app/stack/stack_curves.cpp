@@ -173,7 +173,7 @@ struct Settings {
 };
 Settings settings_of(RunContext &run, const StackInput &input, const int points,
                      const std::array<double, 2> &first, const std::array<double, 2> &second,
-                     const std::function<Stack(double, double)> &at)
+                     const std::function<Stack(double, double)> &stack_at)
 {
   const Eigen::Index n = points;
   Settings all{Eigen::VectorXd(n * n), Eigen::VectorXd(n * n), {}};
@@ -182,8 +182,9 @@ Settings settings_of(RunContext &run, const StackInput &input, const int points,
     all.first[i]  = first[0] + (first[1] - first[0]) * double(i / n) / double(n - 1);
     all.second[i] = second[0] + (second[1] - second[0]) * double(i % n) / double(n - 1);
   }
-  share_tasks(n * n, run.threads,
-              [&](const long i) { all.state[std::size_t(i)] = state_of(input, at(all.first[i], all.second[i])); });
+  share_tasks(n * n, run.threads, [&](const long i) {
+    all.state[std::size_t(i)] = state_of(input, stack_at(all.first[i], all.second[i]));
+  });
   return all;
 }
 

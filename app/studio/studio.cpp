@@ -58,7 +58,7 @@ ordered_json job_json(const JobState &job)
   return {{"id", job.id},           {"status", job.status ? word_of(*job.status) : ""},
           {"stage", job.stage},     {"percent", job.percent},
           {"seconds", job.seconds}, {"left", job.left},
-          {"said", job.said},       {"file", job.file}};
+          {"said", job.printed},    {"file", job.file}};
 }
 
 std::string path_of_case(const CommandLine &command)
@@ -79,9 +79,9 @@ web::PageSettings settings_of(const CommandLine &command, const std::string &fol
   web::PageSettings settings;
   settings.port = usual_port;
   if (!command.studio.listen.empty()) {
-    const auto at    = web::address_and_port("--listen", command.studio.listen, "127.0.0.1:8470");
-    settings.address = at.address;
-    settings.port    = at.port;
+    const auto listening = web::address_and_port("--listen", command.studio.listen, "127.0.0.1:8470");
+    settings.address     = listening.address;
+    settings.port        = listening.port;
   }
   if (!command.studio.token_file.empty()) {
     settings.token       = web::token_of_file(command.studio.token_file);

@@ -203,10 +203,11 @@ double cache_limit(const CommandLine &command)
   return command.sweep.cache_limit.empty() ? 0 : bytes_of_size("--cache-limit", command.sweep.cache_limit);
 }
 
-RowModel::RowModel(RowModelSettings settings) : own(std::make_unique<Implementation>())
+RowModel::RowModel(RowModelSettings settings) : implementation(std::make_unique<Implementation>())
 {
-  own->settings = std::move(settings);
-  own->work     = own->settings.kind == ModelKind::quick ? closed_forms_work : word_of(Verb::run);
+  implementation->settings = std::move(settings);
+  implementation->work =
+      implementation->settings.kind == ModelKind::quick ? closed_forms_work : word_of(Verb::run);
 }
 
 RowModel::~RowModel() = default;
@@ -216,24 +217,24 @@ NamedResults RowModel::choose(const Case &base, std::vector<std::string> watched
   for (std::string &name : watched)
     name = full_result_name(name);
   std::vector<std::string> candidates;
-  if (own->settings.kind == ModelKind::quick)
+  if (implementation->settings.kind == ModelKind::quick)
     candidates = {closed_forms_work, with_responses_work};
   else
     for (const Work &work : works())
       if (may_give(base, work, watched))
         candidates.push_back(work.word);
   for (const std::string &name : watched)  // before minutes are spent on a name that does not exist
-    if (own->settings.kind == ModelKind::full && report::meaning_of(name).empty())
+    if (implementation->settings.kind == ModelKind::full && report::meaning_of(name).empty())
       refuse_unknown(base, name, {});
   NamedResults results;
   for (const std::string &work : candidates) {
     // Without names the modes of a stand are enough.
     const bool enough = !watched.empty() || work == word_of(Verb::modes) || work == candidates.back() ||
-                        own->settings.kind == ModelKind::quick;
+                        implementation->settings.kind == ModelKind::quick;
     if (!enough)
       continue;
-    own->work = work;
-    results   = this->results(base);
+    implementation->work = work;
+    results              = this->results(base);
     if (watched.empty())
       watched = usual_names(results);
     if (holds_all(results, watched))
@@ -251,16 +252,17 @@ NamedResults RowModel::choose(const Case &base, std::vector<std::string> watched
 
 NamedResults RowModel::results(const Case &row, const std::string &sample)
 {
-  return own->settings.kind == ModelKind::quick ? own->quick(row) : own->full(row, sample);
+  return implementation->settings.kind == ModelKind::quick ? implementation->quick(row)
+                                                           : implementation->full(row, sample);
 }
 
 std::string RowModel::work() const
 {
-  return own->work;
+  return implementation->work;
 }
 
 void RowModel::choose_work(const std::string &work)
 {
-  own->work = work;
+  implementation->work = work;
 }
 }  // namespace mill

@@ -106,44 +106,45 @@ struct RollPair::Implementation {
 
 RollPair::RollPair(std::shared_ptr<const Case> of, std::string name, const double largest, std::string cache,
                    const int threads, const Progress &progress)
-    : own(std::make_unique<Implementation>())
+    : implementation(std::make_unique<Implementation>())
 {
   if (!is_of_stand(name))
     throw InputError("the pairs of rolls of a stand are \"upper\" and \"lower\", not \"" + name + "\"");
-  own->stand    = stand_with_rolls(*of);
-  own->the_case = std::move(of);
-  own->name     = std::move(name);
-  own->largest  = given_or(largest, largest_of_run(own->stand, own->name, own->settings()));
-  own->cache    = std::move(cache);
-  own->threads  = threads;
-  if (!(own->largest > 0))
+  implementation->stand    = stand_with_rolls(*of);
+  implementation->the_case = std::move(of);
+  implementation->name     = std::move(name);
+  implementation->largest =
+      given_or(largest, largest_of_run(implementation->stand, implementation->name, implementation->settings()));
+  implementation->cache   = std::move(cache);
+  implementation->threads = threads;
+  if (!(implementation->largest > 0))
     throw InputError("the largest force of a pair of rolls must be above 0 kN");
-  own->condense(progress);
+  implementation->condense(progress);
 }
 
 RollPair::~RollPair() = default;
 
 double RollPair::largest_load() const
 {
-  return own->largest;
+  return implementation->largest;
 }
 
 PairState RollPair::solve(const PairQuestion &question)
 {
   if (!(question.load > 0))
     throw InputError(fmt::format("force = {} must be above 0 kN", in_kN(question.load)));
-  if (question.load > own->largest)
+  if (question.load > implementation->largest)
     throw InputError(fmt::format("force = {} is above the {} that the rolls are meshed for; make the pair with a "
                                  "larger largest force",
-                                 in_kN(question.load), in_kN(own->largest)));
-  const std::lock_guard lock(own->access);
-  own->take_crowns(question);
-  fem::ContactPoint point = fem::solve_load(own->pair(question), question.load);
-  if (touches_edge(own->pair(question), point.state.active)) {
-    own->condense({});
-    point = fem::solve_load(own->pair(question), question.load);
+                                 in_kN(question.load), in_kN(implementation->largest)));
+  const std::lock_guard lock(implementation->access);
+  implementation->take_crowns(question);
+  fem::ContactPoint point = fem::solve_load(implementation->pair(question), question.load);
+  if (touches_edge(implementation->pair(question), point.state.active)) {
+    implementation->condense({});
+    point = fem::solve_load(implementation->pair(question), question.load);
   }
-  const fem::ContactPair &pair = own->pair(question);
+  const fem::ContactPair &pair = implementation->pair(question);
   PairState state;
   state.load         = point.load;
   state.approach     = point.approach;

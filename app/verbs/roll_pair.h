@@ -47,6 +47,6 @@ public:
 
 private:
   struct Implementation;
-  std::unique_ptr<Implementation> own;
+  std::unique_ptr<Implementation> implementation;
 };
 }  // namespace mill

@@ -26,26 +26,26 @@ inline int characters_in(const std::string_view text)
 
 /// What is wrong with the quotes of a line, and at which byte.
 struct QuoteFault {
-  std::size_t at;
+  std::size_t position;
   const char *message;
 };
 
-/// The text between the quote at line[at] and the one that closes it, without the doubling of those inside; `at`
-/// moves behind the closing one.  A view into the line or into `unquoted`.
-inline std::string_view quoted_text(const std::string_view line, std::size_t &at,
+/// The text between the quote at line[position] and the one that closes it, without the doubling of those inside;
+/// `position` moves behind the closing one.  A view into the line or into `unquoted`.
+inline std::string_view quoted_text(const std::string_view line, std::size_t &position,
                                     std::deque<std::string> &unquoted, std::optional<QuoteFault> &fault)
 {
-  const std::size_t open = at++;
+  const std::size_t open = position++;
   std::string whole;  // only where quotes are doubled
-  for (std::size_t from = at;; from = at) {
-    const std::size_t quote = std::min(line.find('"', at), line.size());
+  for (std::size_t from = position;; from = position) {
+    const std::size_t quote = std::min(line.find('"', position), line.size());
     const auto piece        = line.substr(from, quote - from);
-    at                      = std::min(quote + 1, line.size());
+    position                = std::min(quote + 1, line.size());
     if (quote == line.size() && !fault)
       fault = QuoteFault{open, "this quote is not closed on its line"};
-    if (at < line.size() && line[at] == '"') {
+    if (position < line.size() && line[position] == '"') {
       whole.append(piece) += '"';
-      ++at;
+      ++position;
     } else if (whole.empty())
       return piece;
     else
@@ -65,23 +65,23 @@ std::optional<QuoteFault> each_cell(std::string_view line, const char separator,
   std::optional<QuoteFault> fault;
   const std::size_t size = separator == ' ' ? std::size_t(without_blanks(line).end() - line.begin()) : line.size();
   line                   = line.substr(0, size);
-  for (std::size_t at = 0;; ++at) {
-    while (at < line.size() && (line[at] == ' ' || (line[at] == '\t' && separator != '\t')))
-      ++at;
-    const std::size_t begin = at;
+  for (std::size_t position = 0;; ++position) {
+    while (position < line.size() && (line[position] == ' ' || (line[position] == '\t' && separator != '\t')))
+      ++position;
+    const std::size_t begin = position;
     std::string_view text;
-    if (at < line.size() && line[at] == '"') {
-      text            = without_blanks(quoted_text(line, at, unquoted, fault));
-      const auto next = std::min(line.find_first_not_of(" \t\r", at), line.size());
-      at              = std::min(line.find(separator, at), line.size());
-      if (next < at && !fault)
+    if (position < line.size() && line[position] == '"') {
+      text            = without_blanks(quoted_text(line, position, unquoted, fault));
+      const auto next = std::min(line.find_first_not_of(" \t\r", position), line.size());
+      position        = std::min(line.find(separator, position), line.size());
+      if (next < position && !fault)
         fault = QuoteFault{next, "something follows a closing quote; a quote inside quotes is doubled"};
     } else {
-      at   = std::min(line.find(separator, at), line.size());
-      text = without_blanks(line.substr(begin, at - begin));
+      position = std::min(line.find(separator, position), line.size());
+      text     = without_blanks(line.substr(begin, position - begin));
     }
     take(text, begin);
-    if (at == line.size())
+    if (position == line.size())
       return fault;
   }
 }

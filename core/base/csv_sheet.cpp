@@ -35,7 +35,7 @@ std::size_t add_cells(Sheet &sheet, std::vector<Cell> &all, const std::string_vi
         all.push_back({text, number, column});
       });
   if (fault)
-    throw InputError({sheet.file, number, 1 + characters_in(line.substr(0, fault->at))}, fault->message);
+    throw InputError({sheet.file, number, 1 + characters_in(line.substr(0, fault->position))}, fault->message);
   return all.size() - before;
 }
 

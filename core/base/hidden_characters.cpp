@@ -42,12 +42,12 @@ bool is_hidden(const char32_t code)
 
 bool has_hidden(const std::string &text)
 {
-  bool found = false;
+  bool hidden = false;
   escaped(text, [&](char32_t) {
-    found = true;
+    hidden = true;
     return std::string();
   });
-  return found;
+  return hidden;
 }
 
 std::string escaped(const std::string &text, const std::function<std::string(char32_t code)> &how)

@@ -32,14 +32,15 @@ std::string stripped(const std::string &text)
 }
 
 // Cells of a line up to the last that holds something.
-std::vector<std::string> cells_of(const std::string &line, const char separator, const Place &at)
+std::vector<std::string> cells_of(const std::string &line, const char separator, const Place &start)
 {
   std::vector<std::string> cells;
   std::deque<std::string> unquoted;
   const auto fault = csv::each_cell(line, separator, unquoted,
                                     [&](const std::string_view text, std::size_t) { cells.emplace_back(text); });
   if (fault)
-    throw InputError(Place{at.file, at.line, 1 + csv::characters_in(line.substr(0, fault->at))}, fault->message);
+    throw InputError(Place{start.file, start.line, 1 + csv::characters_in(line.substr(0, fault->position))},
+                     fault->message);
   while (!cells.empty() && cells.back().empty())
     cells.pop_back();
   return cells;

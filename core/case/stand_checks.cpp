@@ -140,7 +140,7 @@ void check_passes(const std::vector<Pass> &passes, Reading &reading)
 
 void check_contact(const std::string &section, const ContactSettings &contact, Reading &reading)
 {
-  const std::string loads = section + ".loads", at = section + ".at";
+  const std::string loads = section + ".loads", load = section + ".at";
   if (reading.usable({section + ".tilt", section + ".load_offset"}) && !std::isnan(contact.tilt) &&
       !std::isnan(contact.load_offset))
     contradict(reading, section + ".tilt", "is given together with a load_offset; each follows from the other",
@@ -149,8 +149,8 @@ void check_contact(const std::string &section, const ContactSettings &contact, R
     return;
   if (!(contact.loads[0] < contact.loads[1]))
     contradict(reading, loads, "does not increase; write the smaller load first", {});
-  else if (reading.usable({at}) && (contact.at < contact.loads[0] || contact.at > contact.loads[1]))
-    contradict(reading, at, "is outside the swept range", {loads});
+  else if (reading.usable({load}) && (contact.at < contact.loads[0] || contact.at > contact.loads[1]))
+    contradict(reading, load, "is outside the swept range", {loads});
 }
 
 void check_published_force(const DynamicsSettings &dynamics, const GivenValues &given, Reading &reading)

@@ -120,13 +120,13 @@ inline PlaneEngine plane_engine(const TwoCylinders &pair)
 /// Elastic constants of one body; a rigid one has an infinite Young's modulus.
 inline Material material_of(const RoundBody &body, const Material &steel)
 {
-  Material own = steel;
+  Material material = steel;
   if (body.youngs_modulus == body.youngs_modulus)
-    own.youngs_modulus = body.youngs_modulus;
+    material.youngs_modulus = body.youngs_modulus;
   if (body.poisson_ratio == body.poisson_ratio)
-    own.poisson_ratio = body.poisson_ratio;
+    material.poisson_ratio = body.poisson_ratio;
   if (body.rigid)
-    own.youngs_modulus = std::numeric_limits<double>::infinity();
-  return own;
+    material.youngs_modulus = std::numeric_limits<double>::infinity();
+  return material;
 }
 }  // namespace mill

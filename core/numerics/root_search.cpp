@@ -19,17 +19,17 @@ std::optional<double> root_between(Evaluated low, Evaluated high, const std::fun
                                    const double within)
 {
   if (low.value == 0)
-    return low.at;
+    return low.argument;
   if (high.value == 0)
-    return high.at;
+    return high.argument;
   if (!(low.value < 0 && high.value > 0) && !(low.value > 0 && high.value < 0))
     return {};
-  if (low.at > high.at)
+  if (low.argument > high.argument)
     std::swap(low, high);
   constexpr std::uintmax_t most = 500;
   std::uintmax_t evaluations    = most;
   const auto [below, above]     = boost::math::tools::toms748_solve(
-          f, low.at, high.at, low.value, high.value,
+          f, low.argument, high.argument, low.value, high.value,
           [&](const double a, const double b) { return is_narrow(a, b, within); }, evaluations);
   if (evaluations >= most)
     throw SolverError({"a root in one unknown was not found",

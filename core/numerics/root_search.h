@@ -9,8 +9,8 @@ constexpr double last_digits = 4 * std::numeric_limits<double>::epsilon();
 
 /// A place and the value of a function there.
 struct Evaluated {
-  double at;     ///< unit of the argument
-  double value;  ///< unit of the function
+  double argument;  ///< unit of the argument
+  double value;     ///< unit of the function
 };
 
 /// Root of f between two ends: G. E. Alefeld, F. A. Potra, Y. Shi, ACM Transactions on Mathematical Software 21

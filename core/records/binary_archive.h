@@ -96,8 +96,8 @@ private:
 /// Reads them in the same order; `good` turns false when the bytes do not hold what is asked for.
 struct Reader {
   const std::string &bytes;
-  std::size_t at = 0;
-  bool good      = true;
+  std::size_t position = 0;
+  bool good            = true;
 
   template <class T> void operator()(const char *, T &value)
   {
@@ -105,11 +105,11 @@ struct Reader {
   }
   void raw(void *data, const std::size_t size)
   {
-    good = good && size <= bytes.size() - at;
+    good = good && size <= bytes.size() - position;
     if (!good || size == 0)
       return;
-    std::memcpy(data, bytes.data() + at, size);
-    at += size;
+    std::memcpy(data, bytes.data() + position, size);
+    position += size;
   }
   std::size_t size()
   {
@@ -141,9 +141,9 @@ struct Reader {
   void read(std::string &text)
   {
     const std::size_t length = size();
-    good                     = good && length <= bytes.size() - at;
-    text                     = good ? bytes.substr(at, length) : "";
-    at += text.size();
+    good                     = good && length <= bytes.size() - position;
+    text                     = good ? bytes.substr(position, length) : "";
+    position += text.size();
   }
   template <class T> void read(std::vector<T> &list)
   {
@@ -262,7 +262,7 @@ template <class Record> std::optional<Record> record_of_bytes(const std::string 
   std::optional<Record> record(std::in_place);
   binary::Reader reader{bytes};
   reader.read(*record);
-  if (!reader.good || reader.at != bytes.size())
+  if (!reader.good || reader.position != bytes.size())
     record.reset();
   return record;
 }

@@ -10,7 +10,7 @@ namespace {
 // A file in memory that minizip reads and writes.
 struct Memory {
   std::string bytes;
-  std::size_t at = 0;
+  std::size_t position = 0;
 };
 
 void *open_memory(void *opaque, const void *, int)
@@ -20,30 +20,30 @@ void *open_memory(void *opaque, const void *, int)
 uLong read_memory(void *opaque, void *, void *to, const uLong size)
 {
   auto &m       = *static_cast<Memory *>(opaque);
-  const uLong n = std::min<uLong>(size, m.bytes.size() - std::min(m.at, m.bytes.size()));
-  std::memcpy(to, m.bytes.data() + m.at, n);
-  m.at += n;
+  const uLong n = std::min<uLong>(size, m.bytes.size() - std::min(m.position, m.bytes.size()));
+  std::memcpy(to, m.bytes.data() + m.position, n);
+  m.position += n;
   return n;
 }
 uLong write_memory(void *opaque, void *, const void *from, const uLong size)
 {
   auto &m = *static_cast<Memory *>(opaque);
-  if (m.bytes.size() < m.at + size)
-    m.bytes.resize(m.at + size);
-  std::memcpy(&m.bytes[m.at], from, size);
-  m.at += size;
+  if (m.bytes.size() < m.position + size)
+    m.bytes.resize(m.position + size);
+  std::memcpy(&m.bytes[m.position], from, size);
+  m.position += size;
   return size;
 }
 ZPOS64_T tell_memory(void *opaque, void *)
 {
-  return static_cast<Memory *>(opaque)->at;
+  return static_cast<Memory *>(opaque)->position;
 }
 long seek_memory(void *opaque, void *, const ZPOS64_T offset, const int origin)
 {
-  auto &m = *static_cast<Memory *>(opaque);
-  m.at    = std::size_t(offset) + (origin == ZLIB_FILEFUNC_SEEK_CUR   ? m.at
-                                   : origin == ZLIB_FILEFUNC_SEEK_END ? m.bytes.size()
-                                                                      : 0);
+  auto &m    = *static_cast<Memory *>(opaque);
+  m.position = std::size_t(offset) + (origin == ZLIB_FILEFUNC_SEEK_CUR   ? m.position
+                                      : origin == ZLIB_FILEFUNC_SEEK_END ? m.bytes.size()
+                                                                         : 0);
   return 0;
 }
 int close_memory(void *, void *)

@@ -33,25 +33,25 @@ VectorXd vector_of(const std::vector<double> &v)
 
 // Cosines, and sines behind them, at even moments of a period; and back.  (moments, b), b = h + 1 or 2 h + 1
 struct Basis {
-  MatrixXd at, back;
+  MatrixXd to_moments, back;
   int harmonics;
   bool sines;
 
   Basis(const int h, const bool with_sines) : harmonics(h), sines(with_sines)
   {
     const Index moments = 8 * (h + 2), b = h + 1 + (with_sines ? h : 0);
-    at.resize(moments, b);
+    to_moments.resize(moments, b);
     // Cosines alone are even: half of the period says all.
     const double whole = with_sines ? 2 * M_PI : M_PI;
     for (Index i = 0; i < moments; ++i) {
       const double angle = whole * (double(i) + 0.5) / double(moments);
       for (int k = 0; k <= h; ++k) {
-        at(i, k) = std::cos(k * angle);
+        to_moments(i, k) = std::cos(k * angle);
         if (with_sines && k > 0)
-          at(i, h + k) = std::sin(k * angle);
+          to_moments(i, h + k) = std::sin(k * angle);
       }
     }
-    back = at.transpose() * (2.0 / double(moments));
+    back = to_moments.transpose() * (2.0 / double(moments));
     back.row(0) *= 0.5;
   }
   int harmonic(const Index column) const
@@ -60,7 +60,7 @@ struct Basis {
   }
   Index size() const
   {
-    return at.cols();
+    return to_moments.cols();
   }
 };
 
@@ -75,14 +75,14 @@ Remainders remainders(const CurveStand &stand, const Basis &basis, const MatrixX
   Remainders r{MatrixXd(d.rows(), d.cols()), {}};
   for (Index j = 0; j < d.rows(); ++j) {
     const CurveSpring &spring = stand.springs[std::size_t(j)];
-    VectorXd force            = basis.at * d.row(j).transpose(), stiffness(force.size());
+    VectorXd force            = basis.to_moments * d.row(j).transpose(), stiffness(force.size());
     for (Index i = 0; i < force.size(); ++i) {
       const SpringForce f = beyond_tangent(stand, spring, force[i]);
       force[i]            = f.force;
       stiffness[i]        = f.stiffness;
     }
     r.rho.row(j) = (basis.back * force).transpose();
-    r.slope.push_back(basis.back * stiffness.asDiagonal() * basis.at);
+    r.slope.push_back(basis.back * stiffness.asDiagonal() * basis.to_moments);
   }
   return r;
 }
@@ -243,7 +243,7 @@ PeriodicMotion free_motion(const CurveStand &stand, const Index mode, const doub
     }
   };
   PeriodicMotion motion;
-  motion.found       = tangent > 0 && newton(x, equations) && x[u] > 0;
+  motion.settled     = tangent > 0 && newton(x, equations) && x[u] > 0;
   motion.frequency   = tangent * std::sqrt(std::max(0.0, x[u])) / (2 * M_PI);
   motion.cosine      = as_series(x, rest, b);
   motion.sine        = MatrixXd::Zero(s, b);
@@ -313,7 +313,7 @@ PeriodicMotion forced_motion(const CurveStand &stand, const double frequency, co
     }
   };
   PeriodicMotion motion;
-  motion.found             = newton(x, equations);
+  motion.settled           = newton(x, equations);
   motion.frequency         = frequency;
   const MatrixXd d         = as_series(x, rest, b);
   motion.cosine            = d.leftCols(h + 1);

@@ -8,7 +8,7 @@
 namespace mill::dynamics {
 /// A periodic motion by the Fourier series of the further compression of every spring.
 struct PeriodicMotion {
-  bool found       = false;  ///< false: Newton's method did not settle
+  bool settled     = false;  ///< false: Newton's method did not settle
   double frequency = 0;      ///< Hz
   Eigen::MatrixXd cosine;    ///< (s, h + 1) m, of spring and harmonic; column 0 is the mean
   Eigen::MatrixXd sine;      ///< (s, h + 1) m, column 0 is zero

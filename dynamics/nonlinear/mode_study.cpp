@@ -79,8 +79,9 @@ void follow_backbone(NonlinearMode &made, const CurveStand &stand, const Eigen::
   double last_gap = 1, last_amplitude = 0, last_frequency = made.frequency;
   for (const double part : steps_of_amplitude) {
     const double amplitude = part * first.amplitude;
-    PeriodicMotion motion  = free_motion(stand, mode, amplitude, harmonics_kept, before.found ? &before : nullptr);
-    if (!motion.found)
+    PeriodicMotion motion =
+        free_motion(stand, mode, amplitude, harmonics_kept, before.settled ? &before : nullptr);
+    if (!motion.settled)
       break;
     made.amplitude.push_back(amplitude * moves);
     made.followed.push_back(motion.frequency);
@@ -111,7 +112,7 @@ void follow_backbone(NonlinearMode &made, const CurveStand &stand, const Eigen::
 double parting_force(const CurveStand &stand, const double frequency)
 {
   PeriodicMotion motion = forced_motion(stand, frequency, 1, harmonics_kept);
-  if (!motion.found)
+  if (!motion.settled)
     return not_given;
   const double slope = 1 - least_compression(stand, motion);  // per newton
   if (!(slope > 0))
@@ -121,9 +122,9 @@ double parting_force(const CurveStand &stand, const double frequency)
   for (int round = 0; round < 40; ++round) {
     const PeriodicMotion next = forced_motion(stand, frequency, force, harmonics_kept, near ? &*near : nullptr);
     // Deep in separation the series may not settle: the force is too large then.
-    if (!next.found && !(low > 0))
+    if (!next.settled && !(low > 0))
       return not_given;
-    const double gap = next.found ? least_compression(stand, next) : -gap_low;
+    const double gap = next.settled ? least_compression(stand, next) : -gap_low;
     if (std::abs(gap) < 1e-6)
       return force;
     if (gap > 0) {
@@ -190,7 +191,7 @@ std::vector<NonlinearMode> mode_study(const CurveStand &stand, const ModalModel 
       made.parting_force          = parting_force(stand, made.frequency);
       made.force                  = force;
       const PeriodicMotion driven = forced_motion(stand, made.frequency, force, harmonics_kept);
-      if (driven.found)
+      if (driven.settled)
         made.harmonics = harmonics_of(model, driven);
     }
     modes.push_back(std::move(made));

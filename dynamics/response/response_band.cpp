@@ -71,8 +71,8 @@ Eigen::MatrixXd largest_at_modes(const ModalResponse &stand, const double from, 
 
 /// Magnitudes of all samples.
 struct Samples {
-  std::vector<Eigen::MatrixXd> at;  ///< (f) of (samples, m)
-  Eigen::MatrixXd peak;             ///< (samples, m k)
+  std::vector<Eigen::MatrixXd> amplitude;  ///< (f) of (samples, m)
+  Eigen::MatrixXd peak;                    ///< (samples, m k)
 };
 
 /// Ends of the middle 95 % of a sample.  (32.8)
@@ -103,13 +103,14 @@ ResponseBand response_band(const ModalResponse &all, const Eigen::Index n,
     const ModalResponse one   = of_first_force(stand);
     samples.peak.row(s)       = largest_at_modes(stand, frequency[0], frequency[n_f - 1]).reshaped().transpose();
     for (Eigen::Index i = 0; i < n_f; ++i)
-      samples.at[std::size_t(i)].row(s) = (accelerance(one, frequency[i]).transpose() + rest.row(i)).cwiseAbs();
+      samples.amplitude[std::size_t(i)].row(s) =
+          (accelerance(one, frequency[i]).transpose() + rest.row(i)).cwiseAbs();
   }
   ResponseBand band{Eigen::MatrixXd(n_f, m), Eigen::MatrixXd(n_f, m), Eigen::MatrixXd(m, k),
                     Eigen::MatrixXd(m, k)};
   for (Eigen::Index p = 0; p < m; ++p)
     for (Eigen::Index i = 0; i < n_f; ++i)
-      std::tie(band.low(i, p), band.high(i, p)) = ends_of(samples.at[std::size_t(i)].col(p));
+      std::tie(band.low(i, p), band.high(i, p)) = ends_of(samples.amplitude[std::size_t(i)].col(p));
   for (Eigen::Index j = 0; j < m * k; ++j)
     std::tie(band.peak_low(j % m, j / m), band.peak_high(j % m, j / m)) = ends_of(samples.peak.col(j));
   return band;

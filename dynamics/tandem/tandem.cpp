@@ -184,15 +184,15 @@ Eigen::MatrixXd tandem_matrix(const TandemLine &line, const TandemPoint &point, 
     return coupling == TandemCoupling::tension ? system.A : without_delay(system);
   }
   std::vector<Eigen::MatrixXd> parts;
-  Eigen::Index size = 0, at = 0;
+  Eigen::Index size = 0, row = 0;
   for (std::size_t i = 0; i < line.stands.size(); ++i) {
     parts.push_back(stand_alone(line, point, i));
     size += parts.back().rows();
   }
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(size, size);
   for (const Eigen::MatrixXd &part : parts) {
-    A.block(at, at, part.rows(), part.rows()) = part;
-    at += part.rows();
+    A.block(row, row, part.rows(), part.rows()) = part;
+    row += part.rows();
   }
   return A;
 }

@@ -89,7 +89,7 @@ struct TandemStudy {
   double any_delay = not_given;        ///< m/s, up to which the tandem is stable for any distances; nan: nowhere
   std::vector<TandemShare> share;      ///< (N) at the full critical speed
   std::complex<double> critical_root;  ///< 1/s, there
-  TandemPoint at;                      ///< steady state there; empty without a crossing
+  TandemPoint point;                   ///< steady state there; empty without a crossing
   TandemCurves curves;                 ///< over the range
   TandemCurves lobes;                  ///< some lobes around the full critical speed
   std::vector<std::string> sentences;  ///< what follows, with numbers

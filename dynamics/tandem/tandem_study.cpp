@@ -98,13 +98,13 @@ std::vector<TandemShare> shares(const TandemLine &line, const DelayRoot &root)
 double waves_between(const TandemStudy &s)
 {
   double most = 0;
-  for (const double delay : s.at.delay)
+  for (const double delay : s.point.delay)
     most = std::max(most, s.full.frequency * delay);
   return most;
 }
 
 // What a search found, without the reasons for missing bites, which are the same in all of them.
-std::string found(CriticalSpeed search, const SpeedRange &range)
+std::string summary(CriticalSpeed search, const SpeedRange &range)
 {
   search.below.clear();
   search.above.clear();
@@ -121,11 +121,11 @@ std::vector<std::string> conclusions(const TandemStudy &s, const SpeedRange &ran
   edge("below", s.full.lowest_bite, s.full.below);
   edge("above", s.full.highest_bite, s.full.above);
   for (std::size_t i = 0; i < s.stand.size(); ++i)
-    text.push_back(fmt::format("{} alone: {}.", s.names[i], found(s.stand[i], range)));
+    text.push_back(fmt::format("{} alone: {}.", s.names[i], summary(s.stand[i], range)));
   if (s.stand.size() == 1)
     return text;
-  text.push_back("Sharing the tension between them: " + found(s.tension, range) + ".");
-  text.push_back("With the waviness that reaches the next stand later: " + found(s.full, range) + ".");
+  text.push_back("Sharing the tension between them: " + summary(s.tension, range) + ".");
+  text.push_back("With the waviness that reaches the next stand later: " + summary(s.full, range) + ".");
   if (s.tension.verdict == Verdict::crossing && s.full.verdict == Verdict::crossing)
     text.push_back(fmt::format(
         "The waviness that arrives later (regeneration) moves the critical speed by {:+.2f} m/s ({:+.1f} %).",
@@ -188,7 +188,7 @@ TandemStudy tandem_study(const TandemLine &line, const SpeedRange &range, const 
       study.any_delay = safe.speed;
   }
   if (study.full.verdict == Verdict::crossing) {
-    study.at = points.at(study.full.speed);
+    study.point = points.at(study.full.speed);
     // A lobe that peeps over the axis below the crossing: looked for with eight points per lobe.
     const double lobe = waves_between(study) > 2 ? study.full.speed / waves_between(study) : 0;
     const double from = std::max({range.from, study.full.speed - 8 * lobe,
@@ -205,10 +205,10 @@ TandemStudy tandem_study(const TandemLine &line, const SpeedRange &range, const 
                                     earlier.crossings.end());
         study.full.speed     = earlier.speed;
         study.full.frequency = earlier.frequency;
-        study.at             = points.at(study.full.speed);
+        study.point          = points.at(study.full.speed);
       }
     }
-    const DelaySpectrum spectrum(tandem_system(line, study.at));
+    const DelaySpectrum spectrum(tandem_system(line, study.point));
     const DelayRoot top = spectrum.polished(spectrum.rightmost());
     study.critical_root = top.value;
     study.share         = shares(line, top);

@@ -166,9 +166,9 @@ Path follow(ActiveSet &solver, const Loading &from, const Loading &to)
   const auto per_scale = modes.scale.cwiseInverse();
   follow_path(solver.factor(), modes, constant, linear, begin, touching, [&](const PathStep &step) {
     Event e;
-    e.at               = step.at;
-    e.motion           = (step.constant.motion + step.at * step.linear.motion).cwiseProduct(per_scale);
-    e.resultant        = (step.constant.resultant + step.at * step.linear.resultant).cwiseProduct(modes.scale);
+    e.position  = step.position;
+    e.motion    = (step.constant.motion + step.position * step.linear.motion).cwiseProduct(per_scale);
+    e.resultant = (step.constant.resultant + step.position * step.linear.resultant).cwiseProduct(modes.scale);
     e.stiffness_before = tangents(step.gram_before, modes).stiffness;
     e.stiffness_after  = tangents(step.gram_after, modes).stiffness;
     e.entered          = step.entered;
@@ -183,12 +183,12 @@ PathPoint sample(const Path &path, const double point)
   if (!(point >= 0 && point <= 1) || path.events.empty())
     throw InputError("continuation: a path is sampled between 0 and 1, not at " + std::to_string(point));
   std::size_t i = 1;
-  while (i + 1 < path.events.size() && path.events[i].at <= point)
+  while (i + 1 < path.events.size() && path.events[i].position <= point)
     ++i;
   if (path.events.size() == 1)
     return {path.events[0].motion, path.events[0].resultant, path.events[0].stiffness_after};
   const Event &a = path.events[i - 1], &b = path.events[i];
-  const double weight = b.at > a.at ? (point - a.at) / (b.at - a.at) : 1.;
+  const double weight = b.position > a.position ? (point - a.position) / (b.position - a.position) : 1.;
   return {a.motion + weight * (b.motion - a.motion), a.resultant + weight * (b.resultant - a.resultant),
           a.stiffness_after};
 }

@@ -7,11 +7,11 @@
 namespace mill::contact {
 /// Where the set of a path changes, or where the path begins or ends.
 struct Event {
-  double at = 0;                     ///< -, 0 .. 1 along the path
+  double position = 0;               ///< -, 0 .. 1 along the path
   Eigen::VectorXd motion;            ///< (k) m, rad
   Eigen::VectorXd resultant;         ///< (k) N, N m
-  Eigen::MatrixXd stiffness_before;  ///< (k, k) d resultant / d motion on the side of smaller `at`
-  Eigen::MatrixXd stiffness_after;   ///< (k, k) on the side of larger `at`
+  Eigen::MatrixXd stiffness_before;  ///< (k, k) d resultant / d motion on the side of smaller `position`
+  Eigen::MatrixXd stiffness_after;   ///< (k, k) on the side of larger `position`
   std::vector<int> entered;          ///< nodes that touch from here on
   std::vector<int> left;             ///< nodes that are open from here on
 };
@@ -39,15 +39,15 @@ struct PathPoint {
 /// Cost: per event one product with C and two triangular solves, O(n^2).
 Path follow(ActiveSet &solver, const Loading &from, const Loading &to);
 
-/// @throws InputError  `at` outside 0 .. 1
-PathPoint sample(const Path &path, double at);
+/// @throws InputError  `position` outside 0 .. 1
+PathPoint sample(const Path &path, double position);
 
 /// The same, for a gap that changes along with the loading: gaps 0 and 1 of the modes are the constant and the
 /// linear part.  Calls `seen` at every event; the factor ends with the set of the end.
 /// @param start     modes at 0, which are kept where too few nodes touch to determine a free motion
 /// @param touching  nodes without force and without gap at the start: their status is found here
 struct PathStep {
-  double at;  ///< -, 0 .. 1
+  double position;  ///< -, 0 .. 1
   ModeState constant, linear;
   Eigen::MatrixXd gram_before, gram_after;
   std::vector<int> entered, left;

@@ -102,18 +102,18 @@ struct FrictionSolver::Implementation {
         in.push_back(i);
       }
     const int a = int(in.size()), m = a * (1 + d);
-    std::vector<int> at(m);  // component of each unknown
+    std::vector<int> component(m);  // component of each unknown
     for (int c = 0; c <= d; ++c)
       for (int i = 0; i < a; ++i)
-        at[c * a + i] = c * n + in[i];
+        component[c * a + i] = c * n + in[i];
     MatrixXd A(m, m), B(m, modes.rhs.cols() + 1);  // last column: forces that are imposed by frozen bounds
     for (int j = 0; j < m; ++j) {
-      const double *column = p.C.col(at[j]).data();
+      const double *column = p.C.col(component[j]).data();
       for (int i = 0; i < m; ++i)
-        A(i, j) = column[at[i]];
+        A(i, j) = column[component[i]];
     }
     for (int i = 0; i < m; ++i)
-      B.row(i) << modes.rhs.row(at[i]), 0.;
+      B.row(i) << modes.rhs.row(component[i]), 0.;
     for (int i = 0; i < a; ++i) {
       if (s.status[in[i]] != Status::slip)
         continue;
@@ -149,7 +149,7 @@ struct FrictionSolver::Implementation {
     }
     MatrixXd G(m, k);
     for (int i = 0; i < m; ++i)
-      G.row(i) = modes.rhs.row(at[i]).head(k);
+      G.row(i) = modes.rhs.row(component[i]).head(k);
     out.gram            = MatrixXd::Zero(2 * k + 1, 2 * k + 1);
     out.gram.topRows(k) = G.transpose() * Z.leftCols(2 * k + 1);
     MatrixXd driven     = out.gram;
@@ -159,7 +159,7 @@ struct FrictionSolver::Implementation {
     const VectorXd force = Z.leftCols(2 * k + 1) * c + Z.col(2 * k + 1);
     out.nodal            = VectorXd::Zero(N);
     for (int i = 0; i < m; ++i)
-      out.nodal[at[i]] = force[i];
+      out.nodal[component[i]] = force[i];
     out.opening = p.C * out.nodal - modes.rhs * c;
     out.length  = std::max((p.G * out.modes.motion.cwiseQuotient(modes.scale)).cwiseAbs().maxCoeff(),
                            (p.C * out.nodal).cwiseAbs().maxCoeff());

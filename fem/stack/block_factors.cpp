@@ -50,28 +50,28 @@ void BlockFactors::resize(const std::vector<Index> &sizes)
   size = sizes;
   for (std::size_t i = 0; i < nodes.size(); ++i) {
     Node &node = nodes[i];
-    node.own.resize(size[i], size[i]);
+    node.pivot.resize(size[i], size[i]);
     if (!is_positive[i] || turn_of[i] >= turns.size())
-      node.own.setZero();
+      node.pivot.setZero();
     node.column.assign(1, 0);
     for (const std::size_t j : node.later)
       node.column.push_back(node.column.back() + size[j]);
-    node.beside.resize(size[i], node.column.back());
+    node.others.resize(size[i], node.column.back());
     for (std::size_t a = 0; a < node.later.size(); ++a)
       if (node.fills[a])
-        node.beside.middleCols(node.column[a], size[node.later[a]]).setZero();
+        node.others.middleCols(node.column[a], size[node.later[a]]).setZero();
   }
 }
 
 BlockFactors::Block BlockFactors::block(const std::size_t i, const std::size_t j)
 {
   if (i == j)
-    return {nodes[i].own, false};
-  const bool turned = turn_of[i] > turn_of[j];
-  Node &node        = nodes[turned ? j : i];
-  const auto found  = std::find(node.later.begin(), node.later.end(), turned ? i : j);
-  const auto place  = std::size_t(found - node.later.begin());
-  return {node.beside.middleCols(node.column[place], node.column[place + 1] - node.column[place]), turned};
+    return {nodes[i].pivot, false};
+  const bool turned    = turn_of[i] > turn_of[j];
+  Node &node           = nodes[turned ? j : i];
+  const auto neighbour = std::find(node.later.begin(), node.later.end(), turned ? i : j);
+  const auto place     = std::size_t(neighbour - node.later.begin());
+  return {node.others.middleCols(node.column[place], node.column[place + 1] - node.column[place]), turned};
 }
 
 std::size_t BlockFactors::factorise()
@@ -81,18 +81,18 @@ std::size_t BlockFactors::factorise()
     if (size[i] == 0)
       continue;
     if (!is_positive[i])
-      node.own = -node.own;
-    Eigen::LLT<Eigen::Ref<MatrixXd>> factor(node.own);
-    const auto diagonal = node.own.diagonal().array();
+      node.pivot = -node.pivot;
+    Eigen::LLT<Eigen::Ref<MatrixXd>> factor(node.pivot);
+    const auto diagonal = node.pivot.diagonal().array();
     if (factor.info() != Eigen::Success || !(diagonal.minCoeff() > singular * diagonal.maxCoeff()))
       return i;
     // Products are quicker than solutions, and the other side has several times as many columns.
     MatrixXd inverse = MatrixXd::Identity(size[i], size[i]);
-    node.own.triangularView<Eigen::Lower>().solveInPlace(inverse);
-    node.own    = inverse.triangularView<Eigen::Lower>();
-    node.beside = node.own.triangularView<Eigen::Lower>() * node.beside;
-    MatrixXd update(node.beside.cols(), node.beside.cols());
-    update.triangularView<Eigen::Lower>() = (is_positive[i] ? -1 : 1) * node.beside.transpose() * node.beside;
+    node.pivot.triangularView<Eigen::Lower>().solveInPlace(inverse);
+    node.pivot  = inverse.triangularView<Eigen::Lower>();
+    node.others = node.pivot.triangularView<Eigen::Lower>() * node.others;
+    MatrixXd update(node.others.cols(), node.others.cols());
+    update.triangularView<Eigen::Lower>() = (is_positive[i] ? -1 : 1) * node.others.transpose() * node.others;
     for (std::size_t a = 0; a < node.later.size(); ++a)
       for (std::size_t b = a; b < node.later.size(); ++b) {
         const Index m = size[node.later[a]], n = size[node.later[b]];
@@ -100,7 +100,7 @@ std::size_t BlockFactors::factorise()
           continue;
         const auto part = update.block(node.column[b], node.column[a], n, m);  // of the lower triangle
         if (a == b)
-          nodes[node.later[a]].own.triangularView<Eigen::Lower>() += part;
+          nodes[node.later[a]].pivot.triangularView<Eigen::Lower>() += part;
         else
           block(node.later[a], node.later[b]).values += part.transpose();
       }
@@ -114,11 +114,11 @@ void BlockFactors::forward(std::vector<VectorXd> &x) const
     const Node &node = nodes[i];
     if (size[i] == 0)
       continue;
-    x[i] = node.own.triangularView<Eigen::Lower>() * x[i];
+    x[i] = node.pivot.triangularView<Eigen::Lower>() * x[i];
     for (std::size_t a = 0; a < node.later.size(); ++a)
       if (const std::size_t j = node.later[a]; size[j] > 0)
         x[j].noalias() -=
-            (is_positive[i] ? 1 : -1) * (node.beside.middleCols(node.column[a], size[j]).transpose() * x[i]);
+            (is_positive[i] ? 1 : -1) * (node.others.middleCols(node.column[a], size[j]).transpose() * x[i]);
   }
 }
 
@@ -130,8 +130,8 @@ void BlockFactors::backward(std::vector<VectorXd> &x) const
       continue;
     for (std::size_t a = 0; a < node.later.size(); ++a)
       if (const std::size_t j = node.later[a]; size[j] > 0)
-        x[*turn].noalias() -= node.beside.middleCols(node.column[a], size[j]) * x[j];
-    x[*turn] = node.own.triangularView<Eigen::Lower>().transpose() * x[*turn];
+        x[*turn].noalias() -= node.others.middleCols(node.column[a], size[j]) * x[j];
+    x[*turn] = node.pivot.triangularView<Eigen::Lower>().transpose() * x[*turn];
     if (!is_positive[*turn])
       x[*turn] = -x[*turn];
   }

@@ -38,8 +38,8 @@ private:
   struct Node {
     std::vector<std::size_t> later;    // neighbours when its turn comes, in the order of elimination
     std::vector<char> fills;           // of each of them: it becomes one by the elimination of others
-    std::vector<Eigen::Index> column;  // of each of them in `beside`; then their sum
-    Eigen::MatrixXd own, beside;       // (n, n) lower; (n, sum of later): L^-1 of the block, L^-1 times the others
+    std::vector<Eigen::Index> column;  // of each of them in `others`; then their sum
+    Eigen::MatrixXd pivot, others;     // (n, n) lower; (n, sum of later): L^-1 of the block, L^-1 times the others
   };
   std::vector<Node> nodes;
   std::vector<char> is_positive;

@@ -314,9 +314,9 @@ struct CondensedStack::Implementation {
       level                = next.level;
       const VectorXd wants = (constant.array() + level).matrix() - k_open() * opening(next.half);
       for (Index k = 0; k < force.size(); ++k) {
-        char &is = pressed[std::size_t(k)];
-        if (is ? force[k] <= 0 : wants[k] > 0) {
-          is        = !is;
+        char &touches = pressed[std::size_t(k)];
+        if (touches ? force[k] <= 0 : wants[k] > 0) {
+          touches   = !touches;
           exchanged = true;
         }
       }

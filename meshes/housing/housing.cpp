@@ -23,14 +23,15 @@ std::string mm(const double metres)
   return text.str();
 }
 
-// A stretch of the frame between two sections: `at(s)` is the section at s = 0..1, outside and window point.
+// A stretch of the frame between two sections: `section_at(s)` is the section at s = 0..1, outside and window
+// point.
 struct Section {
   std::array<double, 2> outside, window;
 };
 struct Stretch {
   double length;  // of its longer side
   double width;   // of its narrower end
-  std::function<Section(double s)> at;
+  std::function<Section(double s)> section_at;
 };
 
 std::array<double, 2> between(const std::array<double, 2> &a, const std::array<double, 2> &b, const double s)
@@ -72,8 +73,8 @@ std::vector<Stretch> upper_half(const MillHousing &h)
   auto lower = beam_and_corner(h, h.upper_beam_height, h.screw_pad);
   std::reverse(lower.begin(), lower.end());
   for (auto &stretch : lower)
-    stretch.at = [at = stretch.at, top = h.window_height](const double s) {
-      Section section = at(1 - s);
+    stretch.section_at = [section_at = stretch.section_at, top = h.window_height](const double s) {
+      Section section = section_at(1 - s);
       for (auto *point : {&section.outside, &section.window})
         (*point)[1] = top - (*point)[1];
       return section;
@@ -179,7 +180,7 @@ MeshFile mesh_housing(const MillHousing &h, const HousingMeshSize &size, const s
         std::min(size.stretch * stretch.width / size.through, size.longest > 0 ? size.longest : 1e300);
     const int n = std::max((size.through + 1) / 2, int(std::ceil(stretch.length / element - 1e-9)));
     for (int i = sections.empty() ? 0 : 1; i <= n; ++i)
-      sections.push_back(stretch.at(double(i) / n));
+      sections.push_back(stretch.section_at(double(i) / n));
   }
   const double narrowest = std::min({h.post_width, h.upper_beam_height, h.lower_beam_height});
   const auto z           = lines_along_the_rolls(h, size.stretch * narrowest / size.through);

@@ -91,11 +91,11 @@ std::vector<std::vector<ModeName>> common_names(const std::vector<const StandWit
       const auto [model, mode] = common.leader(m, k);
       if (model == m || names[model][mode].key.empty())
         continue;
-      given[k]         = names[model][mode];
-      given[k].own     = "";
-      given[k].decided = gap_names[k].decided;
+      given[k]          = names[model][mode];
+      given[k].own_name = "";
+      given[k].decided  = gap_names[k].decided;
       if (!named_alike(motions[model][mode], motions[m][k])) {
-        given[k].own = gap_names[k].name;
+        given[k].own_name = gap_names[k].name;
         given[k].decided =
             fmt::format("mode {} of {}: {}; by its own shares {}: {}", mode + 1, stands[model]->model.name,
                         names[model][mode].decided, gap_names[k].name, gap_names[k].decided);

@@ -16,8 +16,8 @@ struct ModeName {
   std::string key;      ///< of results: "gap_first_kind"; empty: the mode has no result of its own
   std::string decided;  ///< "work roll with its backup roll in the lower stack (64 % of the kinetic energy); ..."
   /// Name by the shares of its own model, where the name is that of a more detailed model and differs; else empty.
-  std::string own  = {};
-  GapKind kind     = GapKind::none;
+  std::string own_name = {};
+  GapKind kind         = GapKind::none;
   double gap_share = std::numeric_limits<double>::quiet_NaN();  ///< -, 0..1, share of the gap's static compliance
   bool listed      = true;  ///< the gap or a sensor sees it; else tables fold it
 };

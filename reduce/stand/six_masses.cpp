@@ -54,7 +54,7 @@ int place_of_unknown(const StandModel &stand, const Eigen::Index i)
   if (place >= 0)
     return place;
   for (const StandPoint &point : stand.points)
-    if (const StandPlace at = stand_place(point.name); at.housing && at.seat && point.row[i] != 0)
+    if (const StandPlace named = stand_place(point.name); named.housing && named.seat && point.row[i] != 0)
       return 5;
   return 0;  // the screw; modes of the housing rest in a static shape
 }

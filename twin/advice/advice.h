@@ -82,7 +82,7 @@ struct DamperChoice {
 
 /// A tuned damper.
 struct TunedChoice {
-  int at            = -1;
+  int place_index   = -1;
   double mass       = std::numeric_limits<double>::quiet_NaN();  ///< kg; NaN: by the ratio
   double mass_ratio = 0.05;  ///< -, over the effective mass of the leading mode
 };

@@ -52,7 +52,7 @@ public:
                                    "be given for a bite that does not exist",
                                    asked_.working_speed, advice_.now.why));
     advice_.reached = reaches(advice_.now, 1);
-    if (advice_.now.found.verdict == dynamics::Verdict::crossing) {
+    if (advice_.now.search.verdict == dynamics::Verdict::crossing) {
       dynamics::SensitivityRequest request;
       request.scheme        = asked_.scheme;
       request.range         = asked_.range;
@@ -96,7 +96,7 @@ private:
 
   bool reaches(const CriticalState &state, const double speed_factor) const
   {
-    const bool stable_there = state.at_least || state.found.verdict == dynamics::Verdict::crossing;
+    const bool stable_there = state.at_least || state.search.verdict == dynamics::Verdict::crossing;
     return stable_there && state.speed >= (1 + asked_.margin) * asked_.working_speed * speed_factor;
   }
 
@@ -241,18 +241,18 @@ private:
     if (!state.no_bite && !(action.gain > least_rise))
       action.against.push_back(action.gain < -least_rise ? "lowers the critical speed"
                                                          : "does nothing to the critical speed");
-    if (const double f = state.found.frequency; std::isfinite(f) && std::isfinite(now.found.frequency))
-      action.modes = std::abs(f / now.found.frequency - 1) < 0.05
+    if (const double f = state.search.frequency; std::isfinite(f) && std::isfinite(now.search.frequency))
+      action.modes = std::abs(f / now.search.frequency - 1) < 0.05
                          ? fmt::format("{:.1f} Hz stays the critical mode", f)
                          : fmt::format("another mode becomes critical: {:.1f} Hz in place of {:.1f} Hz", f,
-                                       now.found.frequency);
+                                       now.search.frequency);
   }
 
   // Empty where no slope exists.
   Errors errors_of(const ChatterModel &model, const CriticalState &state) const
   {
     Errors errors;
-    const auto point = critical_point(state.found);
+    const auto point = critical_point(state.search);
     if (!point)
       return errors;
     try {

@@ -8,9 +8,11 @@ CriticalState critical_state(const dynamics::ChatterStandModel &stand, const bit
 {
   using dynamics::Verdict;
   CriticalState s;
-  s.found    = dynamics::critical_speed(stand, bite, scheme, range);
-  s.at_least = s.found.verdict == Verdict::stable;
-  s.speed = s.found.verdict == Verdict::crossing ? s.found.speed : s.at_least ? s.found.highest_bite : range.from;
+  s.search   = dynamics::critical_speed(stand, bite, scheme, range);
+  s.at_least = s.search.verdict == Verdict::stable;
+  s.speed    = s.search.verdict == Verdict::crossing ? s.search.speed
+               : s.at_least                          ? s.search.highest_bite
+                                                     : range.from;
   try {
     const auto point = dynamics::working_point(bite, working_speed, scheme);
     s.force          = point.state.force;

@@ -6,7 +6,7 @@
 namespace mill::twin {
 /// A stand at its working speed, and the speed above which it is unstable.
 struct CriticalState {
-  dynamics::CriticalSpeed found;
+  dynamics::CriticalSpeed search;
   double speed  = 0;      ///< m/s, critical one; without one the end of the range that is stable or unstable
   bool at_least = false;  ///< nothing grows up to `speed`
   bool no_bite  = false;  ///< no steady bite exists at the working speed

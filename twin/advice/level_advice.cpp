@@ -160,16 +160,16 @@ private:
 
   Part tuned_part(const TunedChoice &choice)
   {
-    const int mode       = leading_mode(own_.stand, asked_.place, choice.at, asked_.force);
-    const double mass    = effective_mass(own_.stand, mode, choice.at);
-    const double mu      = std::isnan(choice.mass) ? choice.mass_ratio : choice.mass / mass;
-    TunedDamper tuned    = tune(own_.stand, {}, asked_.place, closed_tuning(own_.stand, mode, choice.at, mu),
-                                asked_.force, advice_.level[asked_.place]);
-    tuned.mode           = mode;
+    const int mode    = leading_mode(own_.stand, asked_.place, choice.place_index, asked_.force);
+    const double mass = effective_mass(own_.stand, mode, choice.place_index);
+    const double mu   = std::isnan(choice.mass) ? choice.mass_ratio : choice.mass / mass;
+    TunedDamper tuned = tune(own_.stand, {}, asked_.place, closed_tuning(own_.stand, mode, choice.place_index, mu),
+                             asked_.force, advice_.level[asked_.place]);
+    tuned.mode        = mode;
     tuned.effective_mass = mass;
     Part part;
-    part.name =
-        fmt::format("tuned damper {:.4g} kg, {}", tuned.best.mass, own_.stand.places[std::size_t(choice.at)]);
+    part.name       = fmt::format("tuned damper {:.4g} kg, {}", tuned.best.mass,
+                                  own_.stand.places[std::size_t(choice.place_index)]);
     part.parameters = {part.name};
     part.means      = "a mass on a spring and a damper";
     part.tuned      = tuned.best;

@@ -21,9 +21,9 @@ double force_ratio(const ChangedPass &pass, const double speed, const ChatterMod
   return 1;
 }
 // There is a critical speed, or nothing grows up to the end of the range.
-bool told(const CriticalState &state)
+bool is_known(const CriticalState &state)
 {
-  return state.at_least || state.found.verdict == dynamics::Verdict::crossing;
+  return state.at_least || state.search.verdict == dynamics::Verdict::crossing;
 }
 }  // namespace
 
@@ -86,7 +86,7 @@ std::optional<RolledState> RolledLevel::after(StandChange change, const std::vec
   const auto model = around(*open, joined);
   state.critical   = critical_state(model, pass.bite, scheme, pass_.model.range, speed);
   state.violated   = violations(pass, now_, state.critical, pass_.working_speed, pass_.process);
-  if (told(now_) && told(state.critical))
+  if (is_known(now_) && is_known(state.critical))
     state.nearer = state.critical.speed / pass.speed_factor / now_.speed - 1;
   if (process.empty() || !settled() || state.critical.no_bite || !(state.critical.growth < 0))
     return state;
@@ -112,7 +112,7 @@ Eigen::VectorXd RolledLevel::level_of(const VibratingStand &open, const std::vec
 Eigen::VectorXd RolledLevel::slope(ProcessAction action) const
 {
   constexpr double step = 1e-3;  // of the logarithm
-  std::array<Eigen::VectorXd, 2> beside;
+  std::array<Eigen::VectorXd, 2> levels;
   try {
     for (const int side : {0, 1}) {
       action.factor         = std::exp(side == 0 ? -step : step);
@@ -124,13 +124,13 @@ Eigen::VectorXd RolledLevel::slope(ProcessAction action) const
       const auto open = open_(change);
       if (!open)
         return {};
-      beside[std::size_t(side)] = level_of(*open, {}, point);
+      levels[std::size_t(side)] = level_of(*open, {}, point);
     }
   } catch (const InputError &) {
     return {};
   } catch (const SolverError &) {
     return {};
   }
-  return (beside[1].array() / beside[0].array()).log() / (2 * step);
+  return (levels[1].array() / levels[0].array()).log() / (2 * step);
 }
 }  // namespace mill::twin

@@ -14,7 +14,7 @@ constexpr int detunings          = 21;  // from -10 to +10 %
 constexpr double widest_detuning = 0.10;
 
 struct Vertex {
-  Point at;
+  Point corner;
   double value;
 };
 
@@ -26,23 +26,23 @@ Vertex least(const std::function<double(const Point &)> &f, const Point &start, 
   const auto by_value = [](const Vertex &a, const Vertex &b) { return a.value < b.value; };
   for (int i = 0; i < 200; ++i) {
     std::sort(s.begin(), s.end(), by_value);
-    if (std::max((s[2].at - s[0].at).norm(), (s[1].at - s[0].at).norm()) < 1e-5)
+    if (std::max((s[2].corner - s[0].corner).norm(), (s[1].corner - s[0].corner).norm()) < 1e-5)
       break;
-    const Point middle     = 0.5 * (s[0].at + s[1].at);
-    const Vertex reflected = vertex(2 * middle - s[2].at);
+    const Point middle     = 0.5 * (s[0].corner + s[1].corner);
+    const Vertex reflected = vertex(2 * middle - s[2].corner);
     if (reflected.value < s[0].value) {
-      const Vertex farther = vertex(3 * middle - 2 * s[2].at);
+      const Vertex farther = vertex(3 * middle - 2 * s[2].corner);
       s[2]                 = farther.value < reflected.value ? farther : reflected;
     } else if (reflected.value < s[1].value)
       s[2] = reflected;
     else {
       const Vertex nearer =
-          vertex(reflected.value < s[2].value ? 0.5 * (middle + reflected.at) : 0.5 * (middle + s[2].at));
+          vertex(reflected.value < s[2].value ? 0.5 * (middle + reflected.corner) : 0.5 * (middle + s[2].corner));
       if (nearer.value < std::min(reflected.value, s[2].value))
         s[2] = nearer;
       else
         for (int j : {1, 2})
-          s[std::size_t(j)] = vertex(0.5 * (s[0].at + s[std::size_t(j)].at));
+          s[std::size_t(j)] = vertex(0.5 * (s[0].corner + s[std::size_t(j)].corner));
     }
   }
   std::sort(s.begin(), s.end(), by_value);
@@ -120,7 +120,7 @@ TunedDamper tune(const VibratingStand &stand, const std::vector<Attachment> &joi
   };
   Point best{std::log(start.frequency), std::log(start.ratio)};
   for (const double size : {0.1, 0.01})  // the second search starts again, since the simplex may have collapsed
-    best = least(f, best, size).at;
+    best = least(f, best, size).corner;
   t.inside = inside(best) && best[0] > low_f + 1e-3 && best[0] < high_f - 1e-3;
   t.best   = damper_of(
         {std::clamp(best[0], low_f, high_f), std::clamp(best[1], std::log(least_ratio), std::log(most_ratio))});

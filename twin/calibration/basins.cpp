@@ -51,14 +51,14 @@ Walk walked(const Scan &scan, const FitProblem &walked_problem, const Eigen::Ind
   for (Eigen::Index i = 0; i < steps; ++i) {
     const Eigen::Index k = upward ? i : steps - 1 - i;
     theta[spring]        = grid[k];
-    Fit found            = quick.at(theta, spring);
-    found.cost += above;
+    Fit refit            = quick.at(theta, spring);
+    refit.cost += above;
     // groups lead to the minimum; where it matters all bins say how deep it is
-    if (scan.deviance(found) < exact_below)
-      found = whole.at(found.estimate, spring);
-    theta                      = found.estimate;
+    if (scan.deviance(refit) < exact_below)
+      refit = whole.at(refit.estimate, spring);
+    theta                      = refit.estimate;
     walk.theta[std::size_t(k)] = theta;
-    walk.cost[k]               = found.cost;
+    walk.cost[k]               = refit.cost;
   }
   return walk;
 }
@@ -78,15 +78,15 @@ Eigen::VectorXd end_of_interval(const Scan &scan, const Eigen::Index spring, con
   Eigen::VectorXd theta = scan.fit.estimate;
   for (int step = 0; step < 12; ++step) {
     theta[spring]     = centre + side * reach;
-    const Fit found   = scan.at(theta, spring);
-    const double root = std::sqrt(std::max(0.0, scan.deviance(found)));
+    const Fit refit   = scan.at(theta, spring);
+    const double root = std::sqrt(std::max(0.0, scan.deviance(refit)));
     if (std::abs(root - wanted) < 0.01 * wanted)
-      return found.estimate;
+      return refit.estimate;
     double next = inside + (reach - inside) * (wanted - inside_root) / std::max(root - inside_root, 1e-6);
     if (root < wanted) {
       inside      = reach;
       inside_root = root;
-      theta       = found.estimate;
+      theta       = refit.estimate;
       next        = std::min(next, 3 * reach);
     } else
       next = std::max(next, inside + 0.1 * (reach - inside));

@@ -16,10 +16,10 @@ struct Profile {
 
 /// A minimum of its own on a profile.
 struct Basin {
-  std::string name;    ///< of the unknown that was scanned
-  double theta;        ///< of that unknown
-  double deviance;     ///< over the lowest minimum
-  Eigen::VectorXd at;  ///< (p) all unknowns there
+  std::string name;          ///< of the unknown that was scanned
+  double theta;              ///< of that unknown
+  double deviance;           ///< over the lowest minimum
+  Eigen::VectorXd unknowns;  ///< (p) of all, there
 };
 
 struct ScannedFit {

@@ -22,7 +22,7 @@ ordered_json finite(const double value)
 Results values_of(const Calibration &result, const bool written)
 {
   Results values;
-  const OperatingPoint at("{} of the records", {{result.fit_seconds, "s", ".4g"}});
+  const OperatingPoint operating_point("{} of the records", {{result.fit_seconds, "s", ".4g"}});
   for (const Calibrated &u : result.unknowns) {
     const bool delay            = moves(u) == Moves::delay;
     const ChangeInterval change = change_interval(u, written);
@@ -31,7 +31,7 @@ Results values_of(const Calibration &result, const bool written)
     p.unit           = delay ? "s" : "1";
     p.source         = u.taken ? Source::measured : Source::assumed;
     p.method         = u.identified ? "likelihood of the whole records" : u.why_not;
-    p.at             = at;
+    p.at             = operating_point;
     p.error_estimate = delay ? std::nan("") : u.taken ? u.sd : u.prior_sd;
     if (delay)
       p.error_lacks = {"a delay has no relative error; its deviation is listed with the unknowns"};

@@ -59,7 +59,7 @@ std::vector<Eigen::VectorXd> spread_minima(const WindowedFit &fit)
   };
   for (Start &start : starts) {
     const Descent end = descend(logarithms, fit.unknowns, start.theta, 40, 1e-2);
-    start             = {end.theta, end.at.cost};
+    start             = {end.theta, end.likelihood.cost};
   }
   std::sort(starts.begin(), starts.end(), lower);
   starts.resize(kept);
@@ -85,7 +85,7 @@ Eigen::VectorXd lowest_minimum(const Objective &cost, const std::vector<Unknown>
       Eigen::VectorXd start  = from;
       start[Eigen::Index(i)] = unknown.prior + s * unknown.prior_sd;
       Descent other          = descend(cost, unknowns, start, 30, 1e-2);
-      if (other.at.cost < best.at.cost)
+      if (other.likelihood.cost < best.likelihood.cost)
         best = std::move(other);
     }
   }
@@ -161,7 +161,8 @@ Eigen::VectorXd coarse_start(const FittedStand &stand, const std::vector<Unknown
     std::vector<Descent> ends;
     for (const Eigen::VectorXd &theta : candidates)
       ends.push_back(descend(squares, unknowns, theta, 60, 1e-3));
-    std::sort(ends.begin(), ends.end(), [](const Descent &a, const Descent &b) { return a.at.cost < b.at.cost; });
+    std::sort(ends.begin(), ends.end(),
+              [](const Descent &a, const Descent &b) { return a.likelihood.cost < b.likelihood.cost; });
     // half of them go on: what is far behind in wide bins is not the lowest in narrow ones
     candidates.clear();
     for (std::size_t i = 0; i < std::max<std::size_t>(1, ends.size() / 2); ++i)

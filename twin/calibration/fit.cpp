@@ -70,7 +70,7 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
   Descent descent{start, objective(start, Wanted::slopes), 0, false};
   double lambda = 1e-3;
   for (; descent.steps < most_steps && !descent.converged; ++descent.steps) {
-    const Likelihood &here          = descent.at;
+    const Likelihood &here          = descent.likelihood;
     const Eigen::MatrixXd curvature = here.information + Eigen::MatrixXd(weight.asDiagonal());
     const Eigen::VectorXd step      = step_of(curvature, here.slope, lambda, fixed);
     const double foreseen           = -here.slope.dot(step) - 0.5 * step.dot(curvature * step);
@@ -86,10 +86,10 @@ Descent descend(const Objective &objective, const std::vector<Unknown> &unknowns
     if (there.cost < here.cost) {
       if (there.slope.size() == 0)
         there = objective(next, Wanted::slopes);
-      descent.converged = here.cost - there.cost < decrease && lambda < 1;
-      descent.theta     = next;
-      descent.at        = std::move(there);
-      lambda            = std::max(1e-9, 0.1 * lambda);
+      descent.converged  = here.cost - there.cost < decrease && lambda < 1;
+      descent.theta      = next;
+      descent.likelihood = std::move(there);
+      lambda             = std::max(1e-9, 0.1 * lambda);
     } else {
       lambda = std::max(1e-3, 10 * lambda);
       if (lambda > 1e9)
@@ -135,8 +135,8 @@ Fit minimised(const FitProblem &problem, const Eigen::VectorXd &start, const Noi
   fit.estimate  = descent.theta;
   fit.steps     = descent.steps;
   fit.converged = descent.converged;
-  fit.cost      = descent.at.cost;
-  fit.misfit    = descent.at.residual / problem.values;
+  fit.cost      = descent.likelihood.cost;
+  fit.misfit    = descent.likelihood.residual / problem.values;
   fit.noise     = noise;
   if (!settings.covariance)
     return fit;

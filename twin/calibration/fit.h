@@ -34,7 +34,7 @@ Eigen::MatrixXd posterior_covariance(const Eigen::MatrixXd &information, const s
 using Objective = std::function<Likelihood(const Eigen::VectorXd &theta, Wanted wanted)>;
 struct Descent {
   Eigen::VectorXd theta;
-  Likelihood at;
+  Likelihood likelihood;
   int steps;
   bool converged;
 };

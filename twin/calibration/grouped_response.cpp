@@ -33,18 +33,18 @@ double narrowest(const StandAt &stand, const BandRecord &band)
 GroupedResponse grouped(const FittedStand &stand, const std::vector<Unknown> &unknowns,
                         const Eigen::VectorXd &theta, const MeasuredResponse &data, const NoiseDensity &noise)
 {
-  const StandAt at                         = stand_at(stand, unknowns, theta);
+  const StandAt modes                      = stand_at(stand, unknowns, theta);
   const std::vector<Eigen::MatrixXcd> left = residuals(stand, unknowns, theta, data, noise);
   const auto m                             = Eigen::Index(data.places.size());
   GroupedResponse result;
   result.data.places = data.places;
   for (std::size_t piece = 0; piece < data.pieces.size(); ++piece) {
     const BandRecord &band  = data.pieces[piece];
-    const ModalColumns c    = modal_columns(at, band, {0, band.angular.size()});
+    const ModalColumns c    = modal_columns(modes, band, {0, band.angular.size()});
     Eigen::MatrixXcd forced = left[piece];
     for (Eigen::Index j = 0; j < m; ++j)
-      forced.col(j) += c.driven.matrix() * at.shape.row(data.places[std::size_t(j)]).transpose();
-    const auto borders        = borders_of(band, narrowest(at, band));
+      forced.col(j) += c.driven.matrix() * modes.shape.row(data.places[std::size_t(j)]).transpose();
+    const auto borders        = borders_of(band, narrowest(modes, band));
     const Eigen::Index groups = Eigen::Index(borders.size()) - 1;
     BandRecord fewer{band.duration, Eigen::VectorXd(groups), Eigen::VectorXcd(groups), Eigen::MatrixXcd(groups, m),
                      band.line_step};

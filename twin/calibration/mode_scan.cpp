@@ -78,10 +78,10 @@ std::vector<Place> walked_places(const ModeWalk &walk, const double side)
     theta                       = end.theta;
     const LogFrequency reached  = log_frequency(walk, theta);
     const double weight = 1 / std::pow(hold * walk.step, 2), away = reached.value - target;
-    information = end.at.information - weight * reached.slope * reached.slope.transpose();
+    information = end.likelihood.information - weight * reached.slope * reached.slope.transpose();
     if (std::abs(away) > 0.5 * walk.step)  // a crossing of modes
       break;
-    const double cost = end.at.cost - 0.5 * weight * away * away;
+    const double cost = end.likelihood.cost - 0.5 * weight * away * away;
     places.push_back({std::exp(reached.value), 2 * (cost - walk.fit.cost), theta});
     if (places.back().deviance > given_up)
       break;

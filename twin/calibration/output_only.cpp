@@ -17,18 +17,18 @@ constexpr double no_prior_of_force = 1e12;  // times what a density is: the forc
 /// The stand at theta as the sensors of one record see it.
 struct SeenStand {
   const OutputOnly &record;
-  StandAt at;
+  StandAt modes;
   Eigen::MatrixXd sees;      // (n, m) shapes at the sensors
   Eigen::VectorXd at_knots;  // (q)
   SeenStand(const OutputOnly &r, const Eigen::VectorXd &theta) : record(r)
   {
     const auto p = Eigen::Index(r.unknowns.size());
     require(theta.size() == p + r.force.knots.size(), "theta of the stand, then of the force");
-    at       = stand_at(r.stand, r.unknowns, theta.head(p));
+    modes    = stand_at(r.stand, r.unknowns, theta.head(p));
     at_knots = theta.tail(r.force.knots.size());
-    sees.resize(at.shape.cols(), Eigen::Index(r.data.places.size()));
+    sees.resize(modes.shape.cols(), Eigen::Index(r.data.places.size()));
     for (std::size_t j = 0; j < r.data.places.size(); ++j)
-      sees.col(Eigen::Index(j)) = at.shape.row(r.data.places[j]).transpose();
+      sees.col(Eigen::Index(j)) = modes.shape.row(r.data.places[j]).transpose();
   }
 };
 
@@ -56,7 +56,7 @@ SeenBlock seen_block(const SeenStand &stand, const BandRecord &band, const Eigen
                      const Block &block)
 {
   SeenBlock b;
-  b.modes  = modal_columns(stand.at, band, block);
+  b.modes  = modal_columns(stand.modes, band, block);
   b.weight = noise.middleRows(block.first, block.size).array().rsqrt();
   b.root   = Eigen::ArrayXd::NullaryExpr(block.size, [&](const Eigen::Index i) {
     return std::sqrt(density(stand.record.force, stand.at_knots, band.angular[block.first + i] / (2 * M_PI)));
@@ -87,12 +87,12 @@ void add_products(Eigen::MatrixXd &sum, const Eigen::MatrixXcd &columns, const d
 Eigen::MatrixXcd ringing_columns(const SeenStand &stand, const BandRecord &band, const Block &block,
                                  const SeenBlock &b, const Eigen::Index sensor)
 {
-  const Eigen::Index n = stand.at.frequency.size();
+  const Eigen::Index n = stand.modes.frequency.size();
   const auto w         = band.angular.segment(block.first, block.size).array();
   Eigen::MatrixXcd columns(block.size, 2 * n + 1);
   for (Eigen::Index i = 0; i < n; ++i) {
     columns.col(2 * i)     = stand.sees(i, sensor) * b.modes.admittance.col(i) * b.weight.col(sensor);
-    columns.col(2 * i + 1) = columns.col(2 * i).array() * (Complex(0, 1 / stand.at.frequency[i]) * w);
+    columns.col(2 * i + 1) = columns.col(2 * i).array() * (Complex(0, 1 / stand.modes.frequency[i]) * w);
   }
   columns.col(2 * n) = b.measured.col(sensor);
   return columns;
@@ -131,7 +131,7 @@ struct RingingSums {
 RingingSums ringing_sums(const SeenStand &stand, const BandRecord &band, const Eigen::MatrixXd &noise,
                          const int threads)
 {
-  const Eigen::Index columns = 2 * stand.at.frequency.size() + 1;
+  const Eigen::Index columns = 2 * stand.modes.frequency.size() + 1;
   const RingingSums zero{Eigen::MatrixXd::Zero(columns, columns), 0};
   RingingSums sums = over_blocks<RingingSums>(band, threads, zero, [&](RingingSums &sum, const Block &block) {
     const SeenBlock b         = seen_block(stand, band, noise, block);
@@ -174,7 +174,7 @@ Ringing ringing(const SeenStand &stand, const BandRecord &band, const Block &blo
   ModalColumns c = b.modes;
   c.driven.setZero();
   c.derivative.clear();
-  add_derivatives(c, stand.at, stand.record.unknowns, band, block, transient);
+  add_derivatives(c, stand.modes, stand.record.unknowns, band, block, transient);
   Ringing r{Eigen::ArrayXXcd::Zero(block.size, stand.sees.cols()), {}};
   for (Eigen::Index j = 0; j < stand.sees.cols(); ++j)
     r.value.col(j) = (ringing_columns(stand, band, block, b, j).leftCols(transient.size()) * transient).array();
@@ -191,7 +191,8 @@ void add_slopes(Slopes &sum, const SeenStand &stand, const BandRecord &band, con
   const Ringing rung   = ringing(stand, band, block, b, transient);
   const Eigen::Index k = block.size, m = stand.sees.cols(), p = Eigen::Index(stand.record.unknowns.size());
   b.modes.derivative.clear();
-  add_derivatives(b.modes, stand.at, stand.record.unknowns, band, block, Eigen::VectorXd::Zero(transient.size()));
+  add_derivatives(b.modes, stand.modes, stand.record.unknowns, band, block,
+                  Eigen::VectorXd::Zero(transient.size()));
   const Eigen::ArrayXXcd z    = b.measured - rung.value;
   const Eigen::ArrayXcd along = inner(b.u, z);          // rho
   const Eigen::ArrayXd energy = b.gain * along.abs2();  // g |rho|^2
@@ -281,7 +282,8 @@ Likelihood output_only_likelihood(const OutputOnly &record, const Eigen::VectorX
   require(noise.size() == record.data.pieces.size(), "one noise for each piece");
   const SeenStand stand(record, theta);
   Likelihood result;
-  result.transient = Eigen::MatrixXd::Zero(2 * stand.at.frequency.size(), Eigen::Index(record.data.pieces.size()));
+  result.transient =
+      Eigen::MatrixXd::Zero(2 * stand.modes.frequency.size(), Eigen::Index(record.data.pieces.size()));
   if (wanted != Wanted::cost) {
     result.slope       = Eigen::VectorXd::Zero(theta.size());
     result.information = Eigen::MatrixXd::Zero(theta.size(), theta.size());
@@ -369,7 +371,7 @@ Eigen::MatrixXd information_with_force(const OutputOnly &record, const Eigen::Ve
   Eigen::MatrixXd A = Eigen::MatrixXd::Zero(p, p);
   for (std::size_t piece = 0; piece < record.data.pieces.size(); ++piece)
     A += slopes_of(stand, record.data.pieces[piece], noise[piece],
-                   Eigen::VectorXd::Zero(2 * stand.at.frequency.size()), 1, true)
+                   Eigen::VectorXd::Zero(2 * stand.modes.frequency.size()), 1, true)
              .with_force;
   return A;
 }

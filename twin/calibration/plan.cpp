@@ -21,17 +21,19 @@ struct AtFrequency {
 class CaseResponse {
 public:
   CaseResponse(const FittedStand &stand, const std::vector<Unknown> &of)
-      : unknowns(of), at(stand_at(stand, of, Eigen::VectorXd::Zero(Eigen::Index(of.size()))))
+      : unknowns(of), modes(stand_at(stand, of, Eigen::VectorXd::Zero(Eigen::Index(of.size()))))
   {
   }
   AtFrequency operator()(const double f) const  // (43.2), (44.3)
   {
     const double w           = 2 * M_PI * f;
-    const Eigen::VectorXcd d = Eigen::VectorXcd::NullaryExpr(at.frequency.size(), [&](const Eigen::Index i) {
-      return Complex((at.frequency[i] - w) * (at.frequency[i] + w), 2 * at.damping[i] * at.frequency[i] * w);
+    const Eigen::VectorXcd d = Eigen::VectorXcd::NullaryExpr(modes.frequency.size(), [&](const Eigen::Index i) {
+      return Complex((modes.frequency[i] - w) * (modes.frequency[i] + w),
+                     2 * modes.damping[i] * modes.frequency[i] * w);
     });
-    const Eigen::VectorXcd x = at.force.cast<Complex>().cwiseQuotient(d);
-    AtFrequency here{-w * w * (at.shape * x), Eigen::MatrixXcd(at.shape.rows(), Eigen::Index(unknowns.size()))};
+    const Eigen::VectorXcd x = modes.force.cast<Complex>().cwiseQuotient(d);
+    AtFrequency here{-w * w * (modes.shape * x),
+                     Eigen::MatrixXcd(modes.shape.rows(), Eigen::Index(unknowns.size()))};
     for (std::size_t p = 0; p < unknowns.size(); ++p) {
       auto slope = here.slope.col(Eigen::Index(p));
       if (moves(unknowns[p]) == Moves::gain)
@@ -39,14 +41,14 @@ public:
       else if (moves(unknowns[p]) == Moves::delay)
         slope = Complex(0, -w) * here.H;
       else
-        slope = w * w * (at.shape * at.change(p, x, w).cwiseQuotient(d));
+        slope = w * w * (modes.shape * modes.change(p, x, w).cwiseQuotient(d));
     }
     return here;
   }
 
 private:
   const std::vector<Unknown> &unknowns;
-  StandAt at;
+  StandAt modes;
 };
 
 AtFrequency at_places(const AtFrequency &all, const std::vector<Eigen::Index> &places)

@@ -46,7 +46,7 @@ std::vector<PredictedMode> predicted_modes(const FittedStand &stand, const Scann
     cover(end);
   for (const Basin &basin : scan.basins)
     if (basin.deviance < other_basin)
-      cover(basin.at);
+      cover(basin.unknowns);
   for (const ModeScan &mode : scan.modes)
     for (std::size_t k = 0; mode.has_several_places() && k < mode.theta.size(); ++k)
       if (mode.deviance[Eigen::Index(k)] < mode.allowed) {

@@ -34,7 +34,7 @@ Eigen::MatrixXd covering(const ScannedFit &scan)
       cover(i, end[i]);
     for (const Basin &basin : scan.basins)
       if (basin.deviance < other_basin && i != index_of(scan, basin.name))
-        cover(i, basin.at[i]);
+        cover(i, basin.unknowns[i]);
   }
   return interval;
 }
@@ -65,12 +65,12 @@ void prefer_a_correction(const FitProblem &problem, const Eigen::Index p, const 
   if (furthest(beyond.unknowns, p, beyond.estimate) <= far_from_prior)
     return;
   const auto second = std::find_if(scan.basins.begin(), scan.basins.end(), [&](const Basin &basin) {
-    return basin.deviance < other_basin && furthest(beyond.unknowns, p, basin.at) <= far_from_prior;
+    return basin.deviance < other_basin && furthest(beyond.unknowns, p, basin.unknowns) <= far_from_prior;
   });
   if (second == scan.basins.end())
     return;
   const std::string name   = second->name;
-  scan.best                = minimised(problem, second->at, beyond.noise, settings);
+  scan.best                = minimised(problem, second->unknowns, beyond.noise, settings);
   const double rise        = 2 * (scan.best.cost - beyond.cost);
   const Eigen::Index index = index_of(scan, name);
   std::vector<Basin> basins{{name, beyond.estimate[index], -rise, beyond.estimate}};

@@ -16,15 +16,15 @@ struct Shown {
 Shown shown(const WindowedFit &fit, const Eigen::VectorXd &theta, const Wanted wanted)
 {
   const bool slopes    = wanted != Wanted::cost;
-  const StandAt at     = stand_at(fit.stand, fit.unknowns, theta);
-  const Eigen::Index p = theta.size(), k = fit.measured.H.rows(), n = at.frequency.size();
+  const StandAt modes  = stand_at(fit.stand, fit.unknowns, theta);
+  const Eigen::Index p = theta.size(), k = fit.measured.H.rows(), n = modes.frequency.size();
   const Block whole{0, fit.fine.angular.size()};
-  ModalColumns c = modal_columns(at, fit.fine, whole);
+  ModalColumns c = modal_columns(modes, fit.fine, whole);
   if (slopes)
-    add_derivatives(c, at, fit.unknowns, fit.fine, whole, Eigen::VectorXd::Zero(2 * n));
+    add_derivatives(c, modes, fit.unknowns, fit.fine, whole, Eigen::VectorXd::Zero(2 * n));
   Shown model{Eigen::MatrixXcd(k, fit.measured.H.cols()), {}};
   for (std::size_t j = 0; j < fit.places.size(); ++j) {
-    const Eigen::VectorXd shape  = at.shape.row(fit.places[j]).transpose();
+    const Eigen::VectorXd shape  = modes.shape.row(fit.places[j]).transpose();
     model.H.col(Eigen::Index(j)) = seen_through(c.driven.matrix() * shape, fit.weights, k);
     if (!slopes)
       continue;

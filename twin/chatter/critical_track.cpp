@@ -11,7 +11,7 @@ namespace {
 constexpr double close_enough = 1e-9;  // m/s
 constexpr int most_steps = 12, speeds_below = 16;
 
-std::string said(const std::exception &error)
+std::string message_of(const std::exception &error)
 {
   if (const auto *input = dynamic_cast<const InputError *>(&error); input && !input->problems.empty())
     return input->problems.front().message;
@@ -82,7 +82,7 @@ bool CriticalTrack::following() const
 
 const CriticalPoint &CriticalTrack::point() const
 {
-  return at;
+  return last;
 }
 
 const std::string &CriticalTrack::why() const
@@ -92,10 +92,10 @@ const std::string &CriticalTrack::why() const
 
 void CriticalTrack::begin(const dynamics::CriticalSpeed &searched)
 {
-  at   = {};
+  last = {};
   lost = dynamics::sentence(searched, model.range);
   if (const auto critical = critical_point(searched)) {
-    at = *critical;
+    last = *critical;
     lost.clear();
   }
 }
@@ -104,7 +104,7 @@ bool CriticalTrack::follow(const bite::RollBite &bite)
 {
   if (!following())
     return false;
-  CriticalPoint next = at;
+  CriticalPoint next = last;
   try {
     Eigen::VectorXcd roots;
     double before = 0, real_before = 0;
@@ -120,7 +120,7 @@ bool CriticalTrack::follow(const bite::RollBite &bite)
       real_before       = real;
       if (std::abs(move) < close_enough)
         break;
-      if (!(next.slope > 0) || !(std::abs(move) < 0.2 * at.speed)) {
+      if (!(next.slope > 0) || !(std::abs(move) < 0.2 * last.speed)) {
         lost = "the path of the critical speed turned";
         return false;
       }
@@ -134,7 +134,8 @@ bool CriticalTrack::follow(const bite::RollBite &bite)
     }
     const double noise  = std::max(1e-9 * std::abs(next.root), 1e-13 * roots.cwiseAbs().maxCoeff()) + 1e-6;
     const bool vibrates = next.root.imag() != 0;
-    if ((roots.array().real() > noise).any() || (vibrates && std::abs(next.frequency / at.frequency - 1) > 0.1)) {
+    if ((roots.array().real() > noise).any() ||
+        (vibrates && std::abs(next.frequency / last.frequency - 1) > 0.1)) {
       lost = "another mode became critical";
       return false;
     }
@@ -146,10 +147,10 @@ bool CriticalTrack::follow(const bite::RollBite &bite)
       return false;
     }
   } catch (const std::exception &error) {
-    lost = said(error);
+    lost = message_of(error);
     return false;
   }
-  at = next;
+  last = next;
   return true;
 }
 
@@ -170,7 +171,7 @@ CriticalInterval CriticalTrack::interval(const bite::RollBite &bite, const std::
     return interval;
   double streamed = 0, model_part = 0, largest = 0;
   try {
-    for (const CriticalSlope &slope : critical_slopes(model, bite, at)) {
+    for (const CriticalSlope &slope : critical_slopes(model, bite, last)) {
       const InputDoubt *doubt = doubt_of(doubts, slope.key);
       if (!doubt)
         continue;
@@ -187,8 +188,8 @@ CriticalInterval CriticalTrack::interval(const bite::RollBite &bite, const std::
   const double all       = streamed + model_part;
   interval.streamed      = std::sqrt(streamed);
   interval.model         = std::sqrt(model_part);
-  interval.low           = at.speed * std::exp(-1.96 * std::sqrt(all));
-  interval.high          = at.speed * std::exp(1.96 * std::sqrt(all));
+  interval.low           = last.speed * std::exp(-1.96 * std::sqrt(all));
+  interval.high          = last.speed * std::exp(1.96 * std::sqrt(all));
   interval.largest_share = all > 0 ? largest / all : 0;
   return interval;
 }

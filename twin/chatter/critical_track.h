@@ -83,7 +83,7 @@ public:
   const ChatterModel model;
 
 private:
-  CriticalPoint at;
+  CriticalPoint last;
   std::string lost = "not searched yet";
   int below        = 0;  // which of the speeds below is looked at next
 };

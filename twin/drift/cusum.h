@@ -13,7 +13,7 @@ struct CusumRule {
 struct Shift {
   int sign;            ///< 1: upward, -1: downward
   std::int64_t since;  ///< number of the first value after the sum left zero for the last time
-  std::int64_t at;     ///< number of the value that raised the alarm
+  std::int64_t taken;  ///< number of the value that raised the alarm
   double sum;          ///< standard deviations, above the threshold
   double mean;         ///< standard deviations, mean of the values since the change
 };

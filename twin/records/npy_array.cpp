@@ -102,8 +102,8 @@ NpyLayout layout_of_header(const std::string &header, const std::string &path)
 
 std::size_t npy_start(const std::string_view prefix, const std::string &path)
 {
-  const bool is     = prefix.size() >= 10 && prefix.substr(0, 6) == "\x93NUMPY";
-  const int version = is ? prefix[6] : 0;
+  const bool is_npy = prefix.size() >= 10 && prefix.substr(0, 6) == "\x93NUMPY";
+  const int version = is_npy ? prefix[6] : 0;
   if (version < 1 || version > 3 || (version > 1 && prefix.size() < npy_prefix))
     refuse_npy(path, "is not an array that numpy saved (.npy, version 1 to 3)");
   const auto length = std::size_t(number_at(&prefix[8], {'u', version == 1 ? 2 : 4, false}));

@@ -21,11 +21,11 @@ public:
   UffText(const std::string &path, std::string bytes) : file(path), text(std::move(bytes)) {}
   bool next(std::string_view &line)
   {
-    if (at >= text.size())
+    if (position >= text.size())
       return false;
-    const auto end = std::min(text.find('\n', at), text.size());
-    line           = std::string_view(text).substr(at, end - at);
-    at             = std::min(end + 1, text.size());
+    const auto end = std::min(text.find('\n', position), text.size());
+    line           = std::string_view(text).substr(position, end - position);
+    position       = std::min(end + 1, text.size());
     ++number;
     if (!line.empty() && line.back() == '\r')
       line.remove_suffix(1);
@@ -33,11 +33,11 @@ public:
   }
   std::string_view bytes(const std::size_t n)
   {
-    if (text.size() - at < n)
+    if (text.size() - position < n)
       throw InputError(here(), fmt::format("the file ends inside the {} byte of numbers that follow here", n));
-    const auto view = std::string_view(text).substr(at, n);
+    const auto view = std::string_view(text).substr(position, n);
     number += int(std::count(view.begin(), view.end(), '\n'));
-    at += n;
+    position += n;
     return view;
   }
   Place here() const
@@ -51,8 +51,8 @@ public:
 
 private:
   std::string file, text;
-  std::size_t at = 0;
-  int number     = 0;
+  std::size_t position = 0;
+  int number           = 0;
 };
 
 std::string_view part(const std::string_view line, const std::size_t from, const std::size_t n)

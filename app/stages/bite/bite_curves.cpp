@@ -32,9 +32,9 @@ FlowQuestion cheap(const BiteStudy &study, RollBite bite, const std::string &wha
 /// K4 and force over one input of the bite.
 struct Sweep {
   std::string name, unit;                             // of the input
-  Eigen::VectorXd at;                                 // its values
+  Eigen::VectorXd values;                             // its values
   std::function<void(RollBite &, double value)> set;  // into a bite
-  std::vector<Eigen::Index> finite_element;           // of `at`, outward from the working point
+  std::vector<Eigen::Index> finite_element;           // of `values`, outward from the working point
 };
 
 std::optional<bite::BiteState> slab_state(const BiteStudy &study, const RollBite &bite)
@@ -53,13 +53,13 @@ std::optional<bite::BiteState> slab_state(const BiteStudy &study, const RollBite
 
 void write_sweep(RunContext &run, const BiteStudy &study, const Sweep &sweep)
 {
-  const Eigen::Index n  = sweep.at.size();
+  const Eigen::Index n  = sweep.values.size();
   Eigen::VectorXd force = filled(n), slope = filled(n), combined = filled(n), fe_force = filled(n),
                   fe_slope = filled(n);
   bool any_fe              = false;
   for (Eigen::Index i = 0; i < n; ++i) {
     RollBite bite = study.question.bite;
-    sweep.set(bite, sweep.at[i]);
+    sweep.set(bite, sweep.values[i]);
     if (const auto state = slab_state(study, bite)) {
       const auto k = bite::slab_stiffness(bite, *state);
       force[i]     = state->force;
@@ -72,7 +72,7 @@ void write_sweep(RunContext &run, const BiteStudy &study, const Sweep &sweep)
     std::vector<FlowQuestion> questions;
     for (const Eigen::Index i : sweep.finite_element) {
       RollBite bite = study.question.bite;
-      sweep.set(bite, sweep.at[i]);
+      sweep.set(bite, sweep.values[i]);
       questions.push_back(cheap(study, bite, "over " + sweep.name));
     }
     const auto points = solve_flow_points(run, questions);
@@ -84,7 +84,7 @@ void write_sweep(RunContext &run, const BiteStudy &study, const Sweep &sweep)
       }
   }
   Table t;
-  t.add(sweep.name, sweep.unit, sweep.at).add("plastic_slope", "N/m", slope).add("combined", "N/m", combined);
+  t.add(sweep.name, sweep.unit, sweep.values).add("plastic_slope", "N/m", slope).add("combined", "N/m", combined);
   t.add("force", "N", force);
   if (any_fe)
     t.add("fe_plastic_slope", "N/m", fe_slope).add("fe_force", "N", fe_force);

@@ -22,8 +22,9 @@ OperatingPoint pass_at(const PassForce &pass)
 /// Adds results of one pass, or of all of them.
 class ScheduleAdder {
 public:
-  ScheduleAdder(RunContext &run_, std::string subject_, OperatingPoint at_, KeyList keys_)
-      : run(run_), subject(std::move(subject_)), at(std::move(at_)), keys(std::move(keys_))
+  ScheduleAdder(RunContext &run_, std::string subject_, OperatingPoint operating_point_, KeyList keys_)
+      : run(run_), subject(std::move(subject_)), operating_point(std::move(operating_point_)),
+        keys(std::move(keys_))
   {
   }
   void operator()(const RowOf<1> &row, const double value, const std::string &method,
@@ -37,7 +38,7 @@ public:
     p.unit        = row.unit;
     p.source      = source;
     p.method      = method;
-    p.at          = at;
+    p.at          = operating_point;
     p.checks      = std::move(checks);
     p.error_lacks = {lacks};
     p.inputs      = keys;
@@ -47,7 +48,7 @@ public:
 private:
   RunContext &run;
   std::string subject;
-  OperatingPoint at;
+  OperatingPoint operating_point;
   KeyList keys;
 };
 

@@ -369,10 +369,10 @@ void compare_models(RunContext &run, const StandStates &states, const StandInSta
   for (const auto *model : {&models.beam, &models.craig_bampton}) {
     const auto six = reduce::six_masses(model->model, riders, stand.dynamics.mass_reference,
                                         upper_share_of_housing(stand, chain));
-    const auto own =
+    const auto chain_of_six =
         reduce::with_six_masses(chain.model, six, std::string("static shape of ") + title_of(model->model.name));
     run.out.write("lumped_model-six-of-" + model->model.name + ".toml",
-                  lumped_model_toml(own, run.the_case, run.out.path()));
+                  lumped_model_toml(chain_of_six, run.the_case, run.out.path()));
   }
   run.out.write("curves/models.json", json_of_record(comparison(states.named().stand, chain, states.named().models,
                                                                 components, masses)));

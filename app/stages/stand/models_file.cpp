@@ -11,7 +11,7 @@ ModelMode mode_of(const reduce::StandWithModes &s, const Eigen::Index i, const E
   ModelMode mode;
   mode.frequency      = s.modes.frequency[i];
   mode.name           = name.name;
-  mode.own_name       = name.own;
+  mode.own_name       = name.own_name;
   mode.decided        = name.decided;
   mode.gap_share      = name.gap_share;
   mode.listed         = name.listed;

@@ -97,7 +97,7 @@ const Component *solid_work_roll(const FourHigh &stand, const ModulusParts &part
 class Modulus {
 public:
   Modulus(RunContext &context, const FourHigh &s, const ModulusParts &p)
-      : run(context), stand(s), parts(p), at(at_force(p.load))
+      : run(context), stand(s), parts(p), operating_point(at_force(p.load))
   {
   }
   void add()
@@ -121,7 +121,7 @@ private:
   RunContext &run;
   const FourHigh &stand;
   const ModulusParts &parts;
-  OperatingPoint at;
+  OperatingPoint operating_point;
   Parameter flattening;
   double bend = 0;  // m/N, both work rolls
   std::vector<PathPart> common, with_strip, touching;
@@ -201,7 +201,7 @@ private:
   void write();
   Parameter result_of(const reduce::MillModulus &m, const std::string &method, const bool tangent) const
   {
-    Parameter p      = made("N/m", tangent ? m.tangent : m.secant, method, at);
+    Parameter p      = made("N/m", tangent ? m.tangent : m.secant, method, operating_point);
     p.error_estimate = m.error;
     p.error_lacks    = m.lacks;
     return p;
@@ -301,7 +301,7 @@ void Modulus::add_bending()
                            std::string("bending of both work rolls between strip and contact, ") +
                                (solid ? "rolls by finite elements" : "Euler beam on its contact line") + ", " +
                                word_of(stand.dynamics.mass_reference) + " reference (30.3)",
-                           at);
+                           operating_point);
   const double beam = 1 / work_rolls_bending(stand, nullptr, b, K3, K5);
   if (parts.solid) {
     const double fine = 1 / work_rolls_bending(stand, parts.solid.work_roll, b, K3, K5);
@@ -423,7 +423,7 @@ void Modulus::add_by_width()
   Parameter p   = made("N/m2", by_width(slope),
                        "flattening and bending of the work rolls under another width, "
                          "same force and arc (30.10)",
-                       at);
+                       operating_point);
   p.inputs      = of_strip;
   p.checks      = {{"flattening alone", by_width(0), "work rolls that do not bend"}};
   p.error_lacks = {"K4.flattening"};

@@ -100,9 +100,9 @@ struct Jobs::State {
       const std::lock_guard lock(access);
       progress = is_progress(line, job.percent, job.stage);
       if (!progress)
-        job.said += line + "\n";
-      if (job.said.size() > most_said)
-        job.said.erase(0, job.said.size() - most_said);
+        job.printed += line + "\n";
+      if (job.printed.size() > most_said)
+        job.printed.erase(0, job.printed.size() - most_said);
     }
     if (progress)
       tell();

@@ -21,7 +21,7 @@ struct JobState {
   int percent    = 0;
   double seconds = 0;   ///< since its begin
   double left    = -1;  ///< s; -1: not known yet
-  std::string said;     ///< last lines that the program printed
+  std::string printed;  ///< last lines that the program printed
   std::string file;     ///< that it makes in the folder `id`; empty: it makes a run
 };
 

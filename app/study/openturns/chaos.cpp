@@ -117,7 +117,7 @@ void add_intervals(ChaosFit &fit, const Terms &terms, const Eigen::VectorXd &y, 
     }
     all.push_back(indices_of(terms, values.colPivHouseholderQr().solve(drawn)));
   }
-  const auto at = [&](const std::vector<double> Indices::*list, const std::size_t k, const double q) {
+  const auto quantile_of = [&](const std::vector<double> Indices::*list, const std::size_t k, const double q) {
     std::vector<double> sorted;
     for (const Indices &one : all)
       sorted.push_back((one.*list)[k]);
@@ -125,10 +125,10 @@ void add_intervals(ChaosFit &fit, const Terms &terms, const Eigen::VectorXd &y, 
     return sorted[std::size_t(q * (resamples - 1))];
   };
   for (std::size_t k = 0; k < keys; ++k) {
-    fit.first_low.push_back(at(&Indices::first, k, 0.025));
-    fit.first_high.push_back(at(&Indices::first, k, 0.975));
-    fit.total_low.push_back(at(&Indices::total, k, 0.025));
-    fit.total_high.push_back(at(&Indices::total, k, 0.975));
+    fit.first_low.push_back(quantile_of(&Indices::first, k, 0.025));
+    fit.first_high.push_back(quantile_of(&Indices::first, k, 0.975));
+    fit.total_low.push_back(quantile_of(&Indices::total, k, 0.025));
+    fit.total_high.push_back(quantile_of(&Indices::total, k, 0.975));
   }
 }
 

@@ -40,23 +40,23 @@ bool has_cut_transaction(sqlite3 *file)
 }
 }  // namespace
 
-Database::Database(std::string path, const Open how) : own(std::make_unique<Implementation>())
+Database::Database(std::string path, const Open how) : implementation(std::make_unique<Implementation>())
 {
-  own->path       = std::move(path);
-  const int flags = how == Open::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
-  const int code  = sqlite3_open_v2(own->path.c_str(), &own->file, flags, nullptr);
+  implementation->path = std::move(path);
+  const int flags      = how == Open::read ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE;
+  const int code       = sqlite3_open_v2(implementation->path.c_str(), &implementation->file, flags, nullptr);
   if (code != SQLITE_OK) {
-    const std::string reason = own->file ? sqlite3_errmsg(own->file) : sqlite3_errstr(code);
-    sqlite3_close(own->file);
-    own->file = nullptr;
-    throw SystemError(own->path + " cannot be opened: " + reason);
+    const std::string reason = implementation->file ? sqlite3_errmsg(implementation->file) : sqlite3_errstr(code);
+    sqlite3_close(implementation->file);
+    implementation->file = nullptr;
+    throw SystemError(implementation->path + " cannot be opened: " + reason);
   }
-  sqlite3_busy_timeout(own->file, 60000);
+  sqlite3_busy_timeout(implementation->file, 60000);
   if (how == Open::write)
     execute("PRAGMA journal_mode=DELETE; PRAGMA synchronous=FULL");
   else if (how == Open::write_aside)
     execute("PRAGMA journal_mode=MEMORY; PRAGMA synchronous=FULL");
-  else if (has_cut_transaction(own->file))
+  else if (has_cut_transaction(implementation->file))
     open_copy();
 }
 
@@ -64,91 +64,94 @@ Database::Database(std::string path, const Open how) : own(std::make_unique<Impl
 // name from then on, so that nothing is left of a reader that is killed.
 void Database::open_copy()
 {
-  sqlite3_close(own->file);
-  own->file              = nullptr;
+  sqlite3_close(implementation->file);
+  implementation->file   = nullptr;
   const std::string copy = (fs::temp_directory_path() / ("millstand-rows-" + random_name() + ".db")).string();
   std::error_code error, ignored;
-  fs::copy_file(own->path, copy, error);
+  fs::copy_file(implementation->path, copy, error);
   if (!error)
-    fs::copy_file(own->path + "-journal", copy + "-journal", error);
-  const bool undone = !error &&
-                      sqlite3_open_v2(copy.c_str(), &own->file, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK &&
-                      !has_cut_transaction(own->file);
+    fs::copy_file(implementation->path + "-journal", copy + "-journal", error);
+  const bool undone =
+      !error &&
+      sqlite3_open_v2(copy.c_str(), &implementation->file, SQLITE_OPEN_READWRITE, nullptr) == SQLITE_OK &&
+      !has_cut_transaction(implementation->file);
   for (const char *ending : {"", "-journal"})
     fs::remove(copy + ending, ignored);
   if (!undone) {
-    sqlite3_close(own->file);
-    own->file = nullptr;
-    throw SystemError(own->path + " cannot be copied to " + copy + ", which undoes its cut transaction");
+    sqlite3_close(implementation->file);
+    implementation->file = nullptr;
+    throw SystemError(implementation->path + " cannot be copied to " + copy +
+                      ", which undoes its cut transaction");
   }
 }
 
 Database::~Database()
 {
-  if (!own)
+  if (!implementation)
     return;
-  sqlite3_close(own->file);
+  sqlite3_close(implementation->file);
 }
 
 Database::Database(Database &&) noexcept = default;
 
 const std::string &Database::path() const
 {
-  return own->path;
+  return implementation->path;
 }
 
 void Database::execute(const std::string &sql)
 {
-  const int code = sqlite3_exec(own->file, sql.c_str(), nullptr, nullptr, nullptr);
+  const int code = sqlite3_exec(implementation->file, sql.c_str(), nullptr, nullptr, nullptr);
   if (code != SQLITE_OK)
-    refuse(own->file, code, own->path);
+    refuse(implementation->file, code, implementation->path);
 }
 
 Statement Database::prepare(const std::string &sql)
 {
   auto made      = std::make_unique<Statement::Implementation>();
-  made->file     = own->file;
-  made->path     = own->path;
-  const int code = sqlite3_prepare_v2(own->file, sql.c_str(), -1, &made->statement, nullptr);
+  made->file     = implementation->file;
+  made->path     = implementation->path;
+  const int code = sqlite3_prepare_v2(implementation->file, sql.c_str(), -1, &made->statement, nullptr);
   if (code != SQLITE_OK)
-    refuse(own->file, code, own->path);
+    refuse(implementation->file, code, implementation->path);
   return Statement(std::move(made));
 }
 
-Statement::Statement(std::unique_ptr<Implementation> made) : own(std::move(made)) {}
+Statement::Statement(std::unique_ptr<Implementation> made) : implementation(std::move(made)) {}
 
 Statement::~Statement()
 {
-  if (own)
-    sqlite3_finalize(own->statement);
+  if (implementation)
+    sqlite3_finalize(implementation->statement);
 }
 
 Statement::Statement(Statement &&) noexcept = default;
 
 Statement &Statement::bind(const int place, const std::int64_t value)
 {
-  sqlite3_bind_int64(own->statement, place + 1, value);
+  sqlite3_bind_int64(implementation->statement, place + 1, value);
   return *this;
 }
 
 Statement &Statement::bind(const int place, const std::string &text)
 {
-  sqlite3_bind_text(own->statement, place + 1, text.data(), int(text.size()), SQLITE_TRANSIENT);
+  sqlite3_bind_text(implementation->statement, place + 1, text.data(), int(text.size()), SQLITE_TRANSIENT);
   return *this;
 }
 
 Statement &Statement::bind(const int place, const std::vector<double> &numbers)
 {
-  sqlite3_bind_blob(own->statement, place + 1, numbers.empty() ? "" : static_cast<const void *>(numbers.data()),
-                    int(8 * numbers.size()), SQLITE_TRANSIENT);
+  sqlite3_bind_blob(implementation->statement, place + 1,
+                    numbers.empty() ? "" : static_cast<const void *>(numbers.data()), int(8 * numbers.size()),
+                    SQLITE_TRANSIENT);
   return *this;
 }
 
 bool Statement::step()
 {
-  const int code = sqlite3_step(own->statement);
+  const int code = sqlite3_step(implementation->statement);
   if (code != SQLITE_ROW && code != SQLITE_DONE)
-    refuse(own->file, code, own->path);
+    refuse(implementation->file, code, implementation->path);
   return code == SQLITE_ROW;
 }
 
@@ -156,24 +159,24 @@ void Statement::run()
 {
   while (step()) {
   }
-  sqlite3_reset(own->statement);
+  sqlite3_reset(implementation->statement);
 }
 
 std::int64_t Statement::integer(const int column) const
 {
-  return sqlite3_column_int64(own->statement, column);
+  return sqlite3_column_int64(implementation->statement, column);
 }
 
 std::string Statement::text(const int column) const
 {
-  const auto *bytes = reinterpret_cast<const char *>(sqlite3_column_text(own->statement, column));
-  return bytes ? std::string(bytes, std::size_t(sqlite3_column_bytes(own->statement, column))) : "";
+  const auto *bytes = reinterpret_cast<const char *>(sqlite3_column_text(implementation->statement, column));
+  return bytes ? std::string(bytes, std::size_t(sqlite3_column_bytes(implementation->statement, column))) : "";
 }
 
 std::vector<double> Statement::numbers(const int column) const
 {
-  const void *bytes = sqlite3_column_blob(own->statement, column);
-  std::vector<double> values(std::size_t(sqlite3_column_bytes(own->statement, column)) / 8);
+  const void *bytes = sqlite3_column_blob(implementation->statement, column);
+  std::vector<double> values(std::size_t(sqlite3_column_bytes(implementation->statement, column)) / 8);
   if (bytes)
     std::memcpy(values.data(), bytes, 8 * values.size());
   return values;

@@ -29,7 +29,7 @@ private:
   friend class Statement;
   struct Implementation;
   void open_copy();
-  std::unique_ptr<Implementation> own;
+  std::unique_ptr<Implementation> implementation;
 };
 
 /// A prepared statement; parameters and columns are numbered from 0.
@@ -51,7 +51,7 @@ private:
   friend class Database;
   struct Implementation;
   explicit Statement(std::unique_ptr<Implementation> made);
-  std::unique_ptr<Implementation> own;
+  std::unique_ptr<Implementation> implementation;
 };
 
 /// BEGIN to COMMIT; without commit() everything since then is undone.

@@ -23,10 +23,10 @@ namespace {
 bool says_untold(const std::string &name, const std::string &text)
 {
   const std::string words = "not identified";
-  const auto at           = text.find(words);
-  if (at == std::string::npos)
+  const auto begin        = text.find(words);
+  if (begin == std::string::npos)
     return false;
-  const std::string rest = text.substr(at + words.size());
+  const std::string rest = text.substr(begin + words.size());
   if (rest.empty() || rest[0] != ':')
     return true;
   const auto is_word = [&](const std::size_t i) {

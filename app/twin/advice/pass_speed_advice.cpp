@@ -145,9 +145,9 @@ CriticalQuestion question_of(const twin::RolledPass &pass, const RolledAdvice &r
 {
   CriticalQuestion q;
   static_cast<twin::ChatterModel &>(q) = pass.model;
-  twin::NumberedStructure own          = stand.changed({});
-  q.stand.structure                    = std::move(own.structure);
-  q.numbers                            = std::move(own.numbers);
+  twin::NumberedStructure unchanged    = stand.changed({});
+  q.stand.structure                    = std::move(unchanged.structure);
+  q.numbers                            = std::move(unchanged.numbers);
   q.actions                            = stand.actions;
   q.follows_force                      = true;
   q.changed       = [&stand](const twin::StructureChanges &changes) { return stand.changed(changes); };

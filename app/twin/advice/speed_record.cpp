@@ -15,7 +15,7 @@ std::string speed_words(const twin::CriticalState &state)
   using dynamics::Verdict;
   if (state.at_least)
     return fmt::format("none up to {:.4g} m/s", state.speed);
-  if (state.found.verdict == Verdict::crossing)
+  if (state.search.verdict == Verdict::crossing)
     return fmt::format("{:.3f} m/s", state.speed);
   return "none: unstable at low speed too";
 }
@@ -41,16 +41,16 @@ std::string critical_answer(const CriticalAdvice &advice, const CriticalQuestion
 Table growth_table(const CriticalAdvice &advice)
 {
   std::vector<double> speeds;
-  for (const dynamics::SpeedPoint &point : advice.now.found.points)
+  for (const dynamics::SpeedPoint &point : advice.now.search.points)
     if (std::isfinite(point.growth))
       speeds.push_back(point.speed);
   const Eigen::VectorXd v = Eigen::Map<const Eigen::VectorXd>(speeds.data(), Eigen::Index(speeds.size()));
-  const auto growth       = [&](const dynamics::CriticalSpeed &found) {
+  const auto growth       = [&](const dynamics::CriticalSpeed &search) {
     Eigen::VectorXd g(v.size());
     for (Eigen::Index i = 0; i < v.size(); ++i) {
       g[i]                               = not_given;
       const dynamics::SpeedPoint *before = nullptr;
-      for (const dynamics::SpeedPoint &point : found.points) {
+      for (const dynamics::SpeedPoint &point : search.points) {
         if (point.speed == v[i])
           g[i] = point.growth;
         else if (before && before->speed < v[i] && v[i] < point.speed)
@@ -62,23 +62,23 @@ Table growth_table(const CriticalAdvice &advice)
     return g;
   };
   Table table;
-  table.add("speed", "m/s", v).add("as it is", "1/s", growth(advice.now.found));
+  table.add("speed", "m/s", v).add("as it is", "1/s", growth(advice.now.search));
   for (std::size_t i = 0, drawn = 0; i < advice.actions.size() && drawn < 2; ++i)
     if (advice.actions[i].against.empty() && (drawn == 0 || !advice.actions[i].pair)) {
-      table.add(advice.actions[i].name, "1/s", growth(advice.states[i].found));
+      table.add(advice.actions[i].name, "1/s", growth(advice.states[i].search));
       ++drawn;
     }
   return table;
 }
 
-Parameter speed_of(const twin::CriticalState &state, const std::string &method, const double at,
+Parameter speed_of(const twin::CriticalState &state, const std::string &method, const double working_speed,
                    const double spread = not_given)
 {
   Parameter p;
-  p.value          = state.found.verdict == dynamics::Verdict::crossing ? state.speed : not_given;
+  p.value          = state.search.verdict == dynamics::Verdict::crossing ? state.speed : not_given;
   p.unit           = "m/s";
   p.method         = method;
-  p.at             = {"working speed {}", {{at, "m/s", ".4g"}}};
+  p.at             = {"working speed {}", {{working_speed, "m/s", ".4g"}}};
   p.error_estimate = spread;
   if (std::isnan(spread))
     p.error_lacks = {"errors of stand, friction law and flow stress"};
@@ -127,10 +127,10 @@ void fill_speed_record(twin::AdviceRecord &record, const CriticalAdvice &advice,
   add_best(record, advice, question.working_speed);
   for (const ChatterSensitivity &slope : advice.slopes.inputs)
     record.slopes.emplace_back(slope.key, slope.critical_speed);
-  if (advice.now.found.verdict != dynamics::Verdict::crossing)
+  if (advice.now.search.verdict != dynamics::Verdict::crossing)
     record.notes.emplace_back(
         NoteId::no_critical_speed, "",
-        "no critical speed was found in the range searched (" + sentence(advice.now.found, question.range) + ")",
+        "no critical speed was found in the range searched (" + sentence(advice.now.search, question.range) + ")",
         "slopes and first order are left out, and changes are taken from the end of the range");
   if (std::isnan(question.process.torque_rise))
     record.notes.push_back(no_torque_limit());

@@ -237,7 +237,7 @@ void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
   }
   const auto critical_speed = [&](const std::string &name, const twin::CriticalState &state) {
     record.notes.push_back("critical speed as it is, " + name + ": " +
-                           sentence(state.found, model.pass->model.range));
+                           sentence(state.search, model.pass->model.range));
   };
   critical_speed(model.advised.chain ? "six masses" : model.source, now);
   if (detailed)
@@ -253,7 +253,7 @@ void add_pass_notes(twin::AdviceRecord &record, const twin::LevelAdvice &advice,
         "follow the rolling force; first order is a slope by differences");
   if (std::isnan(model.pass->process.torque_rise))
     record.notes.push_back(no_torque_limit());
-  if (now.found.verdict == dynamics::Verdict::crossing) {
+  if (now.search.verdict == dynamics::Verdict::crossing) {
     Parameter critical;
     critical.value       = now.speed;
     critical.unit        = "m/s";

@@ -79,10 +79,10 @@ RecordPlan record_plan(const PriorChain &prior, const std::string &case_name,
   plan.record           = record;
   for (const Eigen::Index place : record.places)
     plan.sensors.push_back(prior.places[std::size_t(place)]);
-  plan.found = planned(prior.stand, unknowns, record);
+  plan.identification = planned(prior.stand, unknowns, record);
   add_ratios(plan, prior);
-  plan.unseen  = unseen_directions(plan.found, prior.stand);
-  plan.weakest = weakest_direction(plan.found, prior.stand);
+  plan.unseen  = unseen_directions(plan.identification, prior.stand);
+  plan.weakest = weakest_direction(plan.identification, prior.stand);
   plan.next    = next_sensors(prior.stand, unknowns, record);
   return plan;
 }
@@ -92,7 +92,7 @@ namespace {
 std::size_t most_improved(const RecordPlan &plan, const twin::NextSensor &next)
 {
   Eigen::Index best = 0;
-  (next.identification.shrink.cwiseQuotient(plan.found.shrink)).minCoeff(&best);
+  (next.identification.shrink.cwiseQuotient(plan.identification.shrink)).minCoeff(&best);
   return std::size_t(best);
 }
 }  // namespace
@@ -114,7 +114,7 @@ std::string plan_text(const RecordPlan &plan)
   text += fmt::format("  {:<{}}    before      after     share\n", "unknown", width + 1);
   for (std::size_t i = 0; i < plan.unknowns.size(); ++i)
     text += fmt::format("  {:<{}}", plan.unknowns[i].name, width) +
-            columns(plan.unknowns[i].prior_sd, plan.found.shrink[Eigen::Index(i)]);
+            columns(plan.unknowns[i].prior_sd, plan.identification.shrink[Eigen::Index(i)]);
   if (!plan.ratios.empty())
     text += "  a ratio for each mode, in place of zeta\n";
   for (std::size_t i = 0; i < plan.ratios.size(); ++i)
@@ -129,8 +129,8 @@ std::string plan_text(const RecordPlan &plan)
     text +=
         fmt::format("{} a sensor at {}: {} to {:.2g} of the prior, now {:.2g}\n",
                     i == 0 ? "would help most:" : "                ", plan.places[std::size_t(plan.next[i].place)],
-                    plan.found.names[best], plan.next[i].identification.shrink[Eigen::Index(best)],
-                    plan.found.shrink[Eigen::Index(best)]);
+                    plan.identification.names[best], plan.next[i].identification.shrink[Eigen::Index(best)],
+                    plan.identification.shrink[Eigen::Index(best)]);
   }
   for (const std::string &note : texts_of(plan.notes))
     text += "note: " + note + "\n";
@@ -162,14 +162,15 @@ std::string plan_json(const RecordPlan &plan)
                          {"band_Hz", {record.low, record.high}}};
   auto &unknowns = document["unknowns"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < plan.unknowns.size(); ++i)
-    unknowns.push_back(row_of(plan.unknowns[i], plan.found.shrink[Eigen::Index(i)]));
+    unknowns.push_back(row_of(plan.unknowns[i], plan.identification.shrink[Eigen::Index(i)]));
   auto &ratios = document["ratios"] = nlohmann::ordered_json::array();
   for (std::size_t i = 0; i < plan.ratios.size(); ++i) {
     ratios.push_back(row_of(plan.ratios[i], plan.ratio_shrink[Eigen::Index(i)]));
     ratios.back()["frequency_Hz"] = plan.ratio_frequency[Eigen::Index(i)];
   }
   document["singular"] =
-      std::vector<double>(plan.found.singular.data(), plan.found.singular.data() + plan.found.singular.size());
+      std::vector<double>(plan.identification.singular.data(),
+                          plan.identification.singular.data() + plan.identification.singular.size());
   document["unseen"]  = plan.unseen;
   document["weakest"] = plan.weakest;
   auto &next = document["next_sensors"] = nlohmann::ordered_json::array();
@@ -177,9 +178,9 @@ std::string plan_json(const RecordPlan &plan)
     const std::size_t best = most_improved(plan, sensor);
     next.push_back({{"place", plan.places[std::size_t(sensor.place)]},
                     {"gain_nats", sensor.gain},
-                    {"improves", plan.found.names[best]},
+                    {"improves", plan.identification.names[best]},
                     {"shrink", sensor.identification.shrink[Eigen::Index(best)]},
-                    {"shrink_now", plan.found.shrink[Eigen::Index(best)]}});
+                    {"shrink_now", plan.identification.shrink[Eigen::Index(best)]}});
   }
   write_notes(document, plan.notes);
   return document.dump(2) + "\n";

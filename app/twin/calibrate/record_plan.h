@@ -13,7 +13,7 @@ struct RecordPlan {
   twin::PlannedRecord record;           ///< with the places of the sensors
   double force_rms = 0;                 ///< N
   std::vector<twin::Unknown> unknowns;  ///< (p)
-  twin::Identification found;           ///< of them; without a recorded force its density is one more
+  twin::Identification identification;  ///< of them; without a recorded force its density is one more
   std::vector<twin::Unknown> ratios;    ///< a damping ratio for each mode in place of the common one; may be empty
   Eigen::VectorXd ratio_frequency;      ///< (ratios) Hz
   Eigen::VectorXd ratio_shrink;         ///< (ratios) -

@@ -45,8 +45,8 @@ CaseChain chain_without_bite(const ChatterCase &spec)
   chain.dynamics.modal_damping = spec.modal_damping;
   if (spec.model)
     chain.model = *spec.model;
-  const ChatterStand &stand = spec.stand;
-  const std::size_t at[]    = {0, 1, 2, 4, 5, 6};
+  const ChatterStand &stand        = spec.stand;
+  const std::size_t spring_index[] = {0, 1, 2, 4, 5, 6};
   for (std::size_t i = 0; !spec.model && i < 6; ++i) {
     const auto given = [](const double value, const char *unit) {
       Parameter parameter;
@@ -55,8 +55,8 @@ CaseChain chain_without_bite(const ChatterCase &spec)
       parameter.source = Source::given;
       return parameter;
     };
-    chain.model.M[i]     = given(stand.masses[i], "kg");
-    chain.model.K[at[i]] = given(stand.stiffnesses[i], "N/m");
+    chain.model.M[i]               = given(stand.masses[i], "kg");
+    chain.model.K[spring_index[i]] = given(stand.stiffnesses[i], "N/m");
   }
   chain.model.K[3].value = 0;
   if (!std::isnan(stand.dampings[0]) && !spec.model) {

@@ -32,9 +32,9 @@ std::map<std::string, std::string> pairs_of(const std::string &option, const std
 void read_scales(const CommandLine &command, twin::ReadOptions &options)
 {
   for (const std::string &text : command.scales) {
-    const auto at            = text.find('=');
-    const std::string column = at == std::string::npos ? "" : valid_text(text.substr(0, at));
-    const std::string scale  = valid_text(at == std::string::npos ? text : text.substr(at + 1));
+    const auto equals        = text.find('=');
+    const std::string column = equals == std::string::npos ? "" : valid_text(text.substr(0, equals));
+    const std::string scale  = valid_text(equals == std::string::npos ? text : text.substr(equals + 1));
     twin::unit_by_scale(scale, column);  // refused here, before a record is read
     options.scales[column] = scale;
     if (!column.empty())

@@ -40,7 +40,7 @@ int pthread_once(int *control, void (*function)())
 #if __GLIBC_PREREQ(2, 35)
 struct ObjectSearch {
   std::uintptr_t address;
-  dl_find_object *found;
+  dl_find_object *result;
 };
 
 static int object_holds(dl_phdr_info *object, std::size_t, void *data)
@@ -61,17 +61,17 @@ static int object_holds(dl_phdr_info *object, std::size_t, void *data)
   }
   if (!inside || !table)
     return 0;
-  *search.found                = {};
-  search.found->dlfo_map_start = reinterpret_cast<void *>(begin);
-  search.found->dlfo_map_end   = reinterpret_cast<void *>(end);
-  search.found->dlfo_eh_frame  = table;
+  *search.result                = {};
+  search.result->dlfo_map_start = reinterpret_cast<void *>(begin);
+  search.result->dlfo_map_end   = reinterpret_cast<void *>(end);
+  search.result->dlfo_eh_frame  = table;
   return 1;
 }
 
 /// Finds the unwind table of the code at an address; 0 when it is found, as the function of glibc.
-int _dl_find_object(void *address, struct dl_find_object *found) noexcept
+int _dl_find_object(void *address, struct dl_find_object *result) noexcept
 {
-  ObjectSearch search{reinterpret_cast<std::uintptr_t>(address), found};
+  ObjectSearch search{reinterpret_cast<std::uintptr_t>(address), result};
   return dl_iterate_phdr(object_holds, &search) == 1 ? 0 : -1;
 }
 #endif

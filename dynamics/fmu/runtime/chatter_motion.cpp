@@ -163,7 +163,7 @@ std::string ChatterMotion::refusal(const double *z, const ChatterInput &input) c
 std::string ChatterMotion::advance(ChatterState &state, double &length, const ChatterInput &input) const
 {
   const double whole = length;
-  double at          = 0;
+  double elapsed     = 0;
   std::vector<double> before, after;
   edges(state.z.data(), state.strip_held, input, before);
   // The strip may have been taken or let go by an input that was changed.
@@ -181,17 +181,17 @@ std::string ChatterMotion::advance(ChatterState &state, double &length, const Ch
         return true;
     return false;
   };
-  while (at < whole) {
-    const double left = whole - at;
+  while (elapsed < whole) {
+    const double left = whole - elapsed;
     double h          = std::min(std::min(state.next_step, data_.longest_step), left);
     if (left - h < 1e-3 * h)
       h = left;
-    const double error = try_step(state.z, state.strip_held, at, h, input, trial_);
+    const double error = try_step(state.z, state.strip_held, elapsed, h, input, trial_);
     const double grow  = std::min(5., std::max(0.2, 0.9 * std::pow(std::max(error, 1e-10), -0.2)));
     if (error > 1) {
       state.next_step = h * grow;
       if (state.next_step < 1e-13) {
-        length = at;
+        length = elapsed;
         return "the motion cannot be followed with any step";
       }
       continue;
@@ -215,7 +215,7 @@ std::string ChatterMotion::advance(ChatterState &state, double &length, const Ch
         if (std::abs(side) > 1)
           middle = 0.5 * (low + high);
         middle = std::min(std::max(middle, low + 0.3 * event_time), high - 0.3 * event_time);
-        try_step(state.z, state.strip_held, at, middle, input, trial_);
+        try_step(state.z, state.strip_held, elapsed, middle, input, trial_);
         edges(trial_.data(), state.strip_held, input, after);
         if (crossed()) {
           high    = middle;
@@ -228,17 +228,17 @@ std::string ChatterMotion::advance(ChatterState &state, double &length, const Ch
         }
       }
       h = high;
-      try_step(state.z, state.strip_held, at, h, input, trial_);
+      try_step(state.z, state.strip_held, elapsed, h, input, trial_);
       edges(trial_.data(), state.strip_held, input, after);
       state.events += 1;
       state.next_step = std::min(state.next_step, 0.05 * data_.longest_step);
     }
     state.z.swap(trial_);
-    at               = h == left ? whole : at + h;
+    elapsed          = h == left ? whole : elapsed + h;
     state.strip_held = after[held_edge] > 0;
     edges(state.z.data(), state.strip_held, input, before);
     if (std::string why = refusal(state.z.data(), input); !why.empty()) {
-      length = at;
+      length = elapsed;
       return why;
     }
   }

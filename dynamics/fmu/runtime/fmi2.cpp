@@ -68,13 +68,13 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
   try {
     if (!functions)
       return nullptr;
-    auto log          = std::make_unique<Fmi2Log>(*functions, name ? name : "", logging != 0);
-    const Log &own    = *log;
-    const char *wrong = !name || !*name            ? "the instance has no name"
-                        : type != fmi2CoSimulation ? "this FMU is for co-simulation only"
-                        : !guid                    ? "the guid is missing"
-                        : !location                ? "the resource location is missing"
-                                                   : nullptr;
+    auto log             = std::make_unique<Fmi2Log>(*functions, name ? name : "", logging != 0);
+    const Log &first_log = *log;
+    const char *wrong    = !name || !*name            ? "the instance has no name"
+                           : type != fmi2CoSimulation ? "this FMU is for co-simulation only"
+                           : !guid                    ? "the guid is missing"
+                           : !location                ? "the resource location is missing"
+                                                      : nullptr;
     try {
       if (wrong)
         throw std::runtime_error(wrong);
@@ -85,7 +85,7 @@ fmi2Component fmi2Instantiate(fmi2String name, fmi2Type type, fmi2String guid, f
         kept.refuse(Status::error, std::string("fmi2Instantiate: ") + e.what());
       }
     } catch (const std::exception &e) {
-      own.refuse(Status::error, std::string("fmi2Instantiate: ") + e.what());
+      first_log.refuse(Status::error, std::string("fmi2Instantiate: ") + e.what());
     }
   } catch (...) {  // out of memory
   }

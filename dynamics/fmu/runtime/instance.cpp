@@ -285,28 +285,28 @@ void Instance::evaluate(const ModalState &modes, const double force, std::vector
 
 Status Instance::may_step(const char *function, const double from, const double length)
 {
-  const std::string who = std::string(function) + ": ";
+  const std::string prefix = std::string(function) + ": ";
   if (!allows(function, {Phase::step}))
     return Status::error;
   constexpr double longest = 1e9;  // s
   if (!(length > 0 && length <= longest) || !std::isfinite(from))
-    return log_->refuse(Status::error, who + "the step from " + number_text(from) + " s over " +
+    return log_->refuse(Status::error, prefix + "the step from " + number_text(from) + " s over " +
                                            number_text(length) + " s must have a length above zero and up to " +
                                            number_text(longest) + " s");
   const double end = from + length;
   // A client adds or multiplies its step sizes: some rounding of the time, or a small part of the step.
   const double close = 1e-9 * length + 64 * 2.2e-16 * std::max(std::abs(from), std::abs(now_.time));
   if (std::abs(from - now_.time) > close || !(end > now_.time))
-    return log_->refuse(Status::error, who + "the step begins at " + number_text(from) +
+    return log_->refuse(Status::error, prefix + "the step begins at " + number_text(from) +
                                            " s, the instance is at " + number_text(now_.time) + " s");
   if (now_.has_stop && end > now_.stop + 1e-9 * length + 64 * 2.2e-16 * std::abs(now_.stop))
-    return log_->refuse(Status::error, who + "the step to " + number_text(end) + " s passes the stop time " +
+    return log_->refuse(Status::error, prefix + "the step to " + number_text(end) + " s passes the stop time " +
                                            number_text(now_.stop) + " s");
   if (now_.ended)
-    return log_->refuse(Status::error, who + "the run has ended at " + number_text(now_.time) + " s");
+    return log_->refuse(Status::error, prefix + "the run has ended at " + number_text(now_.time) + " s");
   if (const std::string why = solve_pass(); !why.empty())
     return log_->refuse(version_ == 3 ? Status::discard : Status::error,
-                        who + why + "; the instance stays at " + number_text(now_.time) + " s");
+                        prefix + why + "; the instance stays at " + number_text(now_.time) + " s");
   return Status::ok;
 }
 

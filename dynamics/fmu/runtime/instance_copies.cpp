@@ -236,22 +236,22 @@ bool Instance::may_hold(const Snapshot &state) const
 
 Status Instance::deserialize(const char *function, const char *bytes, const std::size_t size, void **state) const
 {
-  const std::string who = std::string(function) + ": ";
+  const std::string prefix = std::string(function) + ": ";
   if (!bytes || !state)
-    return log_->refuse(Status::error, who + "a pointer is missing");
+    return log_->refuse(Status::error, prefix + "a pointer is missing");
   std::uint64_t head[3] = {};
   if (size >= header_size)
     std::memcpy(head, bytes + sizeof magic, sizeof head);
   if (size < header_size || std::memcmp(bytes, magic, sizeof magic) != 0 || head[1] > size - header_size ||
       head[2] != check_of(bytes + header_size, std::size_t(head[1])))
-    return log_->refuse(Status::error, who + "the bytes are not a serialised state, or they are damaged");
+    return log_->refuse(Status::error, prefix + "the bytes are not a serialised state, or they are damaged");
   if (head[0] != mark_)
-    return log_->refuse(Status::error, who + "the state belongs to another model");
+    return log_->refuse(Status::error, prefix + "the state belongs to another model");
   auto made = std::make_unique<Copy>(Copy{mark_, {}});
   StateReader reader(bytes + header_size, std::size_t(head[1]));
   each_number(reader, made->state);
   if (!reader.at_end() || !may_hold(made->state))
-    return log_->refuse(Status::error, who + "the bytes are not a serialised state, or they are damaged");
+    return log_->refuse(Status::error, prefix + "the bytes are not a serialised state, or they are damaged");
   if (*state) {
     if (!is_copy(function, *state))
       return Status::error;

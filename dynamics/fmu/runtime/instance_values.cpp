@@ -26,16 +26,16 @@ bool is_computed(const Variable &variable)
 
 const Variable *Instance::known(const char *function, const Reference reference, const Type type) const
 {
-  const std::string who = std::string(function) + ": ";
+  const std::string prefix = std::string(function) + ": ";
   if (reference >= variables_.size()) {
-    log_->refuse(Status::error, who + "there is no variable with the value reference " +
+    log_->refuse(Status::error, prefix + "there is no variable with the value reference " +
                                     std::to_string(reference) + ", the last one is " +
                                     std::to_string(variables_.size() - 1));
     return nullptr;
   }
   const Variable &variable = variables_[reference];
   if (variable.type != type) {
-    log_->refuse(Status::error, who + variable.name + " is of type " + name_of(variable.type));
+    log_->refuse(Status::error, prefix + variable.name + " is of type " + name_of(variable.type));
     return nullptr;
   }
   return &variable;

@@ -49,7 +49,7 @@ enum RowState { stress_xx, stress_yy, stress_xy, plastic_shear, n_row_state };
 // gamma/2.  The strain at the first point is gathered from the rate there alone: Radau's own weight of the other
 // one is negative, and a strain that falls where yielding begins would let the strip soften.
 struct RadauStage {
-  double own, other, upstream;          ///< -, of the derivative
+  double same, other, upstream;         ///< -, of the derivative
   double gathered_own, gathered_other;  ///< -, of the integral
 };
 constexpr std::array<RadauStage, 2> radau{{{1.5, 0.5, -2, 1. / 3, 0}, {2.5, -4.5, 2, 1. / 4, 3. / 4}}};
@@ -135,17 +135,17 @@ void point_again(const StripMaterial &m, const int i, const T *in, const T *stat
                  std::array<bool, 2> &plastic)
 {
   const RadauStage &r = radau[i];
-  const T *a = in + n_at_point * i, *own = state + n_row_state * i, *other = state + n_row_state * (1 - i);
+  const T *a = in + n_at_point * i, *same = state + n_row_state * i, *other = state + n_row_state * (1 - i);
   const T third = (a[gradient_xx] + a[gradient_yy]) / 3.0, spin = a[gradient_yx] - a[gradient_xy];
   const double c  = m.compliance;
   const auto kept = [&](const int s) { return r.other * other[s] + r.upstream * in[upstream_xx + s]; };
-  const std::array<T, 3> e{a[gradient_xx] - third - c * (kept(stress_xx) + spin * own[stress_xy]),
-                           a[gradient_yy] - third - c * (kept(stress_yy) - spin * own[stress_xy]),
+  const std::array<T, 3> e{a[gradient_xx] - third - c * (kept(stress_xx) + spin * same[stress_xy]),
+                           a[gradient_yy] - third - c * (kept(stress_yy) - spin * same[stress_xy]),
                            0.5 * (a[gradient_xy] + a[gradient_yx]) -
-                               c * (kept(stress_xy) - 0.5 * spin * (own[stress_xx] - own[stress_yy]))};
+                               c * (kept(stress_xy) - 0.5 * spin * (same[stress_xx] - same[stress_yy]))};
   const T before      = in[upstream_strain] + 0.5 * r.gathered_other * other[plastic_shear];
-  const T gamma       = return_mapping(m, r.own * c, e, a[transit], before, r.gathered_own, in[stress_factor],
-                                       bite::value_of(own[plastic_shear]), next, plastic[i]);
+  const T gamma       = return_mapping(m, r.same * c, e, a[transit], before, r.gathered_own, in[stress_factor],
+                                       bite::value_of(same[plastic_shear]), next, plastic[i]);
   next[plastic_shear] = gamma;
 }
 

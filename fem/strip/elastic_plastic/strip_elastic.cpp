@@ -125,7 +125,7 @@ Solved solve_on_circle(const ElasticPass &pass, StripCourse &course)
     }
     ElasticContinuation c(pass, s.grid, s.roll, interpolated(coarse.grid, first.u, s.grid), course);
     place_lines(s.grid, c.u);
-    if (begun && c.newton(first.at, "Newton, free surface")) {
+    if (begun && c.newton(first.reached, "Newton, free surface")) {
       harden(c, 0.1);
     } else {
       c.u = first_guess(pass, s.grid);
@@ -151,7 +151,7 @@ Solved solve_on_elastic_roll(const ElasticPass &pass, const bite::ArcFlexibility
     solve_cold(c, fit_rate);
     if (reaches_limit(coarse.grid, c.u))
       continue;
-    const auto [from, to] = spines_in_contact(coarse.grid, c.u, c.at.softness);
+    const auto [from, to] = spines_in_contact(coarse.grid, c.u, c.reached.softness);
     if (from < 0)
       continue;
     const double first = coarse.grid.x[from], last = coarse.grid.x[to];

@@ -52,7 +52,7 @@ ElasticAssembly::ElasticAssembly(const ElasticPass &p, const ElasticGrid &g, con
 ElasticAssembly::Flow ElasticAssembly::flow(const Local &e, const int r, const double t) const
 {
   Flow q{};
-  const double eta = gauss_rows().at[r];
+  const double eta = gauss_rows().point[r];
   for (int a = 0; a < 3; ++a) {
     const double shape = along_shape(t, a), slope = along_slope(t, a);
     double u = 0, v = 0, u_through = 0, v_through = 0;
@@ -80,7 +80,7 @@ Eigen::Matrix<double, 8, ElasticAssembly::n_local> ElasticAssembly::stresses(Loc
 {
   std::array<double, n_row_inputs> in{};
   Eigen::Matrix<double, n_row_inputs, n_local> by = Eigen::Matrix<double, n_row_inputs, n_local>::Zero();
-  const double eta                                = gauss_rows().at[r];
+  const double eta                                = gauss_rows().point[r];
   for (int k = 0; k < 2; ++k) {
     const double t = radau_point[k];
     const Flow q   = flow(e, r, t);
@@ -129,7 +129,7 @@ Eigen::Matrix<double, 8, ElasticAssembly::n_local> ElasticAssembly::stresses(Loc
 void ElasticAssembly::equilibrium(Local &e, const int r, const int k, const ElasticPoint &p,
                                   const Eigen::Matrix<double, 3, n_local> &by)
 {
-  const double t = radau_point[k], eta = gauss_rows().at[r], weight = radau_weight[k] * gauss_rows().weight[r];
+  const double t = radau_point[k], eta = gauss_rows().point[r], weight = radau_weight[k] * gauss_rows().weight[r];
   const Flow q     = flow(e, r, t);
   const auto shape = pressure_shape(t, eta);
   const double pressure =
@@ -170,7 +170,7 @@ void ElasticAssembly::equilibrium(Local &e, const int r, const int k, const Elas
 // div v + v.grad p / K at a point, (19.9)
 void ElasticAssembly::volume(Local &e, const int r, const int k)
 {
-  const double t = radau_point[k], eta = gauss_rows().at[r], weight = radau_weight[k] * gauss_rows().weight[r];
+  const double t = radau_point[k], eta = gauss_rows().point[r], weight = radau_weight[k] * gauss_rows().weight[r];
   const Flow q      = flow(e, r, t);
   const auto shape  = pressure_shape(t, eta);
   const double rise = bulk_compliance * e.u[at_pressure + 1];  // of pressure along the element
@@ -202,7 +202,7 @@ void ElasticAssembly::volume(Local &e, const int r, const int k)
 // Pressure that flows in over the upstream face, where it may step
 void ElasticAssembly::upstream_face(Local &e, const int r)
 {
-  const double eta = gauss_rows().at[r], weight = bulk_compliance * gauss_rows().weight[r];
+  const double eta = gauss_rows().point[r], weight = bulk_compliance * gauss_rows().weight[r];
   const auto here = pressure_shape(0, eta), before = pressure_shape(1, eta);
   double u = 0, step = 0;
   for (int b = 0; b < 3; ++b)
@@ -280,8 +280,8 @@ void ElasticAssembly::element(const int I, const int J)
     e.u[l] = value(e.id[l]);
   for (int r = 0; r < 3; ++r)
     for (int b = 0; b < 3; ++b) {
-      e.through[r][b]       = along_shape(gauss_rows().at[r], b);
-      e.through_slope[r][b] = along_slope(gauss_rows().at[r], b);
+      e.through[r][b]       = along_shape(gauss_rows().point[r], b);
+      e.through_slope[r][b] = along_slope(gauss_rows().point[r], b);
     }
   for (int r = 0; r < 3; ++r) {
     RowSolution rows;

@@ -117,7 +117,7 @@ inline double along_slope(const double t, const int a)
 }
 /// Three-point Gauss rule on 0 .. 1.
 struct GaussRows {
-  std::array<double, 3> at, weight;
+  std::array<double, 3> point, weight;
 };
 const GaussRows &gauss_rows();
 }  // namespace mill::fem

@@ -89,7 +89,7 @@ bool ElasticContinuation::newton(ElasticStage stage, const char *what, const int
       const double unit = pass.stress * pass.length * pass.bite->strip.width;
       course.levels.push_back({what, grid.n_unknowns, stage.cutoff_strain_rate, stage.cutoff_slip * pass.reduction,
                                stage.flattening, step, residual, e.force * unit});
-      at = stage;
+      reached = stage;
       return true;
     }
   }
@@ -107,11 +107,11 @@ bool ElasticContinuation::advance(const ElasticStage &target, const char *what, 
     return std::sqrt(std::max(a, least) * std::max(b, least));
   };
   ElasticStage middle       = target;
-  middle.cutoff_strain_rate = between(at.cutoff_strain_rate, target.cutoff_strain_rate, 1e-7);
-  middle.cutoff_slip        = between(at.cutoff_slip, target.cutoff_slip, 1e-7);
-  middle.softness           = between(at.softness, target.softness, 1e-15);
-  middle.compliance         = 0.5 * (at.compliance + target.compliance);
-  middle.flattening         = 0.5 * (at.flattening + target.flattening);
+  middle.cutoff_strain_rate = between(reached.cutoff_strain_rate, target.cutoff_strain_rate, 1e-7);
+  middle.cutoff_slip        = between(reached.cutoff_slip, target.cutoff_slip, 1e-7);
+  middle.softness           = between(reached.softness, target.softness, 1e-15);
+  middle.compliance         = 0.5 * (reached.compliance + target.compliance);
+  middle.flattening         = 0.5 * (reached.flattening + target.flattening);
   return advance(middle, what, depth + 1) && advance(target, what, depth + 1);
 }
 
@@ -183,7 +183,7 @@ namespace {
                               "), tension near the flow stress, or a mesh too coarse for the "
                               "ends of the contact"),
                      "more friction or less reduction; more elements along; a converged state nearby as start",
-                     "converged up to " + stage(c.at)});
+                     "converged up to " + stage(c.reached)});
 }
 
 // Moves the lines of the mesh so that two of them are the ends of the contact: pressure and gap zero there.  From
@@ -229,7 +229,7 @@ void harden(ElasticContinuation &c, const double from, const double until)
     s.cutoff_strain_rate = rate;
     s.cutoff_slip        = std::max(last.cutoff_slip, std::min(0.2, 0.5 * rate));
     s.softness           = 1e-2 * rate * rate;
-    if (c.at.held_shape || c.at.flattening < s.flattening) {
+    if (c.reached.held_shape || c.reached.flattening < s.flattening) {
       s.cutoff_slip     = std::max(s.cutoff_slip, 0.05);
       ElasticStage part = s;
       part.flattening   = 0;
@@ -243,8 +243,9 @@ void harden(ElasticContinuation &c, const double from, const double until)
         }
     }
     // A rigid roll is there already.
-    const bool there = c.at.cutoff_strain_rate == s.cutoff_strain_rate && c.at.cutoff_slip == s.cutoff_slip &&
-                       c.at.softness == s.softness && c.at.flattening == s.flattening;
+    const bool there = c.reached.cutoff_strain_rate == s.cutoff_strain_rate &&
+                       c.reached.cutoff_slip == s.cutoff_slip && c.reached.softness == s.softness &&
+                       c.reached.flattening == s.flattening;
     if (!there && !c.advance(s, what))
       refuse(c, s);
     if (c.fits && rate <= fit_rate && !c.grid.moves())

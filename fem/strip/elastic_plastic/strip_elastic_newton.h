@@ -19,7 +19,7 @@ public:
   ElasticGrid &grid;
   const ElasticRoll &roll;
   Eigen::VectorXd u;
-  ElasticStage at;               ///< where it converged last
+  ElasticStage reached;          ///< where it converged last
   bool fits            = false;  ///< lines of the mesh shall end the contact
   double last_residual = 0;      ///< -
 

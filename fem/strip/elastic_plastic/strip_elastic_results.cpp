@@ -69,7 +69,7 @@ void add_fields(StripFlow &flow, const ElasticPass &pass, const ElasticGrid &gri
           std::array<double, 5> v{};
           for (int s = 0; s < 5; ++s)
             for (int r = 0; r < 3; ++r)
-              v[s] += lagrange(gauss.at, r, 0.5 * b) * row[r][s];
+              v[s] += lagrange(gauss.point, r, 0.5 * b) * row[r][s];
           const double pressure = u[grid.pressure(I, J, 0)] + (t - 0.5) * u[grid.pressure(I, J, 1)] +
                                   (0.5 * b - 0.5) * u[grid.pressure(I, J, 2)];
           flow.pressure(c, j) += pressure * pass.stress;
@@ -167,7 +167,7 @@ Section section(const ElasticPass &pass, const ElasticGrid &grid, const ElasticE
     for (int r = 0; r < 3; ++r) {
       const auto v          = row_values(grid, e, u, I, J, r)[outlet ? 2 : 0];
       const double pressure = outlet ? u[grid.pressure(I, J, 0)] + 0.5 * u[grid.pressure(I, J, 1)] +
-                                           (gauss_rows().at[r] - 0.5) * u[grid.pressure(I, J, 2)]
+                                           (gauss_rows().point[r] - 0.5) * u[grid.pressure(I, J, 2)]
                                      : u[grid.bulk(Bulk::inlet_pressure)];
       const double zz = v[0] + v[1], w = gauss_rows().weight[r] * height * speed;
       sum.volume += w;
@@ -209,8 +209,8 @@ void add_balances(StripElastic &out, const ElasticPass &pass, const ElasticGrid 
     for (int r = 0; r < 3; ++r) {
       const double lower = J == 0 ? 0 : u[grid.height(last, J)], height = u[grid.height(last, J + 1)] - lower;
       const double pressure = u[grid.pressure(I, J, 0)] + 0.5 * u[grid.pressure(I, J, 1)] +
-                              (gauss_rows().at[r] - 0.5) * u[grid.pressure(I, J, 2)];
-      out.outlet_height[3 * J + r] = (lower + gauss_rows().at[r] * height) * pass.length;
+                              (gauss_rows().point[r] - 0.5) * u[grid.pressure(I, J, 2)];
+      out.outlet_height[3 * J + r] = (lower + gauss_rows().point[r] * height) * pass.length;
       out.outlet_weight[3 * J + r] = gauss_rows().weight[r] * height * pass.length;
       out.outlet_stress[3 * J + r] = (row_values(grid, e, u, I, J, r)[2][0] - pressure) * pass.stress;
     }

@@ -70,7 +70,7 @@ public:
       if (step == picard_steps - 1)
         note("Picard", stage, picard_steps, e.residual.norm(), e.force.value);
     }
-    at = stage;
+    reached = stage;
     return true;
   }
 
@@ -108,7 +108,7 @@ public:
       if (residual < enough) {
         note(stage.free_surface ? "Newton, free surface" : "Newton, fixed surface", stage, step, residual,
              e.force.value);
-        at         = stage;
+        reached    = stage;
         directions = std::move(before);
         return true;
       }
@@ -125,19 +125,19 @@ public:
     if (depth == 5)
       return false;
     StripStage middle         = target;
-    middle.cutoff_strain_rate = std::sqrt(at.cutoff_strain_rate * target.cutoff_strain_rate);
-    middle.cutoff_slip        = std::sqrt(at.cutoff_slip * target.cutoff_slip);
-    middle.flexibility        = 0.5 * (at.flexibility + target.flexibility);
-    middle.tension            = 0.5 * (at.tension + target.tension);
-    middle.end_pressure       = 0.5 * (at.end_pressure + target.end_pressure);
-    middle.friction           = std::sqrt(at.friction * target.friction);
+    middle.cutoff_strain_rate = std::sqrt(reached.cutoff_strain_rate * target.cutoff_strain_rate);
+    middle.cutoff_slip        = std::sqrt(reached.cutoff_slip * target.cutoff_slip);
+    middle.flexibility        = 0.5 * (reached.flexibility + target.flexibility);
+    middle.tension            = 0.5 * (reached.tension + target.tension);
+    middle.end_pressure       = 0.5 * (reached.end_pressure + target.end_pressure);
+    middle.friction           = std::sqrt(reached.friction * target.friction);
     return advance(middle, depth + 1) && advance(target, depth + 1);
   }
 
   const StripPass &pass;
   const StripGrid &grid;
   VectorXd u;
-  StripStage at;               // where it converged last
+  StripStage reached;          // where it converged last
   StripDirections directions;  // as they were then
   double last_residual = 0;
 
@@ -190,8 +190,9 @@ private:
        "last residual " + short_number(c.last_residual, 3) + ", wanted " + short_number(m.tolerance, 3) + "; " +
            std::to_string(c.grid.n_unknowns) + " unknowns",
        "friction at its limit over most of the arc, or a mesh too coarse for the ends of the contact", remedy,
-       "converged up to g0 = " + short_number(c.at.cutoff_strain_rate, 3) + ", d0 = " +
-           short_number(c.at.cutoff_slip, 3) + ", flattening " + short_number(100 * c.at.flexibility, 3) + " %"});
+       "converged up to g0 = " + short_number(c.reached.cutoff_strain_rate, 3) +
+           ", d0 = " + short_number(c.reached.cutoff_slip, 3) + ", flattening " +
+           short_number(100 * c.reached.flexibility, 3) + " %"});
 }
 
 // From an even flow to the last level, on one grid.
@@ -221,8 +222,8 @@ void solve_cold(Continuation &c)
       break;
   }
   if (wanted.release) {
-    stage.release     = true;
-    c.at.end_pressure = c.u[c.grid.contact(c.grid.last)];
+    stage.release          = true;
+    c.reached.end_pressure = c.u[c.grid.contact(c.grid.last)];
     if (!c.advance(stage))
       refuse(c.pass, c, stage);
   }

@@ -26,7 +26,7 @@ std::vector<double> marched(const ArcEnds &e, const double wide)
   const double contact = e.last - e.first, margin = 0.08 * contact;
   // Spacing wanted at a place, least of all wishes for that place.
   const struct {
-    double at, spacing;
+    double place, spacing;
   } fine[]           = {{e.entry, std::min(wide, (e.last - e.entry) / 50)},
                         {e.last, std::min(wide, (e.last - e.entry) / 50)},
                         {e.exit, std::min(wide, (e.exit - e.first) / 400)},
@@ -35,7 +35,7 @@ std::vector<double> marched(const ArcEnds &e, const double wide)
   const auto spacing = [&](const double x) {
     double d = wide;
     for (const auto &f : fine)
-      d = std::min(d, f.spacing + growth * std::abs(x - f.at));
+      d = std::min(d, f.spacing + growth * std::abs(x - f.place));
     return d;
   };
   std::vector<double> x{e.first - margin};

@@ -65,13 +65,13 @@ ForceFit fit_flow_stress(const RollBite &bite, const Theory theory, const Arc ar
     high *= 2;
   const RisingRoot root = rising_root(softest, high, force, force_for);
   if (!root.met)
-    throw InputError(sentence("no flow stress returns a force of ", force / 1e3, " kN: a strip of ", root.at / 1e6,
-                              " MPa, ",
-                              root.at > softest ? "the hardest that is tried" : "which its tension draws",
+    throw InputError(sentence("no flow stress returns a force of ", force / 1e3, " kN: a strip of ",
+                              root.argument / 1e6, " MPa, ",
+                              root.argument > softest ? "the hardest that is tried" : "which its tension draws",
                               ", takes ", root.value / 1e3, " kN"));
   ForceFit fit;
-  fit.value = root.at;
-  fit.bite  = with_stress(bite, root.at);
+  fit.value = root.argument;
+  fit.bite  = with_stress(bite, root.argument);
   fit.state = state_at(fit.bite, theory, arc, force);
   return fit;
 }
@@ -85,14 +85,13 @@ ForceFit fit_friction(const RollBite &bite, const Theory theory, const Arc arc, 
   const auto force_for  = [&](const double mu) { return force_on_arc(with_friction(bite, mu), theory, radius); };
   const RisingRoot root = rising_root(smallest_friction, most, force, force_for);
   if (!root.met)
-    throw InputError(
-        sentence("no friction returns a force of ", force / 1e3,
-                 " kN: ", root.at > smallest_friction ? sentence("a friction of ", most) : "the pass without any",
-                 " takes ", root.value / 1e3, " kN; the flow stress is too ",
-                 root.at > smallest_friction ? "low" : "high"));
+    throw InputError(sentence(
+        "no friction returns a force of ", force / 1e3, " kN: ",
+        root.argument > smallest_friction ? sentence("a friction of ", most) : "the pass without any", " takes ",
+        root.value / 1e3, " kN; the flow stress is too ", root.argument > smallest_friction ? "low" : "high"));
   ForceFit fit;
-  fit.value = root.at;
-  fit.bite  = with_friction(bite, root.at);
+  fit.value = root.argument;
+  fit.bite  = with_friction(bite, root.argument);
   fit.state = state_at(fit.bite, theory, arc, force);
   return fit;
 }

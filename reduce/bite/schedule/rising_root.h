@@ -4,9 +4,9 @@
 namespace mill::bite {
 /// Where a rising function reaches a value, and how well.
 struct RisingRoot {
-  double at    = 0;      ///< unit of the argument
-  double value = 0;      ///< unit of the function, there
-  bool met     = false;  ///< false: `wanted` lies outside the range, or in a jump (also one to infinity)
+  double argument = 0;      ///< unit of the argument
+  double value    = 0;      ///< unit of the function, there
+  bool met        = false;  ///< false: `wanted` lies outside the range, or in a jump (also one to infinity)
 };
 
 /// x of low..high with function(x) = wanted, or the end or the side of a jump that comes nearest to it.  The

@@ -75,7 +75,7 @@ void add_factors(PassForce &pass, const RollBite &bite)
                                                0);
   });
   if (published.met)
-    pass.factor_published = published.at;
+    pass.factor_published = published.argument;
   std::string why;  // no factor up to one is answer enough
   attempt(why,
           [&] { pass.factor_exact = fit_friction(other, Theory::hu_ehmann, Arc::rigid, pass.fitted_to).value; });

@@ -298,7 +298,7 @@ std::vector<Check> study()
   };
   const double v       = s.full.speed;
   const double lowest  = std::min(s.stand[0].speed, s.stand[1].speed);
-  const double flow_in = s.at.stands[1].state.entry_speed, flow_out = s.at.stands[0].state.exit_speed;
+  const double flow_in = s.point.stands[1].state.entry_speed, flow_out = s.point.stands[0].state.exit_speed;
   std::vector<Check> checks{
       reported("first stand alone: critical speed (of the last stand)", "m/s", s.stand[0].speed, lowest),
       reported("tension shared", "m/s", s.tension.speed, lowest),

@@ -20,16 +20,16 @@ const char *const tandem = "cases/chatter-tandem.toml";
 live::Proposal softer_contact(const live::TwinModel &model)
 {
   live::Proposal proposal;
-  proposal.utc            = 1.7e9;
-  proposal.reason         = "Mode 6 has fallen by 2.50 %.";
-  proposal.found.seconds  = 60;
-  proposal.found.values   = {{"K3", 0.06, std::log(0.9), 0.001, true},
-                             {"K1", 0.06, 0, 0.02, false},
-                             {"zeta", 2, std::log(1.5), 0.01, true}};
-  proposal.before         = model.chain;
-  proposal.chain          = live::recalibrated(model.chain, proposal.found, 1e6);
-  proposal.damping_before = model.dynamics.modal_damping;
-  proposal.damping        = live::recalibrated(model.dynamics.modal_damping, proposal.found);
+  proposal.utc                   = 1.7e9;
+  proposal.reason                = "Mode 6 has fallen by 2.50 %.";
+  proposal.recalibration.seconds = 60;
+  proposal.recalibration.values  = {{"K3", 0.06, std::log(0.9), 0.001, true},
+                                    {"K1", 0.06, 0, 0.02, false},
+                                    {"zeta", 2, std::log(1.5), 0.01, true}};
+  proposal.before                = model.chain;
+  proposal.chain                 = live::recalibrated(model.chain, proposal.recalibration, 1e6);
+  proposal.damping_before        = model.dynamics.modal_damping;
+  proposal.damping               = live::recalibrated(model.dynamics.modal_damping, proposal.recalibration);
   return proposal;
 }
 }  // namespace

@@ -208,10 +208,10 @@ TEST(RisingRoot, FindsRootsAndReportsJumps)
 {
   const RisingRoot cube = rising_root(0, 5, 8, [](const double x) { return x * x * x; });
   EXPECT_TRUE(cube.met);
-  EXPECT_TRUE(near(cube.at, 2, within(1e-14, "rounding")));
+  EXPECT_TRUE(near(cube.argument, 2, within(1e-14, "rounding")));
   const RisingRoot jump = rising_root(0, 5, 8, [](const double x) { return x < 1 ? x : INFINITY; });
   EXPECT_FALSE(jump.met);
-  EXPECT_TRUE(near(jump.at, 1, within(1e-14, "the edge")));
+  EXPECT_TRUE(near(jump.argument, 1, within(1e-14, "the edge")));
   EXPECT_FALSE(rising_root(0, 1, 8, [](const double x) { return x; }).met);
   EXPECT_FALSE(rising_root(9, 10, 8, [](const double x) { return x; }).met);
 }

@@ -49,9 +49,9 @@ TEST(Continuation, TangentIsTheCentralDifferenceOfTheCurve)
   const Path path = follow(solver, {one(0.), {}}, {one(1000.), {}});
   for (std::size_t i = 1; i + 1 < path.events.size(); i += 4) {
     const Event &a = path.events[i], &b = path.events[i + 1];
-    if (b.at - a.at < 1e-6)
+    if (b.position - a.position < 1e-6)
       continue;
-    const double mid = (a.at + b.at) / 2, step = (b.at - a.at) / 4;
+    const double mid = (a.position + b.position) / 2, step = (b.position - a.position) / 4;
     const PathPoint low = sample(path, mid - step), high = sample(path, mid + step);
     const double slope = (high.resultant[0] - low.resultant[0]) / (high.motion[0] - low.motion[0]);
     EXPECT_TRUE(near(sample(path, mid).stiffness(0, 0), slope, within(1e-6, "rounding of a short piece")));
@@ -79,7 +79,7 @@ TEST(Continuation, TiesDoNotCycle)
   ActiveSet punch(p);
   const Path flat = follow(punch, {one(-1e-6), {1}}, {one(1e-6), {1}});
   ASSERT_EQ(flat.events.size(), 3u);
-  EXPECT_TRUE(near(flat.events[1].at, 0.5, within(1e-12, "half way")));
+  EXPECT_TRUE(near(flat.events[1].position, 0.5, within(1e-12, "half way")));
   EXPECT_EQ(flat.events[1].entered.size(), 49u);
   EXPECT_EQ(flat.events[1].stiffness_before(0, 0), 0);
   EXPECT_GT(flat.events[1].stiffness_after(0, 0), 0);
@@ -103,7 +103,7 @@ TEST(Continuation, EventsOfTwoSprings)
   const Path path = follow(solver, {one(0.), {}}, {one(4.), {}});
   ASSERT_EQ(path.events.size(), 3u);
   const Event &e = path.events[1];
-  EXPECT_TRUE(near(e.at, 0.25, within(1e-14, "1 N of 4 N")));
+  EXPECT_TRUE(near(e.position, 0.25, within(1e-14, "1 N of 4 N")));
   EXPECT_TRUE(near(e.motion[0], 1., within(1e-14, "its free travel")));
   EXPECT_EQ(e.entered, std::vector<int>{1});
   EXPECT_TRUE(near(e.stiffness_before(0, 0), 1., within(1e-14, "one spring")));

@@ -43,9 +43,9 @@ TEST(CsvCells, SayWhichQuoteIsWrong)
   const CellList open = cut("a,\"b,c", ',');
   EXPECT_EQ(open.texts, (Texts{"a", "b,c"}));
   ASSERT_TRUE(open.fault);
-  EXPECT_EQ(open.fault->at, 2u);
+  EXPECT_EQ(open.fault->position, 2u);
   const CellList followed = cut("a,\"b\" x,c", ',');
   EXPECT_EQ(followed.texts, (Texts{"a", "b", "c"}));
   ASSERT_TRUE(followed.fault);
-  EXPECT_EQ(followed.fault->at, 6u);
+  EXPECT_EQ(followed.fault->position, 6u);
 }

@@ -42,7 +42,8 @@ TEST(RootBetween, EndsAtAJumpAndAtTheWidthThatIsAskedFor)
 TEST(MinimumBetween, FindsTheLeastValueOfAValley)
 {
   const Evaluated least = minimum_between(1e-6, 9e-6, [](const double x) { return x + 4e-12 / x; });
-  EXPECT_TRUE(near(least.at, 2e-6, within(1e-7, "the place of a flat minimum, 1e-8 of the interval of 4 places")));
+  EXPECT_TRUE(
+      near(least.argument, 2e-6, within(1e-7, "the place of a flat minimum, 1e-8 of the interval of 4 places")));
   EXPECT_TRUE(near(least.value, 4e-6, within(1e-14, "rounding")));
 }
 

@@ -242,18 +242,18 @@ TEST(LiveComparison, AdoptedProposalIsACase)
   const Case origin = given_case(folder);
   Proposals proposals;
   Proposal proposal;
-  proposal.utc            = 1.7e9;
-  proposal.from           = 1.7e9 - 60;
-  proposal.to             = 1.7e9;
-  proposal.reason         = "Mode 6 has fallen by 2.50 %.";
-  proposal.found.seconds  = 60;
-  proposal.found.values   = {{"K3", 0.06, std::log(0.95), 0.001, true},
-                             {"K1", 0.06, 0, 0.02, false},
-                             {"zeta", 2, std::log(1.2), 0.01, true}};
-  proposal.before         = lumped_model_of(origin);
-  proposal.chain          = recalibrated(proposal.before, proposal.found, 976.2e3);
-  proposal.damping_before = 0.01;
-  proposal.damping        = recalibrated(0.01, proposal.found);
+  proposal.utc                   = 1.7e9;
+  proposal.from                  = 1.7e9 - 60;
+  proposal.to                    = 1.7e9;
+  proposal.reason                = "Mode 6 has fallen by 2.50 %.";
+  proposal.recalibration.seconds = 60;
+  proposal.recalibration.values  = {{"K3", 0.06, std::log(0.95), 0.001, true},
+                                    {"K1", 0.06, 0, 0.02, false},
+                                    {"zeta", 2, std::log(1.2), 0.01, true}};
+  proposal.before                = lumped_model_of(origin);
+  proposal.chain                 = recalibrated(proposal.before, proposal.recalibration, 976.2e3);
+  proposal.damping_before        = 0.01;
+  proposal.damping               = recalibrated(0.01, proposal.recalibration);
   proposals.add(proposal);
   const auto text = [&](const Proposal &p, const std::string &directory) {
     return calibrated_case(p, origin, directory);

@@ -231,10 +231,10 @@ TEST(CommonNames, TheDetailedModelGivesThemAndTheOtherSaysWhatItSees)
   m.six.modes.shape(1, j) *= -1;
   const ModeName six = common_names({&m.beams, &m.six}, {{0, 1, mac}})[1][std::size_t(j)];
   EXPECT_EQ(six.name, before);
-  EXPECT_NE(six.own, "");
+  EXPECT_NE(six.own_name, "");
   EXPECT_NE(six.decided.find("mode " + std::to_string(i + 1) + " of beam: work roll "), std::string::npos)
       << six.decided;
-  EXPECT_NE(six.decided.find("; by its own shares " + six.own), std::string::npos) << six.decided;
+  EXPECT_NE(six.decided.find("; by its own shares " + six.own_name), std::string::npos) << six.decided;
 }
 
 // A chock that a beam carries rigidly is named as one that stands on its bearing is.

@@ -76,7 +76,7 @@ TEST(Cusum, EstimatesTimeAndSizeOfTheChange)
   EXPECT_EQ(n, 9) << "1.5 a value to above 12";
   EXPECT_EQ(shift->sign, -1);
   EXPECT_EQ(shift->since, 50);
-  EXPECT_EQ(shift->at, 58);
+  EXPECT_EQ(shift->taken, 58);
   EXPECT_TRUE(near(shift->mean, -2, within_absolute(1e-12, "mean of equal values, rounding")));
   EXPECT_FALSE(cusum.take(-2)) << "one alarm";
   cusum.restart();

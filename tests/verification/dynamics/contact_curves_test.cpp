@@ -71,8 +71,8 @@ TEST(ContactCurves, FrequencyOfTwoHertzianMassesIsThatOfTheQuadrature)
   PeriodicMotion before;
   for (const double part : {0.05, 0.2, 0.5, 0.8, 0.95}) {
     const double amplitude = part * rest / std::abs(stand.springs[0].row[1]);
-    const auto motion      = free_motion(stand, 1, amplitude, 15, before.found ? &before : nullptr);
-    ASSERT_TRUE(motion.found) << part;
+    const auto motion      = free_motion(stand, 1, amplitude, 15, before.settled ? &before : nullptr);
+    ASSERT_TRUE(motion.settled) << part;
     double high = rest;  // the deeper of the two turning points
     for (const double side : {1.0, -1.0}) {
       double end = rest;
@@ -250,7 +250,7 @@ TEST(ContactCurves, HarmonicBalanceIsTheSteadyStateOfFixedSteps)
     const ChainOnCurves chain = chain_on_curves(load, 0.05, gap_damper);
     const double frequency = chain.modal.frequency[2], force = 2e5;
     const PeriodicMotion motion = forced_motion(chain.stand, frequency, force, 9);
-    ASSERT_TRUE(motion.found);
+    ASSERT_TRUE(motion.settled);
     const int n = 800;
     const FixedStep step(chain.stand, 1 / frequency / n);
     CurveState state;

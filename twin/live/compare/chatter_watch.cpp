@@ -31,11 +31,11 @@ ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels
     for (std::size_t c = 0; c < channels.size(); ++c) {
       if (channels[c].name != names[i])
         continue;
-      named            = true;
-      const Unit *is   = find_unit(channels[c].unit);
-      const bool force = is && i >= entry_tension && is->dimension == unit("N").dimension;
-      if (!is || (!(is->dimension == unit(units[i]).dimension) && !force)) {
-        said.push_back(
+      named             = true;
+      const Unit *known = find_unit(channels[c].unit);
+      const bool force  = known && i >= entry_tension && known->dimension == unit("N").dimension;
+      if (!known || (!(known->dimension == unit(units[i]).dimension) && !force)) {
+        remarks.push_back(
             fmt::format("channel {} is in \"{}\"; the distance to the critical speed needs {}{}: the value "
                         "of the case is taken",
                         names[i], channels[c].unit, units[i], i >= entry_tension ? " or N" : ""));
@@ -43,10 +43,10 @@ ChatterWatch::ChatterWatch(Setup setup, const std::vector<LiveChannel> &channels
       }
       column[std::size_t(i)]   = int(c);
       is_force[std::size_t(i)] = force;
-      to_si_[std::size_t(i)]   = is->multiply / is->divide;
+      to_si_[std::size_t(i)]   = known->multiply / known->divide;
     }
     if (i >= entry_thickness && !named)
-      said.push_back(fmt::format("no channel {}: the value of the case is taken", names[i]));
+      remarks.push_back(fmt::format("no channel {}: the value of the case is taken", names[i]));
   }
 }
 
@@ -62,7 +62,7 @@ const ChatterWatch::Second &ChatterWatch::last() const
 
 const std::vector<std::string> &ChatterWatch::notes() const
 {
-  return said;
+  return remarks;
 }
 
 std::optional<PageChatter> ChatterWatch::take(const LiveBlock &block, const double growth, AlarmBook &book)
@@ -147,8 +147,8 @@ void ChatterWatch::search(const bite::RollBite &bite)
     search.model_number = number;
     search.followed     = followed;
     try {
-      search.found  = dynamics::critical_speed(model.stand, bite, model.scheme, model.range);
-      search.spread = twin::scheme_spread(model, bite);
+      search.critical = dynamics::critical_speed(model.stand, bite, model.scheme, model.range);
+      search.spread   = twin::scheme_spread(model, bite);
     } catch (const std::exception &error) {
       search.trouble = error.what();
     }
@@ -171,10 +171,10 @@ void ChatterWatch::take_search(Search result)
   }
   now.spread = result.spread;
   // at the same inputs the one that is followed has to be the one that a search finds
-  const bool same = result.found.verdict == dynamics::Verdict::crossing && track->following() &&
-                    std::abs(result.followed / result.found.speed - 1) < agree;
+  const bool same = result.critical.verdict == dynamics::Verdict::crossing && track->following() &&
+                    std::abs(result.followed / result.critical.speed - 1) < agree;
   if (!same)
-    track->begin(result.found);
+    track->begin(result.critical);
   no_speed = track->why();
 }
 

@@ -53,7 +53,7 @@ public:
 private:
   enum Input { speed, exit_speed, entry_thickness, exit_thickness, entry_tension, exit_tension, n_inputs };
   struct Search {
-    dynamics::CriticalSpeed found;
+    dynamics::CriticalSpeed critical;
     double spread   = unknown;
     double followed = unknown;  // m/s, what was followed at the same inputs
     std::string trouble;
@@ -82,6 +82,6 @@ private:
   std::string no_speed;  // why no critical speed is known
   LowPriorityTask<Search> task;
   Second now;
-  std::vector<std::string> said;
+  std::vector<std::string> remarks;
 };
 }  // namespace mill::live

@@ -104,22 +104,22 @@ Comparison::Comparison(ComparisonSetup setup)
     if (is_in(channel.unit, SiUnit::acceleration))
       pairs.push_back({Eigen::Index(c), place - setup_.places.begin(), channel.name});
     else
-      said.push_back(
+      remarks.push_back(
           fmt::format("channel {} is in \"{}\" and not in m/s2: it is not compared", channel.name, channel.unit));
   }
   if (pairs.empty())
-    said.push_back(
+    remarks.push_back(
         "no channel is an acceleration at a place of the model: the twin is not compared with the mill");
   baseline.assign(pairs.size(), unknown);
   if (setup_.chatter) {
     setup_.chatter->wait = setup_.wait;
     chatter.emplace(*setup_.chatter, setup_.channels, setup_.rate);
     if (chatter->has_speed())
-      said.insert(said.end(), chatter->notes().begin(), chatter->notes().end());
+      remarks.insert(remarks.end(), chatter->notes().begin(), chatter->notes().end());
     else {
       chatter.reset();
       no_chatter = "no channel speed or exit_speed: no distance to the critical speed";
-      said.push_back(no_chatter);
+      remarks.push_back(no_chatter);
     }
   }
 }
@@ -320,7 +320,7 @@ void Comparison::end_recalibration(const double utc, twin::Recalibration result)
   proposal.chain          = recalibrated(setup_.chain, result, result.load);
   proposal.damping_before = setup_.dynamics.modal_damping;
   proposal.damping        = recalibrated(setup_.dynamics.modal_damping, result);
-  proposal.found          = std::move(result);
+  proposal.recalibration  = std::move(result);
   offered.add(std::move(proposal));
 }
 
@@ -385,7 +385,7 @@ std::vector<ChatterBand> Comparison::bands() const
 
 const std::vector<std::string> &Comparison::notes() const
 {
-  return said;
+  return remarks;
 }
 
 double Comparison::busy() const

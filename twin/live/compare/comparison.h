@@ -101,7 +101,7 @@ private:
   ComparisonSetup setup_;
   std::vector<Pair> pairs;
   std::vector<Eigen::Index> watched;  // columns of LiveBlock::measured that are accelerations
-  std::vector<std::string> said;
+  std::vector<std::string> remarks;
   twin::RunningComparison levels;
   OnsetMonitor onset;
   ModeTracker modes;

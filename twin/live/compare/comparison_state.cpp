@@ -126,9 +126,9 @@ StoredOnset stored_onset(const StoredObject &stored)
 
 Json drift_json(const ModeDrift &drift)
 {
-  return {{"mode", drift.mode},      {"sign", drift.shift.sign}, {"since", drift.shift.since},
-          {"taken", drift.shift.at}, {"sum", drift.shift.sum},   {"mean", drift.shift.mean},
-          {"change", drift.change},  {"began", drift.since},     {"at", drift.at},
+  return {{"mode", drift.mode},         {"sign", drift.shift.sign}, {"since", drift.shift.since},
+          {"taken", drift.shift.taken}, {"sum", drift.shift.sum},   {"mean", drift.shift.mean},
+          {"change", drift.change},     {"began", drift.since},     {"at", drift.time},
           {"from", drift.from}};
 }
 
@@ -141,7 +141,7 @@ ModeDrift stored_drift(const StoredObject &stored, const std::size_t modes)
                   stored.number("mean", -any_size, any_size)};
   drift.change = stored.number("change", -most_change, most_change);
   drift.since  = stored.number("began", earliest_time, latest_time);
-  drift.at     = stored.number("at", earliest_time, latest_time);
+  drift.time   = stored.number("at", earliest_time, latest_time);
   drift.from   = stored.count("from", 0, largest_number);
   return drift;
 }
@@ -149,7 +149,7 @@ ModeDrift stored_drift(const StoredObject &stored, const std::size_t modes)
 Json proposal_json(const Proposal &p)
 {
   Json values = Json::array(), springs = Json::array();
-  for (const twin::RecalibratedValue &value : p.found.values)
+  for (const twin::RecalibratedValue &value : p.recalibration.values)
     values.push_back({{"name", value.name},
                       {"prior_sd", value.prior_sd},
                       {"change", value.change},
@@ -164,10 +164,10 @@ Json proposal_json(const Proposal &p)
           {"reason", p.reason},
           {"state", word_of(p.state)},
           {"file", p.file},
-          {"seconds", p.found.seconds},
-          {"misfit_before", p.found.misfit_before},
-          {"misfit_after", p.found.misfit_after},
-          {"load", p.found.load},
+          {"seconds", p.recalibration.seconds},
+          {"misfit_before", p.recalibration.misfit_before},
+          {"misfit_after", p.recalibration.misfit_after},
+          {"load", p.recalibration.load},
           {"damping", p.damping_before},
           {"values", values},
           {"springs", springs}};
@@ -185,17 +185,17 @@ Proposal stored_proposal(const StoredObject &stored, const LumpedModel &chain)
   const auto state = choice_named<ProposalState>(stored.text("state"));
   if (!state)
     stored.refuse("has a proposal of an unknown state");
-  p.state               = *state;
-  p.file                = stored.text("file");
-  p.found.seconds       = stored.number("seconds", 0, any_size);
-  p.found.misfit_before = stored.number("misfit_before", 0, any_size);
-  p.found.misfit_after  = stored.number("misfit_after", 0, any_size);
-  p.found.load          = stored.number("load", -any_size, any_size);
-  p.damping_before      = stored.number("damping", 1e-9, 1);
+  p.state                       = *state;
+  p.file                        = stored.text("file");
+  p.recalibration.seconds       = stored.number("seconds", 0, any_size);
+  p.recalibration.misfit_before = stored.number("misfit_before", 0, any_size);
+  p.recalibration.misfit_after  = stored.number("misfit_after", 0, any_size);
+  p.recalibration.load          = stored.number("load", -any_size, any_size);
+  p.damping_before              = stored.number("damping", 1e-9, 1);
   for (const StoredObject &one : stored.list("values", 64))
-    p.found.values.push_back({one.text("name"), one.number("prior_sd", 0, any_size),
-                              one.number("change", -most_change, most_change), one.number("sd", 0, most_change),
-                              one.flag("told")});
+    p.recalibration.values.push_back({one.text("name"), one.number("prior_sd", 0, any_size),
+                                      one.number("change", -most_change, most_change),
+                                      one.number("sd", 0, most_change), one.flag("told")});
   p.before           = chain;
   const auto springs = stored.list("springs", chain.K.size());
   if (springs.size() != chain.K.size())
@@ -206,8 +206,8 @@ Proposal stored_proposal(const StoredObject &stored, const LumpedModel &chain)
       stored.refuse("has other springs than the twin");
     p.before.K[i].value = value;
   }
-  p.chain   = recalibrated(p.before, p.found, p.found.load);
-  p.damping = recalibrated(p.damping_before, p.found);
+  p.chain   = recalibrated(p.before, p.recalibration, p.recalibration.load);
+  p.damping = recalibrated(p.damping_before, p.recalibration);
   return p;
 }
 }  // namespace

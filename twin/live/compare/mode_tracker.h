@@ -23,10 +23,10 @@ struct ModeBlock {
 /// A mode that moved away.
 struct ModeDrift {
   std::size_t mode;
-  twin::Shift shift;  ///< in blocks
-  double change;      ///< -, ln of the frequency now over what it was before
-  double since, at;   ///< s since 1970
-  std::int64_t from;  ///< number of the first block after the change
+  twin::Shift shift;   ///< in blocks
+  double change;       ///< -, ln of the frequency now over what it was before
+  double since, time;  ///< s since 1970
+  std::int64_t from;   ///< number of the first block after the change
 };
 
 /// Sums of all modes, what a restarted program goes on from.  A block that was being collected is not among it.

@@ -73,10 +73,10 @@ std::string recalibration_comment(const Proposal &p)
 {
   std::string text = "# Re-calibrated on the running mill.  " + p.reason + "\n";
   text += fmt::format("# Data: {} to {}, {:.0f} s at {}; misfit {:.3f} before, {:.3f} after.\n", utc_text(p.from),
-                      utc_text(p.to), p.found.seconds, force_text(p.found.load), p.found.misfit_before,
-                      p.found.misfit_after);
+                      utc_text(p.to), p.recalibration.seconds, force_text(p.recalibration.load),
+                      p.recalibration.misfit_before, p.recalibration.misfit_after);
   std::string kept;
-  for (const twin::RecalibratedValue &value : p.found.values)
+  for (const twin::RecalibratedValue &value : p.recalibration.values)
     if (value.identified)
       text += fmt::format("# {}: {:+.2f} %, standard deviation {:.2f} %\n", value.name,
                           100 * std::expm1(value.change), 100 * value.sd);
@@ -187,12 +187,12 @@ PageProposal page_proposal(const Proposal &p)
   page.utc   = p.utc;
   page.state = word_of(p.state);
   page.file  = p.file.empty() ? "" : std::filesystem::path(p.file).filename().string();
-  page.text =
-      fmt::format("{} On {:.0f} s from {} to {} the misfit falls from {:.3f} to {:.3f}.", p.reason,
-                  p.found.seconds, utc_text(p.from), utc_text(p.to), p.found.misfit_before, p.found.misfit_after);
+  page.text  = fmt::format("{} On {:.0f} s from {} to {} the misfit falls from {:.3f} to {:.3f}.", p.reason,
+                           p.recalibration.seconds, utc_text(p.from), utc_text(p.to), p.recalibration.misfit_before,
+                           p.recalibration.misfit_after);
   if (p.state == ProposalState::open)
     page.text += " Nothing is changed until it is adopted.";
-  for (const twin::RecalibratedValue &value : p.found.values) {
+  for (const twin::RecalibratedValue &value : p.recalibration.values) {
     ProposedValue row;
     row.key          = twin::moves(value) == twin::Moves::ratios ? "damping" : value.name;
     row.unit         = twin::moves(value) == twin::Moves::ratios ? "-" : "N/m";

@@ -29,7 +29,7 @@ struct Proposal {
   double utc      = 0;      ///< s since 1970, when it was made
   double from = 0, to = 0;  ///< s since 1970, of the data behind it
   std::string reason;       ///< which mode moved, since when
-  twin::Recalibration found;
+  twin::Recalibration recalibration;
   LumpedModel before, chain;               ///< the twin's, and the same with the identified values replaced
   double damping_before = 0, damping = 0;  ///< -, modal damping ratio
   ProposalState state = ProposalState::open;

@@ -243,15 +243,15 @@ std::string Engine::resume(const nlohmann::json &state)
     return fmt::format("the stored state cannot be used: {}; the twin starts without it", error.what());
   }
   take_stored(std::move(stored));
-  std::string said;
+  std::string message;
   if (!model_.adopted.empty())
-    said = fmt::format("springs and damping as adopted in {}; --fresh goes back to those of the case",
-                       model_.adopted);
+    message = fmt::format("springs and damping as adopted in {}; --fresh goes back to those of the case",
+                          model_.adopted);
   if (!source_)
-    return said;
+    return message;
   for (const auto &begun : hooks_.sources)
     begun(*source_);
-  return fmt::format("{}{}goes on at s = {} of source \"{}\"", said, said.empty() ? "" : "\n", resumed_at_,
+  return fmt::format("{}{}goes on at s = {} of source \"{}\"", message, message.empty() ? "" : "\n", resumed_at_,
                      source_->name);
 }
 }  // namespace mill::live

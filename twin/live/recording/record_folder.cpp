@@ -81,7 +81,7 @@ std::string mark_finished(const std::string &sidecar, const std::int64_t rows)
 }  // namespace
 
 std::vector<FinishedPart> finish_parts(const std::string &folder,
-                                       const std::function<void(const std::string &)> &said)
+                                       const std::function<void(const std::string &)> &note)
 {
   constexpr const char *ending = ".npy.part";
   std::vector<FinishedPart> finished;
@@ -95,24 +95,24 @@ std::vector<FinishedPart> finish_parts(const std::string &folder,
     const std::string stem = stem_of(path, ending);
     const int file         = open_file(path, O_RDWR | O_NOFOLLOW);
     if (file < 0) {
-      said(fmt::format("{} cannot be finished: {}", path, std::strerror(errno)));
+      note(fmt::format("{} cannot be finished: {}", path, std::strerror(errno)));
       continue;
     }
     NpyHeader header;
     if (!lock_file(file, LOCK_EX | LOCK_NB)) {
-      said(path + " is being written by another program");
+      note(path + " is being written by another program");
     } else if (!mend_part(file, header)) {
-      said(path + " cannot be finished, since it is not a recording; it stays as it is");
+      note(path + " cannot be finished, since it is not a recording; it stays as it is");
     } else if (header.rows == 0) {
       fs::remove(path, error);
       fs::remove(stem + ".json", error);
     } else if (fs::exists(stem + ".npy", error)) {
-      said(path + " stays: " + stem + ".npy exists");
+      note(path + " stays: " + stem + ".npy exists");
     } else {
       fs::rename(path, stem + ".npy", error);
       const std::string source = mark_finished(stem + ".json", header.rows);
       finished.push_back({stem + ".npy", header.rows, last_number(file, header) + 1, source});
-      said(fmt::format("{}.npy was finished: {} samples up to s = {}", stem, header.rows,
+      note(fmt::format("{}.npy was finished: {} samples up to s = {}", stem, header.rows,
                        finished.back().next - 1));
     }
     ::close(file);

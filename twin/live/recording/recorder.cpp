@@ -69,7 +69,7 @@ void put_row(std::string &bytes, const Eigen::MatrixXd &rows, const Eigen::Index
 struct Recorder::State {
   RecorderSettings settings;
   Background &background;
-  std::function<void(const std::string &, const std::string &)> said;
+  std::function<void(const std::string &, const std::string &)> note;
   AccountText account;
   std::optional<LiveSource> source;
   std::optional<OpenPart> part;
@@ -86,8 +86,8 @@ struct Recorder::State {
 };
 
 Recorder::Recorder(RecorderSettings settings, Background &background,
-                   std::function<void(const std::string &, const std::string &)> said, AccountText account)
-    : state_(new State{std::move(settings), background, std::move(said), std::move(account)})
+                   std::function<void(const std::string &, const std::string &)> note, AccountText account)
+    : state_(new State{std::move(settings), background, std::move(note), std::move(account)})
 {
 }
 
@@ -100,7 +100,7 @@ void Recorder::State::refuse(const std::string &what, const int error)
 {
   trouble = fmt::format("{}: {}; recording stopped, the twin goes on", what, std::strerror(error));
   stopped = true;
-  said("recording", trouble);
+  note("recording", trouble);
   if (part) {  // what is on the disk stays as it is, counted by its header up to the last save
     ::close(part->file);
     part.reset();
@@ -195,7 +195,7 @@ void Recorder::State::close()
   part->sidecar["complete"] = true;
   const std::string text    = part->sidecar.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n";
   background.run(
-      [name = part->name, file = part->file, text, tell = said, folder = settings.folder, kept = settings.kept] {
+      [name = part->name, file = part->file, text, tell = note, folder = settings.folder, kept = settings.kept] {
         try {
           if (::fsync(file) != 0)
             tell("recording", fmt::format("{}.npy: {}", name, std::strerror(errno)));

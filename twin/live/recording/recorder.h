@@ -31,9 +31,9 @@ using AccountText = std::function<std::string()>;
 /// A write that the system refuses ends the recording with a note; the twin goes on.
 class Recorder {
 public:
-  /// @param said  notes, from this thread and that of the background
+  /// @param note  notes, from this thread and that of the background
   Recorder(RecorderSettings settings, Background &background,
-           std::function<void(const std::string &kind, const std::string &text)> said, AccountText account);
+           std::function<void(const std::string &kind, const std::string &text)> note, AccountText account);
   ~Recorder();
   Recorder(const Recorder &)            = delete;
   Recorder &operator=(const Recorder &) = delete;
@@ -66,9 +66,9 @@ struct FinishedPart {
   std::string source;     ///< as its sidecar names it
 };
 /// Finishes the files of programs that were killed: whole rows are counted into the header, the rest is cut off.
-/// Those of a living program stay.  @param said  what was done
+/// Those of a living program stay.  @param note  what was done
 std::vector<FinishedPart> finish_parts(const std::string &folder,
-                                       const std::function<void(const std::string &)> &said);
+                                       const std::function<void(const std::string &)> &note);
 
 /// Removes the oldest recordings of a folder beyond what is kept; nothing that no recorder wrote.
 /// @param now  s since 1970

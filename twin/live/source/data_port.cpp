@@ -121,18 +121,18 @@ private:
   {
     if (closed_ || closing_)
       return;
-    LineSession::Answer said;
-    while (!lines_.empty() && !said.message && said.reply.empty()) {  // blank lines say nothing
-      said = session_.take(lines_.front());
+    LineSession::Answer answer;
+    while (!lines_.empty() && !answer.message && answer.reply.empty()) {  // blank lines say nothing
+      answer = session_.take(lines_.front());
       lines_.pop_front();
     }
-    if (!said.message && said.reply.empty()) {
+    if (!answer.message && answer.reply.empty()) {
       read();
       return;
     }
-    closing_ = said.close;
-    reply_   = std::move(said.reply);
-    message_ = std::move(said.message);
+    closing_ = answer.close;
+    reply_   = std::move(answer.reply);
+    message_ = std::move(answer.message);
     if (message_ && std::holds_alternative<SourceHead>(*message_) && !may_send()) {
       message_.reset();
       closing_ = true;

@@ -129,15 +129,15 @@ struct MqttSource::State {
   void run()
   {
     bool open    = false;
-    bool said    = false;
+    bool noted   = false;
     double waits = 0.1;  // s
     while (!stop) {
       if (!open) {
         const int error = mosquitto_connect(client, settings.host.c_str(), settings.port, 30);
         open            = error == MOSQ_ERR_SUCCESS;
-        if (!open && !said)
+        if (!open && !noted)
           note(fmt::format("no connection: {}; it is tried again", mosquitto_strerror(error)));
-        said = !open;
+        noted = !open;
       }
       if (open && mosquitto_loop(client, 50, 100) != MOSQ_ERR_SUCCESS)
         open = false;
