@@ -23,11 +23,6 @@ KeyList keys_but(const std::string &section, const std::vector<Row> &rows, const
       keys.push_back(section + "." + row.key);
   return keys;
 }
-
-KeyList elastic_steel()
-{
-  return keys_in("steel", "youngs_modulus poisson_ratio");
-}
 }  // namespace
 
 namespace {
@@ -124,25 +119,6 @@ KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading)
 }
 
 // Bite
-
-KeyList strip_law_keys(const Strip &strip)
-{
-  KeyList keys   = keys_in("strip", "flow_stress.law friction.law friction.shear_limit");
-  const auto add = [&](const std::string &key) { keys.push_back("strip." + key); };
-  if (row_of(strip.flow_stress.law).tabled)
-    add("flow_stress.table");
-  for (const FlowStressConstant &constant : flow_stress_constants())
-    if (reads(strip.flow_stress, constant.member))
-      add(std::string("flow_stress.") + constant.key);
-  if (hardens(strip.flow_stress))
-    add("initial_thickness");
-  if (!std::isnan(plain_coefficient(strip.friction)))
-    add("friction");  // the number in place of a section
-  for (const FrictionConstant &constant : friction_constants())
-    if (reads(strip.friction, constant.member))
-      add(std::string("friction.") + constant.key);
-  return keys;
-}
 
 bool follows_width(const std::string &quantity)
 {
@@ -298,28 +274,5 @@ void set_given_inputs(LumpedModel &model)
   set(model.Kzc, "Kzc");
   set(model.Kzc_across, "Kzc", "_across");
   model.C.inputs = {"given.C"};
-}
-
-// Chatter
-
-KeyList chatter_bite_keys(const ChatterCase &spec, const std::size_t i)
-{
-  KeyList keys = joined(keys_in("work_roll", "diameter"), elastic_steel());
-  for (const std::string &key : strip_law_keys(spec.strip))
-    if (!has_film(spec.strip.friction) || key.rfind("strip.friction.", 0) != 0)
-      keys.push_back(key);
-  for (const FrictionConstant &constant : friction_constants())  // a film is that of [oil]
-    if (has_film(spec.strip.friction) && reads(spec.strip.friction, constant.member))
-      keys.push_back(constant.input);
-  return joined(keys, keys_in(fmt::format("condition.{}", i),
-                              "entry_thickness exit_thickness entry_tension exit_tension width"));
-}
-
-KeyList chatter_stand_keys(const ChatterCase &spec)
-{
-  const std::string body = spec.model ? "from" : "masses stiffnesses";
-  const bool dampers     = !spec.model || !std::isnan(spec.stand.dampings[0]);
-  return joined(keys_in("stand", "entry_distance exit_distance " + body + (dampers ? " dampings" : "")),
-                keys_in("strip", "youngs_modulus"), keys_in("analysis", "linearisation"));
 }
 }  // namespace mill

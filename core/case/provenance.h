@@ -58,8 +58,6 @@ KeyList bite_keys(MovingKeys &keys, std::size_t p, const BiteReading &reading = 
 /// Whether a quantity of the bite is one of the whole width.
 bool follows_width(const std::string &quantity);
 
-/// Flow stress and friction of kind "chatter": the keys that their laws read.
-KeyList strip_law_keys(const Strip &strip);
 /// Inputs of the shapes of M2..M5 in addition to the drawing and the springs.
 KeyList mass_shape_keys(const DynamicsSettings &dynamics);
 /// Inputs of beams and reduced finite elements in addition to the drawing and the springs.
@@ -92,8 +90,4 @@ KeyList bent_work_roll_keys(MovingKeys &keys, bool solid);
 /// A given value has its own key as its only input.
 void set_given_inputs(GivenValues &given);
 void set_given_inputs(LumpedModel &model);
-
-/// Condition i of kind "chatter": its bite, what stands around it, and the range of speeds searched.
-KeyList chatter_bite_keys(const ChatterCase &spec, std::size_t i);
-KeyList chatter_stand_keys(const ChatterCase &spec);
 }  // namespace mill
