@@ -181,14 +181,9 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
                                           [&](const Pass &one) { return one.name == pass.name; }) -
                              stand.passes.begin());
   MovingKeys keys(stand);
-  BiteReading slab;
-  slab.by     = BiteAnswers::compared;
-  slab.fitted = false;
-  q.inputs    = joined(bite_keys(keys, p, slab), keys_in(fmt::format("pass.{}", p), "speed"),
-                       keys_in("strip", "youngs_modulus"), keys_in("stand", "entry_distance exit_distance"),
-                       keys_in("analysis", "linearisation speeds"), keys_in("dynamics", "modal_damping"),
-                       detailed_model_keys(), chain_mode_keys(chain.model, settings, Half::upper),
-                       chain_mode_keys(chain.model, settings, Half::lower));
+  q.inputs = joined(stand_search_keys(keys, p), detailed_model_keys(keys),
+                    chain_mode_keys(keys, chain.model, settings, Half::upper),
+                    chain_mode_keys(keys, chain.model, settings, Half::lower));
   return asked;
 }
 }  // namespace mill

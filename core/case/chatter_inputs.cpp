@@ -1,6 +1,7 @@
 #include "core/case/chatter_inputs.h"
 #include "core/case/bite_inputs.h"
 #include "core/case/moving_keys.h"
+#include "core/case/provenance.h"
 #include "core/records/record_text.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -46,6 +47,20 @@ KeyList variant_keys(MovingKeys &keys, const std::size_t condition, const std::s
     return text_of_condition(chatter, condition, ChatterReading::search,
                              completed(chatter.variants[variant], chatter.stand));
   });
+}
+
+KeyList stand_search_keys(MovingKeys &keys, const std::size_t pass)
+{
+  BiteReading slab;
+  slab.by            = BiteAnswers::compared;
+  slab.fitted        = false;
+  const KeyList bite = bite_keys(keys, pass, slab);
+  return joined(bite, keys.of(fmt::format("search {}", pass), [&](const CaseSpec &spec) {
+    const auto &stand = std::get<FourHigh>(spec);
+    return record_text(stand.passes[pass].speed, stand.strip.youngs_modulus, stand.span.entry_distance,
+                       stand.span.exit_distance, stand.analysis.linearisation, stand.analysis.speeds,
+                       stand.dynamics.modal_damping);
+  }));
 }
 
 ChatterStand completed(const ChatterVariant &variant, const ChatterStand &stand)

@@ -19,6 +19,10 @@ KeyList chatter_keys(MovingKeys &keys, std::size_t condition, ChatterReading rea
 /// @param variant  its place in the case
 KeyList variant_keys(MovingKeys &keys, std::size_t condition, std::size_t variant);
 
+/// The search on a pass of a four-high stand, but for the chain and its bearings: the bite by its slab theory, the
+/// strip between the stands and the settings of the search.
+KeyList stand_search_keys(MovingKeys &keys, std::size_t pass);
+
 /// The stand that a variant describes: what it leaves open is that of [stand].
 ChatterStand completed(const ChatterVariant &variant, const ChatterStand &stand);
 }  // namespace mill

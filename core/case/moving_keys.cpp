@@ -1,6 +1,7 @@
 #include "core/case/moving_keys.h"
 #include "core/case/chain_curves.h"
 #include "core/case/stand_rows.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -120,6 +121,23 @@ template <class Spec> void add_bearings(CaseRows &all, Spec &spec)
     all.add("bearing." + film.name, oil_film_rows(), film);
 }
 
+// Of a drawing only what the case gives is changed: a part that is added takes the place of others.
+template <class Drawing>
+void add_drawn(CaseRows &all, const char *section, const std::vector<Field<Drawing>> &rows, Drawing &drawing)
+{
+  all.add(
+      section, rows, drawing, [](const Drawing &kept) { return kept; },
+      [&rows](const Drawing &changed, Drawing &kept) {
+        const bool refused = std::any_of(rows.begin(), rows.end(), [&](const Field<Drawing> &row) {
+          const auto member = std::get<double Drawing::*>(row.member);
+          return std::isnan(kept.*member) && !std::isnan(changed.*member);
+        });
+        if (!refused)
+          kept = changed;
+        return !refused;
+      });
+}
+
 // What moves and turns in a stand, drawn or lumped.
 template <class Stand>
 void add_motion(CaseRows &all, Stand &stand, const std::vector<Field<CampbellSettings>> &campbell)
@@ -136,8 +154,8 @@ void add_rows(CaseRows &all, FourHigh &stand)
   add_rolls(all, stand);
   add_bearings(all, stand);
   all.add("frame", frame_rows(), stand.frame);
-  all.add("housing", housing_rows(), stand.housing);
-  all.add("screwdown", screwdown_rows(), stand.screwdown);
+  add_drawn(all, "housing", housing_rows(), stand.housing);
+  add_drawn(all, "screwdown", screwdown_rows(), stand.screwdown);
   add_strip(all, stand.strip);
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
     add_pass_rows(all, p, pass_rows(), stand.passes[p]);

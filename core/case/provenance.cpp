@@ -13,19 +13,6 @@
 
 namespace mill {
 namespace {
-// All rows of a section but these.
-KeyList keys_but(const std::string &section, const std::vector<Row> &rows, const std::string &names)
-{
-  const KeyList without = words_of(names);
-  KeyList keys;
-  for (const Row &row : rows)
-    if (!holds(without, row.key))
-      keys.push_back(section + "." + row.key);
-  return keys;
-}
-}  // namespace
-
-namespace {
 // Of one pass, whatever case it belongs to.
 KeyList keys_of_pass(const Pass &pass, const std::size_t p, LoadInputs (*inputs)(const Pass &))
 {
@@ -44,16 +31,6 @@ KeyList force_keys(const Pass &pass, const std::size_t p)
 KeyList load_keys(const Pass &pass, const std::size_t p)
 {
   return keys_of_pass(pass, p, inputs_of_load);
-}
-
-// Rolls
-
-KeyList roll_body_keys(const std::string &section)
-{
-  return keys_but(section, section == "work_roll" ? rows_of(work_roll_rows()) : rows_of(backup_roll_rows()),
-                  "crown crown_table crown_polynomial thermal_crown thermal_crown_table end_chamfer_length "
-                  "end_chamfer_depth axial_shift bending_force bending_model bearing bearing_load "
-                  "chock_mass_upper chock_mass_lower");
 }
 
 // Contact
@@ -171,18 +148,6 @@ KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, const std::size
   return {};
 }
 
-KeyList mass_shape_keys(const DynamicsSettings &dynamics)
-{
-  return keys_in("dynamics", dynamics.mass_source == MassSource::fe
-                                 ? "mass_source frequency_limit elements_per_radius"
-                                 : "mass_source");
-}
-
-KeyList detailed_model_keys()
-{
-  return keys_in("dynamics", "model frequency_limit elements_per_radius");
-}
-
 std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, const Half half)
 {
   const bool measured = dynamics.force_meaning == ForceMeaning::measured,
@@ -207,9 +172,10 @@ KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dyna
   return keys;
 }
 
-KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, const Half half)
+KeyList chain_mode_keys(MovingKeys &keys, const LumpedModel &model, const DynamicsSettings &dynamics,
+                        const Half half)
 {
-  return joined(chain_number_keys(model, dynamics, half), keys_in("dynamics", "frame"));
+  return joined(chain_number_keys(model, dynamics, half), frame_form_keys(keys));
 }
 
 KeyList chock_seat_keys(MovingKeys &keys, const RollPlace roll)
