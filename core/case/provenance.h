@@ -14,8 +14,7 @@
 #include <vector>
 
 // Which keys of the case stand behind a result.  A run writes these lists as `inputs`, a trace follows the same
-// ones.  Those of contacts, bearings, oil films and bites are the rows that move the inputs of their stage; those
-// of the chain are made of them and of lists that start from all rows of a section, less those that are not read.
+// ones.  A list is the rows that move the inputs of a stage, or is joined from such lists.
 namespace mill {
 class MovingKeys;
 
