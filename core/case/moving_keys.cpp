@@ -121,16 +121,17 @@ template <class Spec> void add_bearings(CaseRows &all, Spec &spec)
     all.add("bearing." + film.name, oil_film_rows(), film);
 }
 
-// Of a drawing only what the case gives is changed: a part that is added takes the place of others.
+// A part that the case does not draw is not added, since it takes the place of other keys.
+// @param parts  lengths without which a part is not drawn
 template <class Drawing>
-void add_drawn(CaseRows &all, const char *section, const std::vector<Field<Drawing>> &rows, Drawing &drawing)
+void add_drawn(CaseRows &all, const char *section, const std::vector<Field<Drawing>> &rows, Drawing &drawing,
+               const std::vector<double Drawing::*> &parts)
 {
   all.add(
       section, rows, drawing, [](const Drawing &kept) { return kept; },
-      [&rows](const Drawing &changed, Drawing &kept) {
-        const bool refused = std::any_of(rows.begin(), rows.end(), [&](const Field<Drawing> &row) {
-          const auto member = std::get<double Drawing::*>(row.member);
-          return std::isnan(kept.*member) && !std::isnan(changed.*member);
+      [parts](const Drawing &changed, Drawing &kept) {
+        const bool refused = std::any_of(parts.begin(), parts.end(), [&](const auto part) {
+          return std::isnan(kept.*part) && !std::isnan(changed.*part);
         });
         if (!refused)
           kept = changed;
@@ -154,8 +155,10 @@ void add_rows(CaseRows &all, FourHigh &stand)
   add_rolls(all, stand);
   add_bearings(all, stand);
   all.add("frame", frame_rows(), stand.frame);
-  add_drawn(all, "housing", housing_rows(), stand.housing);
-  add_drawn(all, "screwdown", screwdown_rows(), stand.screwdown);
+  add_drawn(all, "housing", housing_rows(), stand.housing, {&MillHousing::thickness});
+  add_drawn(all, "screwdown", screwdown_rows(), stand.screwdown,
+            {&Screwdown::stroke, &Screwdown::piston_length, &Screwdown::screw_length, &Screwdown::nut_height,
+             &Screwdown::load_cell_height});
   add_strip(all, stand.strip);
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
     add_pass_rows(all, p, pass_rows(), stand.passes[p]);
