@@ -132,7 +132,8 @@ KeyList closure_keys(MovingKeys &keys)
   const KeyList modulus = keys.of("modulus of the frame", [](const CaseSpec &spec) {
     return record_text(std::get<FourHigh>(spec).frame.modulus);
   });
-  return joined(modulus, touching_roll_keys(keys, 0));
+  const bool rolls      = !std::get<FourHigh>(keys.spec()).passes.empty();
+  return rolls ? joined(modulus, touching_roll_keys(keys, 0)) : modulus;
 }
 
 KeyList bent_backup_keys(MovingKeys &keys, const bool solid, const bool scaled)
