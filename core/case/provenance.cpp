@@ -12,25 +12,13 @@
 #include <utility>
 
 namespace mill {
-namespace {
 // Of one pass, whatever case it belongs to.
-KeyList keys_of_pass(const Pass &pass, const std::size_t p, LoadInputs (*inputs)(const Pass &))
+KeyList load_keys(const Pass &pass, const std::size_t p)
 {
   Pass changed = pass;
   CaseRows rows;
   add_pass_rows(rows, p, pass_rows(), changed);
-  return rows.moving([&] { return record_text(inputs(changed)); });
-}
-}  // namespace
-
-KeyList force_keys(const Pass &pass, const std::size_t p)
-{
-  return keys_of_pass(pass, p, inputs_of_force);
-}
-
-KeyList load_keys(const Pass &pass, const std::size_t p)
-{
-  return keys_of_pass(pass, p, inputs_of_load);
+  return rows.moving([&] { return record_text(inputs_of_load(changed)); });
 }
 
 // Contact

@@ -18,8 +18,6 @@
 namespace mill {
 class MovingKeys;
 
-/// The record of a pass, or what its noise is made from.
-KeyList force_keys(const Pass &pass, std::size_t p);
 /// What the working load of a pass is made from: its own key, or the record whose mean it is.
 KeyList load_keys(const Pass &pass, std::size_t p);
 
