@@ -96,15 +96,9 @@ std::vector<dynamics::StructureNumber> numbers_of(const ChatterCase &spec)
   return dynamics::chain_numbers(*spec.model, chain_settings(spec.modal_damping, FrameForm::open));
 }
 
-std::vector<std::string> keys_of(const ChatterCase &spec, const std::size_t condition)
-{
-  return joined(chatter_bite_keys(spec, condition), keys_in(fmt::format("condition.{}", condition), "speed"),
-                chatter_stand_keys(spec), keys_in("analysis", "speeds"));
-}
-
 }  // namespace
 
-ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t condition)
+ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t condition, MovingKeys *const keys)
 {
   const ChatterStandModel stand = stand_of(spec, spec.stand);
   ChatterQuestion q;
@@ -119,10 +113,17 @@ ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t cond
   q.analysis   = spec.analysis;
   q.film_range = spec.film_range;
   for (const ChatterVariant &variant : spec.variants)
-    q.variants.push_back({variant.name, stand_of(spec, variant.stand)});
+    q.variants.push_back({variant.name, stand_of(spec, completed(variant, spec.stand))});
   q.structures = {{spec.files ? spec.files->name : "six masses", stand}};
   q.numbers    = numbers_of(spec);
-  q.inputs     = keys_of(spec, condition);
+  if (!keys)
+    return q;
+  q.inputs = chatter_keys(*keys, condition, ChatterReading::all);
+  for (const ChatterReading reading :
+       {ChatterReading::bite, ChatterReading::slopes, ChatterReading::growth, ChatterReading::search})
+    q.narrower[reading] = chatter_keys(*keys, condition, reading);
+  for (std::size_t v = 0; v < q.variants.size(); ++v)
+    q.variants[v].inputs = variant_keys(*keys, condition, v);
   return q;
 }
 
@@ -180,14 +181,9 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
                                           [&](const Pass &one) { return one.name == pass.name; }) -
                              stand.passes.begin());
   MovingKeys keys(stand);
-  BiteReading slab;
-  slab.by     = BiteAnswers::compared;
-  slab.fitted = false;
-  q.inputs    = joined(bite_keys(keys, p, slab), keys_in(fmt::format("pass.{}", p), "speed"),
-                       keys_in("strip", "youngs_modulus"), keys_in("stand", "entry_distance exit_distance"),
-                       keys_in("analysis", "linearisation speeds"), keys_in("dynamics", "modal_damping"),
-                       detailed_model_keys(), chain_mode_keys(chain.model, settings, Half::upper),
-                       chain_mode_keys(chain.model, settings, Half::lower));
+  q.inputs = joined(stand_search_keys(keys, p), detailed_model_keys(keys),
+                    chain_mode_keys(keys, chain.model, settings, Half::upper),
+                    chain_mode_keys(keys, chain.model, settings, Half::lower));
   return asked;
 }
 }  // namespace mill

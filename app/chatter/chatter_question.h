@@ -10,8 +10,10 @@
 namespace mill {
 struct ChatterCase;
 struct FourHigh;
+class MovingKeys;
 
-ChatterQuestion chatter_question(const ChatterCase &spec, std::size_t condition);
+/// @param keys  of the case; nullptr: without lists of inputs
+ChatterQuestion chatter_question(const ChatterCase &spec, std::size_t condition, MovingKeys *keys = nullptr);
 
 /// A pass of any stand as a working condition; thicknesses and tensions are those of its bite.
 RollingCondition condition_of(const Pass &pass, const Strip &strip);

@@ -40,11 +40,25 @@ double spread(const ChatterStudy &s, double dynamics::StandSpeed::*value)
   return widest > 1e-9 ? widest : not_given;
 }
 
+const KeyList &inputs_for(const ChatterQuestion &question, const ChatterReading reading)
+{
+  const auto narrower = question.narrower.find(reading);
+  return narrower == question.narrower.end() ? question.inputs : narrower->second;
+}
+
+const KeyList &inputs_on(const ChatterQuestion &question, const std::string &variant)
+{
+  const auto named = std::find_if(question.variants.begin(), question.variants.end(),
+                                  [&](const NamedStand &one) { return one.name == variant; });
+  return named == question.variants.end() || named->inputs.empty() ? question.inputs : named->inputs;
+}
+
 struct ChatterAdder {
   RunContext &run;
   const ChatterStudy &study;
   std::string method;
   OperatingPoint operating_point;
+  const KeyList &inputs;
   void operator()(const ResultName &name, const double value, const double error = not_given,
                   std::vector<Check> checks = {}) const
   {
@@ -57,7 +71,7 @@ struct ChatterAdder {
     p.at             = operating_point;
     p.error_estimate = error;
     p.checks         = std::move(checks);
-    p.inputs         = study.question.inputs;
+    p.inputs         = inputs;
     run.results.add(name, p);
   }
   void operator()(const RowOf<1> &row, const double value, const double error = not_given,
@@ -86,7 +100,7 @@ void add_bite(RunContext &run, const ChatterStudy &s)
     return;
   const RollingCondition &c    = s.question.condition;
   const bite::BiteState &state = s.working->state;
-  const ChatterAdder add{run, s, state.model, at_speed(c.speed)};
+  const ChatterAdder add{run, s, state.model, at_speed(c.speed), inputs_for(s.question, ChatterReading::bite)};
   const auto by_karman = [&](const RowOf<1> &row, const double value, const double karman, const double published,
                              const double measured) {
     if (has_own_bite(run.the_case))
@@ -112,7 +126,7 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   by_karman(row::bite::torque, state.torque, other(k.torque), not_given, not_given);
   const ChatterAdder slope{
       run, s, std::string("exact derivative, ") + word_of(s.question.analysis.linearisation) + " linearisation",
-      at_speed(c.speed)};
+      at_speed(c.speed), inputs_for(s.question, ChatterReading::slopes)};
   const auto &[P, Q, F, mu, xn] = s.working->by;
   for (int i = 0; i < 5; ++i) {
     slope(row::bite_slope::speed_by[i]->of(c.name, "P"), P[i]);
@@ -129,9 +143,9 @@ void add_searches(RunContext &run, const ChatterStudy &s, const std::string &gro
       continue;  // its verdict stands in the file of the condition
     const std::string stand  = schemes ? s.question.structure : group + " " + other.name;
     const std::string scheme = schemes ? other.name : word_of(s.question.analysis.linearisation);
-    const ChatterAdder add{run, s,
-                           "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
-                           at_speed(other.found.speed)};
+    const ChatterAdder add{
+        run, s, "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
+        at_speed(other.found.speed), schemes ? s.question.inputs : inputs_on(s.question, other.name)};
     const std::string &name = s.question.condition.name;
     add(rows.critical_speed->of(name, other.name), other.found.speed);
     add(rows.frequency->of(name, other.name), other.found.frequency);
@@ -150,7 +164,7 @@ bool grows(const std::complex<double> &root)
 void add_growth(RunContext &run, const ChatterStudy &s, const std::string &method)
 {
   const RollingCondition &c = s.question.condition;
-  const ChatterAdder working{run, s, method, at_speed(c.speed)};
+  const ChatterAdder working{run, s, method, at_speed(c.speed), inputs_for(s.question, ChatterReading::growth)};
   std::vector<Check> growth, frequency;
   if (s.in_time) {
     add_check(growth, "record of the time simulation", s.in_time->growth);
@@ -174,7 +188,8 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   const std::string system =
       s.question.structure + ", " + word_of(s.question.analysis.linearisation) + " linearisation";
   const ChatterAdder critical{run, s, "eigenvalues of stand, bite and strip; " + system,
-                              s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
+                              s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint(),
+                              inputs_for(s.question, ChatterReading::search)};
   std::vector<Check> checks;
   add_check(checks, "Routh's array in extended precision", s.speed_by_routh);
   for (const OtherSearch &other : s.schemes)
@@ -211,7 +226,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     add_growth(run, s, critical.method);
   if (s.mode) {
     const ChatterAdder shape{run, s, "eigenvector of the least stable mode; " + system,
-                             at_speed(s.found.at ? s.found.speed : c.speed)};
+                             at_speed(s.found.at ? s.found.speed : c.speed), s.question.inputs};
     shape(row::chatter::work_roll_ratio, s.mode->work_roll_ratio);
     shape(row::chatter::force_phase, s.mode->force_phase);
     shape(row::chatter::entry_tension_phase, s.mode->entry_tension_phase);
@@ -223,7 +238,8 @@ void add_stability(RunContext &run, const ChatterStudy &s)
             dynamics::process_damping(s.question.stand, point->by, s.mode->frequency));
   }
   if (s.run && s.cycle.settled && s.cycle.amplitude > 0) {
-    const ChatterAdder cycle{run, s, "time simulation with the whole bite; " + system, at_speed(s.run_speed)};
+    const ChatterAdder cycle{run, s, "time simulation with the whole bite; " + system, at_speed(s.run_speed),
+                             s.question.inputs};
     cycle(row::chatter::limit_cycle_amplitude, s.cycle.amplitude);
     cycle(row::chatter::limit_cycle_frequency, s.cycle.frequency);
   }
@@ -238,9 +254,11 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
 {
   if (!s.sensitivities)
     return;
-  const ChatterAdder working{run, s, "exact derivative d ln / d ln", at_speed(s.question.condition.speed)};
+  const ChatterAdder working{run, s, "exact derivative d ln / d ln", at_speed(s.question.condition.speed),
+                             s.question.inputs};
   const ChatterAdder critical{run, s, "exact derivative d ln / d ln",
-                              s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint()};
+                              s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint(),
+                              s.question.inputs};
   const std::string &name = s.question.condition.name;
   for (const ChatterSensitivity &one : s.sensitivities->inputs) {
     const auto halves = [&](double FiniteChange::*member) {

@@ -65,7 +65,7 @@ void solve_chatter_case(RunContext &run, const ChatterCase &spec)
   std::exception_ptr failure;
   for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
     try {
-      studies.push_back(study_chatter(run, chatter_question(spec, i)));
+      studies.push_back(study_chatter(run, chatter_question(spec, i, run.keys.get())));
       finish(run, studies.back());
     } catch (const SolverError &e) {  // the others still have an answer
       failure = std::current_exception();

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run/run_context.h"
+#include "core/case/chatter_inputs.h"
 #include "core/model/chatter.h"
 #include "dynamics/chatter/history.h"
 #include "dynamics/chatter/map.h"
@@ -7,6 +8,7 @@
 #include "dynamics/chatter/run.h"
 #include "dynamics/chatter/sensitivity.h"
 #include "dynamics/chatter/speed.h"
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +19,7 @@ struct NamedStand {
   std::string name;
   dynamics::ChatterStandModel stand;
   std::vector<dynamics::StructureNumber> numbers = {};  ///< of its structure, for what moves the limit
+  KeyList inputs = {};  ///< keys behind the results on it; empty: those of the question
 };
 
 /// What is asked of one working condition.
@@ -35,7 +38,8 @@ struct ChatterQuestion {
   /// Models of the same stand.  With more than one the first, the most detailed one, becomes `stand` in
   /// study_chatter().
   std::vector<NamedStand> structures;
-  std::vector<std::string> inputs;  ///< keys behind the results
+  KeyList inputs;                              ///< keys behind the results
+  std::map<ChatterReading, KeyList> narrower;  ///< behind those that read less, where the case tells them apart
 };
 
 /// The search by another scheme or on another stand.

@@ -1,20 +1,14 @@
 #include "app/chatter/chatter_question.h"
 #include "app/trace/closed_form_parts.h"
-#include "core/case/fields.h"
-#include <fmt/format.h>
 
 // Bite and critical speed of every condition: the same functions as a run, without curves and maps.
 namespace mill {
-std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec)
+std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec, MovingKeys *const keys)
 {
   std::vector<ClosedFormResult> all;
   for (std::size_t i = 0; i < spec.conditions.size(); ++i) {
-    const ChatterQuestion q = chatter_question(spec, i);
+    const ChatterQuestion q = chatter_question(spec, i, keys);
     const std::string name  = q.condition.name;
-    const KeyList speed     = {fmt::format("condition.{}.speed", i)};
-    const KeyList bite      = chatter_bite_keys(spec, i);
-    const KeyList stand     = chatter_stand_keys(spec);
-    const KeyList range     = {"analysis.speeds"};
     const auto add = [&](const std::string &result, const char *unit, const double value, const KeyList &keys,
                          const char *relation, const char *file, const char *equation) {
       ClosedFormResult r;
@@ -32,17 +26,19 @@ std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec)
     const ChatterSearch search = search_chatter(q);
     const auto &state          = search.working ? search.working->state : bite::BiteState{};
     const auto there           = [&](const double value) { return search.working ? value : not_given; };
-    const KeyList at_speed     = joined(bite, speed);
+    const auto read            = [&](const ChatterReading reading) {
+      return keys ? chatter_keys(*keys, i, reading) : KeyList();
+    };
     for (const auto &[quantity, unit, value] :
          {std::tuple<const char *, const char *, double>{"force", "N", state.force},
           {"friction", "1", state.friction},
           {"flattened_radius", "m", state.flattened_radius},
           {"forward_slip", "1", state.forward_slip}})
-      add("bite." + name + "." + quantity, unit, there(value), at_speed, "steady bite",
+      add("bite." + name + "." + quantity, unit, there(value), read(ChatterReading::bite), "steady bite",
           "reduce/bite/slab/bland_ford", "(8.8)");
-    add("chatter." + name + ".growth_rate", "1/s", search.growth, joined(at_speed, stand), "stand, bite and strip",
-        "dynamics/chatter/chatter", "(25.4)");
-    const KeyList searched = joined(bite, stand, range);
+    add("chatter." + name + ".growth_rate", "1/s", search.growth, read(ChatterReading::growth),
+        "stand, bite and strip", "dynamics/chatter/chatter", "(25.4)");
+    const KeyList searched = read(ChatterReading::search);
     add("chatter." + name + ".critical_speed", "m/s", search.found.speed, searched, "search over the speed",
         "dynamics/chatter/speed", "(25.4)");
     add("chatter." + name + ".frequency", "Hz", search.found.frequency, searched, "search over the speed",
@@ -51,9 +47,7 @@ std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec)
       const std::string variant = spec.variants[v].name;
       add("chatter." + name + ".variant." + variant + ".critical_speed", "m/s",
           dynamics::critical_speed(q.variants[v].stand, q.bite, q.scheme, chatter_range(q)).speed,
-          joined(searched,
-                 keys_in("variant." + variant, "masses stiffnesses dampings entry_distance exit_distance")),
-          "search over the speed", "dynamics/chatter/speed", "(25.4)");
+          q.variants[v].inputs, "search over the speed", "dynamics/chatter/speed", "(25.4)");
     }
   }
   return all;

@@ -36,7 +36,7 @@ std::vector<std::size_t> stands_in_order(const std::vector<RollingCondition> &al
 }
 
 void add_results(RunContext &run, const dynamics::TandemStudy &study, const dynamics::TandemLine &line,
-                 const std::vector<std::string> &inputs)
+                 const KeyList &inputs)
 {
   std::vector<Check> checks;
   for (std::size_t i = 0; i < study.stand.size(); ++i)
@@ -150,12 +150,10 @@ void solve_tandem(RunContext &run, const ChatterCase &spec)
   StageTimer timer(run, "chatter, tandem");
   dynamics::TandemLine line;
   ChatterQuestion last;
-  std::vector<std::string> inputs;
+  KeyList inputs;
   for (const std::size_t i : order) {
-    last = chatter_question(spec, i);
-    for (const std::string &key : last.inputs)
-      if (std::find(inputs.begin(), inputs.end(), key) == inputs.end())
-        inputs.push_back(key);
+    last   = chatter_question(spec, i, run.keys.get());
+    inputs = joined(std::move(inputs), last.inputs);
     line.stands.push_back({spec.conditions[i].name, last.stand.structure, last.bite});
   }
   line.distance.assign(order.size() - 1, spec.stand.exit_distance);

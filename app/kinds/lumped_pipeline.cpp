@@ -28,9 +28,9 @@ void add_turning_and_response(RunContext &run, const Lumped &lumped, const Lumpe
   responding.named      = &chain == &rolling ? GapState::rolling : GapState::open;
   responding.uncertain  = reduce::modal_sensitivities(chain, model);
   responding.gap_damper = measured || std::isnan(model.C.value) ? 0 : model.C.value;
-  responding.inputs =
-      joined(chain_mode_keys(model, lumped.dynamics, Half::upper),
-             chain_mode_keys(model, lumped.dynamics, Half::lower), measured ? KeyList() : model.C.inputs);
+  responding.inputs     = joined(chain_mode_keys(*run.keys, model, lumped.dynamics, Half::upper),
+                                 chain_mode_keys(*run.keys, model, lumped.dynamics, Half::lower),
+                             measured ? KeyList() : model.C.inputs);
   add_frequency_responses(run, lumped.frequency_response, lumped.dynamics, responding);
   add_campbell(run, lumped.campbell, {&rolling, turning_rolls(lumped), lumped.passes, lumped.drive});
 }

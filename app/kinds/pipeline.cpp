@@ -253,7 +253,8 @@ void add_turning_and_response(RunContext &run, const StandStates &states, const 
   responding.limit      = stand.dynamics.frequency_limit;
   responding.at         = chain.model.at;
   // The work-roll chocks of the components stand on their bearings.
-  responding.inputs = joined(keys_of_models(chain), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
+  responding.inputs =
+      joined(keys_of_models(*run.keys, chain), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
   if (driven_state(stand.dynamics) == GapState::rolling)
     responding.inputs = joined(std::move(responding.inputs), chain.model.C.inputs);
   add_frequency_responses(run, stand.frequency_response, stand.dynamics, responding);
@@ -306,7 +307,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
 {
   const bool first = p == 0;
   const auto in    = chain_inputs(run, drawn, parts, p, forces.loads[p]);
-  auto chain       = reduce::lumped_stand(drawn, in);
+  auto chain       = reduce::lumped_stand(drawn, in, reduce::StatedErrors::propagated, run.keys.get());
   add_films(chain.model, drawn, parts.bearings[p].film_damper, in);
   FourHigh stand   = drawn;
   stand.frame      = with_tolerance_of_given(drawn, chain.frame);

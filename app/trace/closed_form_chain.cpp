@@ -62,7 +62,7 @@ bool of_the_chain(const std::string &name)
 
 // @param named  state whose names the results have
 void add_vertical_modes(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings,
-                        const GapState named)
+                        const GapState named, const KeyList &frame_form)
 {
   const ChainModes chain = chain_modes(model, settings);
   for (std::size_t i = 0; i < chain.half.size(); ++i) {
@@ -75,21 +75,22 @@ void add_vertical_modes(ClosedFormResults &all, const LumpedModel &model, const 
     r.relation         = "modes of the chain";
     r.file             = "dynamics/response/modes";
     r.equation         = "(6.11)";
-    inherit(r, all, {"dynamics.frame"});
+    inherit(r, all, frame_form);
     all.push_back(r);
   }
 }
 
 // Modes of both states of the gap, the open one alone where the strip is not known, by number and by name.
 void add_modes_of_states(ClosedFormResults &all, const LumpedModel &model, const DynamicsSettings &settings,
-                         const std::string &stands_for)
+                         const std::string &stands_for, MovingKeys *keys)
 {
+  const KeyList frame_form = keys ? frame_form_keys(*keys) : KeyList();
   for (const GapState state : {GapState::rolling, GapState::open}) {
     if (state == GapState::rolling && !knows_strip(model))
       continue;
     const GapState named = knows_strip(model) ? state : GapState::rolling;
-    add_vertical_modes(all, model, in_state(settings, state), named);
-    add_named_modes_of_chain(all, model, in_state(settings, state), named, stands_for);
+    add_vertical_modes(all, model, in_state(settings, state), named, frame_form);
+    add_named_modes_of_chain(all, model, in_state(settings, state), named, stands_for, keys);
   }
 }
 
@@ -230,13 +231,12 @@ Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
       std::string("stepped Timoshenko beam, ") + word_of(stand.dynamics.mass_reference) + " reference" +
       (run_factor == 1 ? ""
                        : fmt::format(", times {:.4g}, the solid roll of the last run over its beam", run_factor));
-  p.inputs = reduce::backup_roll_keys(false);
   return p;
 }
 
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
 reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std::size_t pass, const double load,
-                              const SpringFactors &factors)
+                              const SpringFactors &factors, MovingKeys *keys)
 {
   const std::string prefix = pass == 0 ? "" : stand.passes[pass].name + ".";
   const auto made          = [&](const std::string &name) {
@@ -268,33 +268,36 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
     stand.frame = tagged.frame = reduce::frame_on_modulus(tagged, in);
   auto chain = reduce::lumped_stand(tagged, in, reduce::StatedErrors::none);
   add_films(chain.model, tagged, {made("K_Zy").film_damper, made("K_Zy_lower").film_damper}, in);
-  const auto inputs_of = [&](const char *name) { return made(name).parameter.inputs; };
-  auto full            = reduce::chain_keys({inputs_of("K3"), inputs_of("K4"), inputs_of("K5"), inputs_of("K_Zy"),
-                                             inputs_of("K_Zy_lower"), reduce::given_springs(stand), stand.housing.present(),
-                                             reduce::closure_keys(stand)},
-                                            solid);
-  for (KeyList &list : full)
-    list = reduce::as_drawn(list, stand);
-  // What the closed forms do not follow: meshes, and the fillets of a frame of beams.
-  const KeyList meshed = joined(mass_shape_keys(stand.dynamics), keys_in("housing", "fillet_radius"));
-  const auto add       = [&](const std::string &name, const Parameter &p, const KeyList &inputs) {
+  // Keys that the closed forms follow, and those of a run, which has meshes.
+  std::array<KeyList, 13> closed, full;
+  KeyList closed_bending, bending;
+  if (keys) {
+    const auto list = [&](const char *name) { return made(name).parameter.inputs; };
+    closed          = reduce::chain_keys(
+                 *keys, stand, {in.K3.inputs, in.K4.inputs, in.K5.inputs, in.K_Zy_upper.inputs, in.K_Zy_lower.inputs},
+                 false, ChainReading::closed_form);
+    full = reduce::chain_keys(*keys, stand, {list("K3"), list("K4"), list("K5"), list("K_Zy"), list("K_Zy_lower")},
+                              solid);
+    closed_bending = bent_backup_keys(*keys, false, false);
+    bending        = bent_backup_keys(*keys, solid, false);
+  }
+  const auto add = [&](const std::string &name, const Parameter &p, const KeyList &followed,
+                       const KeyList &inputs) {
     if (is_given(stand.given, name)) {
       all.push_back(given_result(name, p));
     } else {
-      const Station place = station_of(name, stand.dynamics.mass_reference);
+      const Station place = station_of(name, stand.dynamics.mass_reference, keys);
       ClosedFormResult r;
       r.parameter        = p;
-      r.parameter.inputs = joined(inputs, p.inputs);
-      for (const std::string &key : p.inputs)
-        if (!holds(meshed, key))
-          r.closed.push_back(key);
-      r.relation = place.relation;
-      r.file     = place.file;
-      r.equation = place.equation;
-      r.own_keys = place.own_keys;
+      r.parameter.inputs = joined(inputs, followed);
+      r.closed           = followed;
+      r.relation         = place.relation;
+      r.file             = place.file;
+      r.equation         = place.equation;
+      r.own_keys         = place.own_keys;
       if (stand.dynamics.mass_source == MassSource::fe && !place.from.empty() && name[0] == 'M')
         r.stands_for = "shapes of the rolls by finite elements, dynamics.mass_source = \"fe\"";
-      else if (solid && name[0] == 'M' && holds(inputs, "backup_roll.bending_model"))
+      else if (solid && name[0] == 'M' && !place.from.empty())
         r.stands_for = "shapes of the rolls by finite elements, backup_roll.bending_model = \"solid\"";
       for (const std::string &part : place.from)
         r.from.push_back(prefix + part);
@@ -302,19 +305,19 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
     }
     all.back().name = prefix + name;
   };
-  add("K_ZW", chain.K_ZW, reduce::backup_roll_keys(solid));
+  add("K_ZW", chain.K_ZW, closed_bending, bending);
   if (solid && !is_given(stand.given, "K_ZW"))
     all.back().stands_for = "the roll by finite elements, backup_roll.bending_model = \"solid\"";
   // The numbers that were not added above, in the order of the relations: springs, then masses.
   for (const char letter : {'K', 'M'}) {
-    std::size_t place = 0;  // in `full`
+    std::size_t place = 0;  // in both lists
     reduce::each_number(
         [&](const std::string &name, const Parameter &number) {
           if (!of_the_chain(name))
             return;
-          const KeyList &inputs = full.at(place++);
+          const std::size_t i = place++;
           if (name[0] == letter && !find(all, prefix + name))
-            add(name, number, inputs);
+            add(name, number, closed[i], full[i]);
         },
         chain.model);
   }
@@ -339,12 +342,12 @@ ClosedFormResults closed_form_four_high(const FourHigh &drawn, ClosedFormMemory 
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const double load        = loads[p];
     add_springs(all, stand, p, prefix, load, memory, factors, keys.get());
-    const auto chain         = add_chain(all, stand, p, load, factors);
+    const auto chain         = add_chain(all, stand, p, load, factors, keys.get());
     const LumpedModel &model = chain.model;
     memory.stands.push_back({std::make_shared<FourHigh>(stand), model});
     if (p == 0) {
       add_quick_modulus(all, stand, load, factors, keys.get());
-      add_modes_of_states(all, model, stand.dynamics, "rolls as reduced finite elements");
+      add_modes_of_states(all, model, stand.dynamics, "rolls as reduced finite elements", keys.get());
       add_horizontal_modes(all, model, stand.frame.chock_to_housing_stiffness,
                            {2 * stand.work_roll.chock_mass_upper, 2 * stand.work_roll.chock_mass_lower},
                            keys.get());
@@ -392,7 +395,7 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
           all.push_back(given_result(name, number));
       },
       model);
-  add_modes_of_states(all, model, spec.dynamics, "");
+  add_modes_of_states(all, model, spec.dynamics, "", keys.get());
   add_horizontal_modes(all, model, not_given, {0, 0}, keys.get());
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     if (has_force(spec.passes[p]) && memory.with_responses)

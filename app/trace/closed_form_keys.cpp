@@ -3,29 +3,19 @@
 
 namespace mill {
 namespace {
-// Drawing of a roll with what sits on its ends.
-KeyList roll_keys(const std::string &section, const std::string &chock)
-{
-  return joined(KeyList{"steel.density"}, roll_body_keys(section), keys_in(section, chock));
-}
-
 Station spring(const char *equation, const std::string &from)
 {
   return {"springs in series", "reduce/chain/spring_chain", equation, words_of(from), {}};
 }
 
-Station mass(const char *equation, const std::string &from, const KeyList &own_keys)
+Station mass(const char *equation, const std::string &from, const RollPlace roll, MovingKeys *keys)
 {
-  return {"mass moving with the static shape", "reduce/chain/equivalent_mass", equation, words_of(from), own_keys};
-}
-
-KeyList work_roll_keys(const std::string &chock)
-{
-  return joined(roll_keys("work_roll", chock), keys_in("strip", "width"), keys_in("steel", "youngs_modulus"));
+  return {"mass moving with the static shape", "reduce/chain/equivalent_mass", equation, words_of(from),
+          keys ? moving_roll_keys(*keys, roll) : KeyList()};
 }
 }  // namespace
 
-Station station_of(const std::string &name, const MassReference reference)
+Station station_of(const std::string &name, const MassReference reference, MovingKeys *const keys)
 {
   const auto number = choice_named<ChainNumber>(name);
   const Station sum{"sum of reduced masses", "reduce/chain/equivalent_mass", "(4.13)"};
@@ -44,15 +34,13 @@ Station station_of(const std::string &name, const MassReference reference)
   case ChainNumber::K7:
     return spring("(4.1d)", "");
   case ChainNumber::M2:
-    return mass(
-        "(4.14)", "K1 K_Zy K_ZW K2",
-        joined(roll_keys("backup_roll", "chock_mass_upper"), keys_in("frame", "cylinder_mass balance_mass")));
+    return mass("(4.14)", "K1 K_Zy K_ZW K2", RollPlace::upper_backup, keys);
   case ChainNumber::M3:
-    return mass("(4.16)", "K1 K2 K3", work_roll_keys("chock_mass_upper"));
+    return mass("(4.16)", "K1 K2 K3", RollPlace::upper_work, keys);
   case ChainNumber::M4:
-    return mass("(4.16)", "K7 K6 K5", work_roll_keys("chock_mass_lower"));
+    return mass("(4.16)", "K7 K6 K5", RollPlace::lower_work, keys);
   case ChainNumber::M5:
-    return mass("(4.15)", "K7 K_Zy_lower K_ZW K6", roll_keys("backup_roll", "chock_mass_lower"));
+    return mass("(4.15)", "K7 K_Zy_lower K_ZW K6", RollPlace::lower_backup, keys);
   case ChainNumber::M1:
   case ChainNumber::M6:
   case ChainNumber::K3:

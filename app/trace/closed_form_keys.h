@@ -15,5 +15,6 @@ struct Station {
 
 /// Of M1..M6, K1, K2, K6, K7 and K_ZW.
 /// @param reference  dynamics.mass_reference
-Station station_of(const std::string &name, MassReference reference);
+/// @param keys       of the stand; nullptr: without lists of keys
+Station station_of(const std::string &name, MassReference reference, MovingKeys *keys);
 }  // namespace mill

@@ -66,5 +66,5 @@ FourHigh with_drawn_frame(FourHigh stand);
 std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair, MovingKeys *keys);
 std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec, MovingKeys *keys);
 std::vector<ClosedFormResult> closed_form_bite_case(const BiteCase &spec, MovingKeys *keys);
-std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec);
+std::vector<ClosedFormResult> closed_form_chatter(const ChatterCase &spec, MovingKeys *keys);
 }  // namespace mill

@@ -163,7 +163,7 @@ void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand
 
 void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedModel &model,
                               const DynamicsSettings &settings, const GapState named,
-                              const std::string &stands_for)
+                              const std::string &stands_for, MovingKeys *const keys)
 {
   const auto names = chain_with_modes(model, settings).names;
   for (std::size_t i = 0; i < names.size(); ++i) {
@@ -179,8 +179,8 @@ void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedMo
     r.file             = "reduce/stand/gap_modes";
     r.equation         = "(22.23)";
     r.stands_for       = stands_for;
-    if (!stands_for.empty())
-      r.parameter.inputs = joined(std::move(r.parameter.inputs), detailed_model_keys());
+    if (!stands_for.empty() && keys)
+      r.parameter.inputs = joined(std::move(r.parameter.inputs), detailed_model_keys(*keys));
     ClosedFormResult share = r;
     share.name             = row::modes::gap_share.of(word_of_state(named), names[i].key);
     share.parameter.value  = names[i].gap_share;

@@ -18,5 +18,6 @@ void add_quick_modulus(std::vector<ClosedFormResult> &all, const FourHigh &stand
 /// @param named       state whose names they have
 /// @param stands_for  what a run takes instead; empty: the same
 void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedModel &model,
-                              const DynamicsSettings &settings, GapState named, const std::string &stands_for);
+                              const DynamicsSettings &settings, GapState named, const std::string &stands_for,
+                              MovingKeys *keys);
 }  // namespace mill

@@ -3,8 +3,6 @@
 #include <cmath>
 
 namespace mill {
-namespace {
-// The constants that the laws do not read are those of no law.
 Strip with_laws_as_read(Strip strip)
 {
   for (const FlowStressConstant &constant : flow_stress_constants())
@@ -20,6 +18,7 @@ Strip with_laws_as_read(Strip strip)
   return strip;
 }
 
+namespace {
 Strip with_values_of_pass(Strip strip, const Pass &pass)
 {
   const auto take = [](double &value, const double of_pass) { value = std::isnan(of_pass) ? value : of_pass; };

@@ -85,6 +85,9 @@ struct BiteReading {
   bool speed       = false;  ///< a speed of the strip
 };
 
+/// A strip whose laws have the constants that they read; those of other laws are absent.
+Strip with_laws_as_read(Strip strip);
+
 /// @param spec  a stand or a bite
 BiteInputs inputs_of_bite(const CaseSpec &spec, std::size_t pass, const BiteReading &reading);
 }  // namespace mill

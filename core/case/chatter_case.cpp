@@ -112,16 +112,6 @@ ChatterVariant read_variant(const Node::Entry &entry, const ChatterCase &spec, R
       if (given(reading, name, key))
         contradict(reading, name + "." + key, "replaces bodies that [stand] takes from a lumped model",
                    {"stand.from"});
-  const auto use_default = [&](const char *key, auto &value, const auto &of_stand) {
-    if (!given(reading, name, key))
-      value = of_stand;
-  };
-  ChatterStand &v = variant.stand;
-  use_default("masses", v.masses, spec.stand.masses);
-  use_default("stiffnesses", v.stiffnesses, spec.stand.stiffnesses);
-  use_default("dampings", v.dampings, spec.stand.dampings);
-  use_default("entry_distance", v.entry_distance, spec.stand.entry_distance);
-  use_default("exit_distance", v.exit_distance, spec.stand.exit_distance);
   return variant;
 }
 
@@ -168,6 +158,7 @@ void read_friction_law(const Node &root, ChatterCase &spec, const bool strip_has
     contradict(reading, "oil.film_range", "does not run from the thinner to the thicker film", {});
   spec.strip.friction     = oil;
   spec.strip.friction.law = FrictionLaw::film;
+  spec.oiled              = true;
   spec.film_range         = oil.film_range;
 }
 

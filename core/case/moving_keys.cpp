@@ -1,6 +1,7 @@
 #include "core/case/moving_keys.h"
 #include "core/case/chain_curves.h"
 #include "core/case/stand_rows.h"
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <utility>
@@ -64,13 +65,14 @@ bool take_strip(const StripInput &input, Strip &strip)
   return true;
 }
 
-// [strip] with both of its laws.
-void add_strip(CaseRows &all, Strip &strip)
+// [strip] with both of its laws, or with that of the flow stress where [oil] says the friction.
+void add_strip(CaseRows &all, Strip &strip, const std::vector<Field<StripInput>> &rows = strip_rows(),
+               const bool oiled = false)
 {
-  all.add("strip", strip_rows(), strip, written_strip, take_strip);
-  const auto law = [&](const char *section, const auto &rows, auto &kept, auto input, const auto &named) {
+  all.add("strip", rows, strip, written_strip, take_strip);
+  const auto law = [&](const char *section, const auto &rows_of_law, auto &kept, auto input, const auto &named) {
     all.add(
-        section, rows, kept,
+        section, rows_of_law, kept,
         [input](const auto &record) {
           auto written                                           = input;
           static_cast<std::decay_t<decltype(record)> &>(written) = record;
@@ -84,7 +86,8 @@ void add_strip(CaseRows &all, Strip &strip)
         });
   };
   law("strip.flow_stress", flow_stress_rows(), strip.flow_stress, FlowStressInput(), flow_stress_law);
-  law("strip.friction", friction_rows(), strip.friction, FrictionInput(), friction_law);
+  if (!oiled)
+    law("strip.friction", friction_rows(), strip.friction, FrictionInput(), friction_law);
 }
 
 // A fit needs values that were measured, so that none is added to a case without them.
@@ -100,12 +103,40 @@ void add_bite(CaseRows &all, BiteSetup &bite)
       });
 }
 
+void add_bite_roll(CaseRows &all, double &of_case)
+{
+  all.add(
+      "work_roll", bite_roll_rows(), of_case, [](const double diameter) { return BiteRollInput{diameter}; },
+      [](const BiteRollInput &input, double &diameter) {
+        diameter = input.diameter;
+        return true;
+      });
+}
+
 template <class Spec> void add_bearings(CaseRows &all, Spec &spec)
 {
   for (RollerBearing &bearing : spec.bearings)
     all.add("bearing." + bearing.name, bearing_rows(), bearing);
   for (OilFilmBearing &film : spec.oil_films)
     all.add("bearing." + film.name, oil_film_rows(), film);
+}
+
+// A part that the case does not draw is not added, since it takes the place of other keys.
+// @param parts  lengths without which a part is not drawn
+template <class Drawing>
+void add_drawn(CaseRows &all, const char *section, const std::vector<Field<Drawing>> &rows, Drawing &drawing,
+               const std::vector<double Drawing::*> &parts)
+{
+  all.add(
+      section, rows, drawing, [](const Drawing &kept) { return kept; },
+      [parts](const Drawing &changed, Drawing &kept) {
+        const bool refused = std::any_of(parts.begin(), parts.end(), [&](const auto part) {
+          return std::isnan(kept.*part) && !std::isnan(changed.*part);
+        });
+        if (!refused)
+          kept = changed;
+        return !refused;
+      });
 }
 
 // What moves and turns in a stand, drawn or lumped.
@@ -124,8 +155,10 @@ void add_rows(CaseRows &all, FourHigh &stand)
   add_rolls(all, stand);
   add_bearings(all, stand);
   all.add("frame", frame_rows(), stand.frame);
-  all.add("housing", housing_rows(), stand.housing);
-  all.add("screwdown", screwdown_rows(), stand.screwdown);
+  add_drawn(all, "housing", housing_rows(), stand.housing, {&MillHousing::thickness});
+  add_drawn(all, "screwdown", screwdown_rows(), stand.screwdown,
+            {&Screwdown::stroke, &Screwdown::piston_length, &Screwdown::screw_length, &Screwdown::nut_height,
+             &Screwdown::load_cell_height});
   add_strip(all, stand.strip);
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
     add_pass_rows(all, p, pass_rows(), stand.passes[p]);
@@ -196,20 +229,67 @@ void add_rows(CaseRows &all, BearingCase &spec)
 void add_rows(CaseRows &all, BiteCase &spec)
 {
   all.add("steel", steel_rows(), spec.steel);
-  all.add(
-      "work_roll", bite_roll_rows(), spec.roll_diameter,
-      [](const double diameter) { return BiteRollInput{diameter}; },
-      [](const BiteRollInput &input, double &diameter) {
-        diameter = input.diameter;
-        return true;
-      });
+  add_bite_roll(all, spec.roll_diameter);
   add_strip(all, spec.strip);
   for (std::size_t p = 0; p < spec.passes.size(); ++p)
     add_pass_rows(all, p, bite_pass_rows(), spec.passes[p]);
   add_bite(all, spec.bite);
 }
 
-void add_rows(CaseRows &, ChatterCase &) {}
+// [oil] with its law of friction.
+void add_oil(CaseRows &all, Friction &friction)
+{
+  const auto add = [&](const char *section, const std::vector<Field<OilInput>> &rows) {
+    all.add(
+        section, rows, friction,
+        [](const Friction &kept) {
+          OilInput input;
+          static_cast<Friction &>(input) = kept;
+          return input;
+        },
+        [](const OilInput &input, Friction &kept) {
+          kept = input;
+          return true;
+        });
+  };
+  add("oil", oil_rows());
+  add("oil.friction", oil_friction_rows());
+}
+
+// What [stand] leaves open is that of its file, what a variant leaves open that of [stand]; neither is added.
+void add_chatter_stand(CaseRows &all, const std::string &section, ChatterStand &stand)
+{
+  all.add(
+      section, chatter_stand_rows(), stand, [](const ChatterStand &kept) { return kept; },
+      [](const ChatterStand &changed, ChatterStand &kept) {
+        const auto adds = [](const double before, const double now) {
+          return std::isnan(before) && !std::isnan(now);
+        };
+        const bool refused =
+            adds(kept.masses[0], changed.masses[0]) || adds(kept.stiffnesses[0], changed.stiffnesses[0]) ||
+            adds(kept.dampings[0], changed.dampings[0]) || adds(kept.entry_distance, changed.entry_distance) ||
+            adds(kept.exit_distance, changed.exit_distance);
+        if (!refused)
+          kept = changed;
+        return !refused;
+      });
+}
+
+void add_rows(CaseRows &all, ChatterCase &spec)
+{
+  all.add("steel", chatter_steel_rows(), spec.steel);
+  add_bite_roll(all, spec.roll_diameter);
+  add_strip(all, spec.strip, chatter_strip_rows(), spec.oiled);
+  if (spec.oiled)
+    add_oil(all, spec.strip.friction);
+  add_chatter_stand(all, "stand", spec.stand);
+  for (ChatterVariant &variant : spec.variants)
+    add_chatter_stand(all, "variant." + variant.name, variant.stand);
+  for (std::size_t i = 0; i < spec.conditions.size(); ++i)
+    all.add(fmt::format("condition.{}", i), condition_rows(), spec.conditions[i]);
+  all.add("analysis", chatter_analysis_rows(), spec.analysis);
+}
+
 void add_rows(CaseRows &, ClusterCase &) {}
 void add_rows(CaseRows &, StackCase &) {}
 }  // namespace

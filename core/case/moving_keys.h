@@ -12,8 +12,8 @@ namespace mill {
 void add_pass_rows(CaseRows &all, std::size_t p, const std::vector<Field<PassInput>> &rows, Pass &pass);
 
 /// A copy of a case whose rows are changed one by one to see which of them move the inputs of a stage.  Lists that
-/// were made are remembered; any number of threads may ask.  Of the kinds chatter, cluster and stack, whose stages
-/// list their keys themselves, it knows no rows.
+/// were made are remembered; any number of threads may ask.  Of the kinds cluster and stack, whose stages list
+/// their keys themselves, it knows no rows.
 class MovingKeys {
 public:
   explicit MovingKeys(CaseSpec of_case);

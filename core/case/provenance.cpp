@@ -12,53 +12,13 @@
 #include <utility>
 
 namespace mill {
-namespace {
-// All rows of a section but these.
-KeyList keys_but(const std::string &section, const std::vector<Row> &rows, const std::string &names)
-{
-  const KeyList without = words_of(names);
-  KeyList keys;
-  for (const Row &row : rows)
-    if (!holds(without, row.key))
-      keys.push_back(section + "." + row.key);
-  return keys;
-}
-
-KeyList elastic_steel()
-{
-  return keys_in("steel", "youngs_modulus poisson_ratio");
-}
-}  // namespace
-
-namespace {
 // Of one pass, whatever case it belongs to.
-KeyList keys_of_pass(const Pass &pass, const std::size_t p, LoadInputs (*inputs)(const Pass &))
+KeyList load_keys(const Pass &pass, const std::size_t p)
 {
   Pass changed = pass;
   CaseRows rows;
   add_pass_rows(rows, p, pass_rows(), changed);
-  return rows.moving([&] { return record_text(inputs(changed)); });
-}
-}  // namespace
-
-KeyList force_keys(const Pass &pass, const std::size_t p)
-{
-  return keys_of_pass(pass, p, inputs_of_force);
-}
-
-KeyList load_keys(const Pass &pass, const std::size_t p)
-{
-  return keys_of_pass(pass, p, inputs_of_load);
-}
-
-// Rolls
-
-KeyList roll_body_keys(const std::string &section)
-{
-  return keys_but(section, section == "work_roll" ? rows_of(work_roll_rows()) : rows_of(backup_roll_rows()),
-                  "crown crown_table crown_polynomial thermal_crown thermal_crown_table end_chamfer_length "
-                  "end_chamfer_depth axial_shift bending_force bending_model bearing bearing_load "
-                  "chock_mass_upper chock_mass_lower");
+  return rows.moving([&] { return record_text(inputs_of_load(changed)); });
 }
 
 // Contact
@@ -125,25 +85,6 @@ KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading)
 
 // Bite
 
-KeyList strip_law_keys(const Strip &strip)
-{
-  KeyList keys   = keys_in("strip", "flow_stress.law friction.law friction.shear_limit");
-  const auto add = [&](const std::string &key) { keys.push_back("strip." + key); };
-  if (row_of(strip.flow_stress.law).tabled)
-    add("flow_stress.table");
-  for (const FlowStressConstant &constant : flow_stress_constants())
-    if (reads(strip.flow_stress, constant.member))
-      add(std::string("flow_stress.") + constant.key);
-  if (hardens(strip.flow_stress))
-    add("initial_thickness");
-  if (!std::isnan(plain_coefficient(strip.friction)))
-    add("friction");  // the number in place of a section
-  for (const FrictionConstant &constant : friction_constants())
-    if (reads(strip.friction, constant.member))
-      add(std::string("friction.") + constant.key);
-  return keys;
-}
-
 bool follows_width(const std::string &quantity)
 {
   return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
@@ -195,18 +136,6 @@ KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, const std::size
   return {};
 }
 
-KeyList mass_shape_keys(const DynamicsSettings &dynamics)
-{
-  return keys_in("dynamics", dynamics.mass_source == MassSource::fe
-                                 ? "mass_source frequency_limit elements_per_radius"
-                                 : "mass_source");
-}
-
-KeyList detailed_model_keys()
-{
-  return keys_in("dynamics", "model frequency_limit elements_per_radius");
-}
-
 std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, const Half half)
 {
   const bool measured = dynamics.force_meaning == ForceMeaning::measured,
@@ -231,9 +160,10 @@ KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dyna
   return keys;
 }
 
-KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, const Half half)
+KeyList chain_mode_keys(MovingKeys &keys, const LumpedModel &model, const DynamicsSettings &dynamics,
+                        const Half half)
 {
-  return joined(chain_number_keys(model, dynamics, half), keys_in("dynamics", "frame"));
+  return joined(chain_number_keys(model, dynamics, half), frame_form_keys(keys));
 }
 
 KeyList chock_seat_keys(MovingKeys &keys, const RollPlace roll)
@@ -298,28 +228,5 @@ void set_given_inputs(LumpedModel &model)
   set(model.Kzc, "Kzc");
   set(model.Kzc_across, "Kzc", "_across");
   model.C.inputs = {"given.C"};
-}
-
-// Chatter
-
-KeyList chatter_bite_keys(const ChatterCase &spec, const std::size_t i)
-{
-  KeyList keys = joined(keys_in("work_roll", "diameter"), elastic_steel());
-  for (const std::string &key : strip_law_keys(spec.strip))
-    if (!has_film(spec.strip.friction) || key.rfind("strip.friction.", 0) != 0)
-      keys.push_back(key);
-  for (const FrictionConstant &constant : friction_constants())  // a film is that of [oil]
-    if (has_film(spec.strip.friction) && reads(spec.strip.friction, constant.member))
-      keys.push_back(constant.input);
-  return joined(keys, keys_in(fmt::format("condition.{}", i),
-                              "entry_thickness exit_thickness entry_tension exit_tension width"));
-}
-
-KeyList chatter_stand_keys(const ChatterCase &spec)
-{
-  const std::string body = spec.model ? "from" : "masses stiffnesses";
-  const bool dampers     = !spec.model || !std::isnan(spec.stand.dampings[0]);
-  return joined(keys_in("stand", "entry_distance exit_distance " + body + (dampers ? " dampings" : "")),
-                keys_in("strip", "youngs_modulus"), keys_in("analysis", "linearisation"));
 }
 }  // namespace mill

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/case/bearing_inputs.h"
 #include "core/case/bite_inputs.h"
+#include "core/case/chain_inputs.h"
 #include "core/case/contact_inputs.h"
 #include "core/case/response_inputs.h"
 #include "core/model/dynamics_settings.h"
@@ -13,20 +14,12 @@
 #include <vector>
 
 // Which keys of the case stand behind a result.  A run writes these lists as `inputs`, a trace follows the same
-// ones.  Those of contacts, bearings, oil films and bites are the rows that move the inputs of their stage; those
-// of the chain are made of them and of lists that start from all rows of a section, less those that are not read.
+// ones.  A list is the rows that move the inputs of a stage, or is joined from such lists.
 namespace mill {
 class MovingKeys;
 
-/// The record of a pass, or what its noise is made from.
-KeyList force_keys(const Pass &pass, std::size_t p);
 /// What the working load of a pass is made from: its own key, or the record whose mean it is.
 KeyList load_keys(const Pass &pass, std::size_t p);
-
-/// What gives a roll its shape and mass between its ends: all rows of its section but profiles, bearings, chocks
-/// and loads.
-/// @param section  "work_roll" or "backup_roll"
-KeyList roll_body_keys(const std::string &section);
 
 /// Contact of the rolls by finite elements: K3.*, K5.* and contact.NAME.* of a pass.  Both ways of holding the
 /// rolls are solved on one mesh, whose patch must hold the wider contact, so all results have one list.
@@ -58,13 +51,6 @@ KeyList bite_keys(MovingKeys &keys, std::size_t p, const BiteReading &reading = 
 /// Whether a quantity of the bite is one of the whole width.
 bool follows_width(const std::string &quantity);
 
-/// Flow stress and friction of kind "chatter": the keys that their laws read.
-KeyList strip_law_keys(const Strip &strip);
-/// Inputs of the shapes of M2..M5 in addition to the drawing and the springs.
-KeyList mass_shape_keys(const DynamicsSettings &dynamics);
-/// Inputs of beams and reduced finite elements in addition to the drawing and the springs.
-KeyList detailed_model_keys();
-
 /// A mode or a response of the six-mass chain follows the whole chain; with the measured force the bite has no
 /// spring, and in an open frame nothing else joins the upper half to the lower one.
 enum class Half { upper, lower };
@@ -73,7 +59,7 @@ std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, Half half
 /// The keys behind those numbers.
 KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
 /// And what joins them to modes.
-KeyList chain_mode_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
+KeyList chain_mode_keys(MovingKeys &keys, const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
 /// Of a horizontal mode: mass and bearing of its roll, and the seat of its chocks where the stand is drawn.
 KeyList horizontal_mode_keys(const LumpedModel &model, RollPlace roll);
 KeyList chock_seat_keys(MovingKeys &keys, RollPlace roll);
@@ -92,8 +78,4 @@ KeyList bent_work_roll_keys(MovingKeys &keys, bool solid);
 /// A given value has its own key as its only input.
 void set_given_inputs(GivenValues &given);
 void set_given_inputs(LumpedModel &model);
-
-/// Condition i of kind "chatter": its bite, what stands around it, and the range of speeds searched.
-KeyList chatter_bite_keys(const ChatterCase &spec, std::size_t i);
-KeyList chatter_stand_keys(const ChatterCase &spec);
 }  // namespace mill

@@ -31,7 +31,7 @@ struct ChatterStand : StandSpan {
 /// Another reading of the stand: what it gives replaces what [stand] says.
 struct ChatterVariant {
   std::string name;
-  ChatterStand stand;  ///< complete: what the variant leaves open is that of [stand]
+  ChatterStand stand;  ///< as written: what it leaves open is absent and that of [stand]
   Place place;
 };
 
@@ -68,6 +68,7 @@ struct ChatterCase {
   Material steel;                                             ///< of the rolls
   double roll_diameter = 0;                                   ///< m, work roll
   Strip strip;                                                ///< thicknesses, tensions and width: by condition
+  bool oiled                       = false;                   ///< [oil] says the friction, else [strip]
   std::array<double, 2> film_range = {not_given, not_given};  ///< m, oil film over which the friction was measured
   ChatterStand stand;
   std::optional<LumpedModel> model;  ///< of stand.from, six masses

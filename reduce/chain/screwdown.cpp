@@ -140,39 +140,28 @@ FrameWithScrewdown frame_with_screwdown(const Frame &frame, const Screwdown &dra
   const ScrewdownSprings k = screwdown_springs(drawing, steel);
   FrameWithScrewdown out{frame, {}};
   const auto replace = [&](const std::string &key, double Frame::*member, const double value,
-                           const std::string &parts, const std::vector<std::string> &inputs) {
-    out.replaced.push_back({"frame." + key, parts, frame.*member, value, inputs});
+                           const std::string &parts) {
+    out.replaced.push_back({"frame." + key, member, parts, frame.*member, value});
     out.frame.*member = value;
   };
   if (given(k.oil_column))
-    replace("oil_column_stiffness", &Frame::oil_column_stiffness, k.oil_column, "oil column",
-            {"screwdown.oil_modulus", "screwdown.piston_diameter", "screwdown.stroke"});
+    replace("oil_column_stiffness", &Frame::oil_column_stiffness, k.oil_column, "oil column");
   std::string names;
-  int n_parts = 0;
-  std::vector<std::string> inputs;
-  const auto add = [&](const char *part, const double stiffness, const std::vector<std::string> &keys) {
+  int n_parts    = 0;
+  const auto add = [&](const char *part, const double stiffness) {
     if (!given(stiffness))
       return;
     names += (names.empty() ? "" : ", ") + std::string(part);
     ++n_parts;
-    for (const auto &key : keys)
-      if (std::find(inputs.begin(), inputs.end(), key) == inputs.end())
-        inputs.push_back(key);
   };
-  add("screw", k.screw, {"screwdown.screw_diameter", "screwdown.screw_length"});
-  add("nut", k.nut,
-      {"screwdown.nut_outside_diameter", "screwdown.nut_height", "screwdown.nut_modulus",
-       "screwdown.screw_diameter"});
-  add("piston", k.piston, {"screwdown.piston_diameter", "screwdown.piston_length"});
-  if (!names.empty()) {
-    inputs.push_back("steel.youngs_modulus");
+  add("screw", k.screw);
+  add("nut", k.nut);
+  add("piston", k.piston);
+  if (!names.empty())
     replace("piston_stiffness", &Frame::piston_stiffness, in_series({k.screw, k.nut, k.piston}),
-            n_parts > 1 ? names + " in series" : names, inputs);
-  }
+            n_parts > 1 ? names + " in series" : names);
   if (given(k.load_cell))
-    replace("load_cell_stiffness", &Frame::load_cell_stiffness, k.load_cell, "load cell",
-            {"screwdown.load_cell_bore", "screwdown.load_cell_diameter", "screwdown.load_cell_height",
-             "steel.youngs_modulus"});
+    replace("load_cell_stiffness", &Frame::load_cell_stiffness, k.load_cell, "load cell");
   return out;
 }
 }  // namespace mill::reduce

@@ -26,10 +26,10 @@ double thread_flexibility(double height, double screw, double nut);
 /// What was taken from the drawing into the frame.
 struct Replacement {
   std::string key;                  ///< of the frame: "frame.oil_column_stiffness"
+  double Frame::*member = nullptr;  ///< of the frame
   std::string parts;                ///< "screw, nut and piston in series"
   double before = 0;                ///< N/m, NaN: was not given
   double after  = 0;                ///< N/m
-  std::vector<std::string> inputs;  ///< keys it came from: "screwdown.stroke", ..
 };
 struct FrameWithScrewdown {
   Frame frame;

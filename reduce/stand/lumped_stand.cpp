@@ -1,5 +1,4 @@
 #include "reduce/stand/lumped_stand.h"
-#include "core/case/provenance.h"
 #include "core/numerics/mesh_pair.h"
 #include "core/records/chain_number.h"
 #include "core/records/result_names.h"
@@ -219,32 +218,32 @@ void add_shapes(LumpedStand &result, const FourHigh &stand, const Reduced &r)
 }
 
 Parameter computed_parameter(const double value, const char *unit, const std::string &method,
-                             const OperatingPoint &working_point, const Keys &keys)
+                             const OperatingPoint &working_point, const Keys &inputs = {})
 {
   Parameter p;
   p.value  = value;
   p.unit   = unit;
   p.method = method;
   p.at     = working_point;
-  p.inputs = keys;
+  p.inputs = inputs;
   return p;
 }
 
 Parameter damper(const FourHigh &stand)
 {
-  Parameter none = computed_parameter(0, "N s/m", "no damper in the bite", "", {});
+  Parameter none = computed_parameter(0, "N s/m", "no damper in the bite", "");
   none.source    = Source::assumed;
   return given_or(stand, "C", none);
 }
 
 /// K_ZW as the chain has it, compared with the other model of the roll.
-Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &rolls)
+Parameter bending_of(const FourHigh &stand, const ChainInputs &in, const Rolls &rolls, MovingKeys *const keys)
 {
   const MassReference reference = stand.dynamics.mass_reference;
   const double drawn            = 1 / rolls.backup.flexibility(reference);
   const bool solid              = in.solid && stand.backup_roll.bending_model == BendingModel::solid;
   Parameter p = computed_parameter(drawn, "N/m", rolls.backup.method + ", " + word_of(reference) + " reference",
-                                   "", backup_roll_keys(solid));
+                                   "", keys ? bent_backup_keys(*keys, solid, false) : Keys());
   if (in.solid) {
     const auto flexibility = [&](const Component &roll) {
       return BentBackupRoll(roll, stand.backup_roll.bearing_span / 2).flexibility(reference);
@@ -320,7 +319,8 @@ Frame frame_on_modulus(const FourHigh &stand, const ChainInputs &inputs)
   return closed_on_modulus(stand.frame, rest_of_path(r.frame, r.series, n));
 }
 
-LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const StatedErrors stated)
+LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const StatedErrors stated,
+                         MovingKeys *const keys)
 {
   LumpedStand result;
   LumpedModel &model        = result.model;
@@ -334,7 +334,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   const bool solid              = inputs.solid && stand.backup_roll.bending_model == BendingModel::solid;
   const auto rolls_of           = [&](const bool meshed) { return rolls_as(stand, inputs, meshed); };
   const Rolls rolls             = rolls_of(solid);
-  result.K_ZW                   = bending_of(stand, inputs, rolls);
+  result.K_ZW                   = bending_of(stand, inputs, rolls, keys);
   ChainNumbers n                = chain_numbers(stand, inputs);
 
   std::vector<UncertainInput> uncertain;
@@ -375,14 +375,11 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
     const Rolls coarse = solids(stand, *r.coarse_backup_roll, *r.coarse_work_roll);
     add_roll_errors(errors, values, other_model, chain_values(stand, n, coarse, reference), r, solid);
   }
-  auto keys = chain_keys({K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs,
-                          given_springs(stand), stand.housing.present(), closure_keys(stand)},
-                         solid);
-
-  for (Keys &list : keys)
-    list = as_drawn(list, stand);
-  for (std::size_t i = 1; i < 5; ++i)
-    keys[i] = joined(std::move(keys[i]), mass_shape_keys(stand.dynamics));
+  std::array<Keys, 13> lists;
+  if (keys)
+    lists =
+        chain_keys(*keys, stand,
+                   {K3.inputs, K4.inputs, K5.inputs, result.K_Zy_upper.inputs, result.K_Zy_lower.inputs}, solid);
 
   const auto with_error = [&](Parameter p, const std::size_t v) {
     p.error_estimate = errors.error[v];
@@ -392,7 +389,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   for (std::size_t i = 0; i < 6; ++i) {
     const bool frame = i == 0 || i == 5;
     Parameter mass   = with_error(
-          computed_parameter(values[i], "kg", mass_method(i, reference), frame ? OperatingPoint() : load, keys[i]),
+          computed_parameter(values[i], "kg", mass_method(i, reference), frame ? OperatingPoint() : load, lists[i]),
           i);
     if (!frame) {
       mass.checks.push_back(other_reference(i, reference, other));
@@ -404,7 +401,7 @@ LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs, const
   for (std::size_t i = 0; i < 7; ++i) {
     const bool frame = i == 0 || i == 6;
     Parameter p      = with_error(
-             computed_parameter(values[6 + i], "N/m", "series springs", frame ? OperatingPoint() : load, keys[6 + i]),
+             computed_parameter(values[6 + i], "N/m", "series springs", frame ? OperatingPoint() : load, lists[6 + i]),
              6 + i);
     if (inputs.solid && (i == 1 || i == 5))
       add_other_model(p, other_model[6 + i], solid);

@@ -9,6 +9,9 @@
 #include <cmath>
 #include <string>
 
+namespace mill {
+class MovingKeys;
+}
 namespace mill::reduce {
 /// Rolls by finite elements, as the chain takes its shapes from them; null: not at hand.
 struct SolidRolls {
@@ -97,16 +100,17 @@ enum class StatedErrors { propagated, none };
 /// Rolls bend as backup_roll.bending_model says: "solid", the components of `inputs`, with the closed forms of
 /// beams as checks; "beam", the other way round.
 ///
-/// Every Parameter carries unit, source, method, load and the keys it was made from.  Its error estimate is the
+/// Every Parameter carries unit, source, method and load.  Its error estimate is the
 /// sum of |d ln value / d ln input| x error over K3, K5, K_Zy, K_ZW, a given K1 or K7 and every mass and stiffness
 /// of the frame, by central differences of this very chain, (4.17).  Where frame.modulus is given, it and K_ww are
 /// inputs too, and whatever moves, the stiffnesses that follow it keep the modulus (30.11).  Where one of those it
 /// depends on states no error it has none either, and error_lacks names which.
 ///
+/// @param keys  of the case, for the keys that each Parameter was made from; nullptr: without lists
 /// @throws InputError  a spring of the load path, the strip width or a work roll dimension is not positive
 /// Cost: some sixty evaluations of the chain, together some ten milliseconds; three without the errors.
 LumpedStand lumped_stand(const FourHigh &stand, const ChainInputs &inputs,
-                         StatedErrors errors = StatedErrors::propagated);
+                         StatedErrors errors = StatedErrors::propagated, MovingKeys *keys = nullptr);
 
 /// The frame of a stand whose mill modulus is given, at the load of these inputs, (30.11); the stand's own frame
 /// where it is not.  The chain of any other pass then takes the same frame.

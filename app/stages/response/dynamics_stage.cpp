@@ -200,7 +200,7 @@ void add_vertical_modes(RunContext &run, const LumpedModel &model, const Dynamic
     f.method = strip ? "six-mass chain, K4 between the work rolls" : "six-mass chain, K4 = 0";
     f.at     = model.at;
     state_error(f, modes, i, model);
-    f.inputs = chain_mode_keys(model, settings, half[std::size_t(i)]);
+    f.inputs = chain_mode_keys(*run.keys, model, settings, half[std::size_t(i)]);
     run.results.add(row::modes::vertical.of(word_of_state(named), std::to_string(i + 1)), f);
   }
 }

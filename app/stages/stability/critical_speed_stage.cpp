@@ -4,6 +4,7 @@
 #include "app/stages/stability/stability_question.h"
 #include "app/stages/stability/uncertain_numbers.h"
 #include "app/stages/stand/mode_results.h"
+#include "core/case/chatter_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
@@ -30,13 +31,8 @@ bool holds_strip(const FourHigh &stand)
 KeyList keys_of_search(const FourHigh &stand, const std::size_t p, const reduce::LumpedStand &chain)
 {
   MovingKeys keys(stand);
-  BiteReading slab;
-  slab.by     = BiteAnswers::compared;
-  slab.fitted = false;
-  return joined(bite_keys(keys, p, slab), keys_in(fmt::format("pass.{}", p), "speed"),
-                keys_in("strip", "youngs_modulus"), keys_in("stand", "entry_distance exit_distance"),
-                keys_in("analysis", "linearisation speeds"), keys_in("dynamics", "modal_damping"),
-                keys_of_models(chain), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
+  return joined(stand_search_keys(keys, p), keys_of_models(keys, chain), chain.model.Kzc[1].inputs,
+                chain.model.Kzc[2].inputs);
 }
 }  // namespace
 

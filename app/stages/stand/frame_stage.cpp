@@ -68,9 +68,10 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
   const auto given_K = post_beam_stiffness(before), given_M = post_beam_mass(before);
   const auto K = post_beam_stiffness(stand.frame), M = post_beam_mass(stand.frame);
   const std::string how = fmt::format("housing by finite elements, {} unknowns of a quarter", statics.n_unknowns);
+  const KeyList springs = housing_keys(*run.keys, false, ChainReading::run),
+                masses  = housing_keys(*run.keys, true, ChainReading::run);
   for (std::size_t i = 0; i < part_names.size(); ++i) {
-    Parameter spring =
-        computed(K[i], "N/m", how, statics.flexibility_error[i], reduce::housing_keys(stand.housing, false));
+    Parameter spring = computed(K[i], "N/m", how, statics.flexibility_error[i], springs);
     if (beams.flexibility[i] > 0)
       spring.checks.push_back(
           {"frame of Timoshenko beams (23.10)", 1 / beams.flexibility[i], "corners half rigid"});
@@ -80,7 +81,7 @@ void add_housing(RunContext &run, const FourHigh &stand, const Frame &before, co
     const double moved = M[i] / statics.reduced_mass[i];
     Parameter mass =
         computed(M[i], "kg", how + ", kinetic energy of the static shape, at the chain's point (4.13a)",
-                 statics.mass_error[i], reduce::housing_keys(stand.housing, true));
+                 statics.mass_error[i], masses);
     mass.checks.push_back({"frame of Timoshenko beams (23.10)", moved * beams.reduced_mass[i], ""});
     mass.checks.push_back({"a third of a post, 17/35 of a beam on two posts", moved * rule[i], ""});
     mass.checks.push_back(
@@ -118,7 +119,8 @@ void resolve_screwdown(RunContext &run, FourHigh &stand)
 {
   const reduce::FrameWithScrewdown done = reduce::frame_with_screwdown(stand.frame, stand.screwdown, stand.steel);
   for (const reduce::Replacement &spring : done.replaced) {
-    Parameter p = computed(spring.after, "N/m", spring.parts + " by formula", not_given, spring.inputs);
+    Parameter p = computed(spring.after, "N/m", spring.parts + " by formula", not_given,
+                           frame_keys(*run.keys, {spring.member}, ChainReading::run));
     // The error of a formula is not known, but the designer of the part may state it.
     const std::string row_key = spring.key.substr(std::string("frame.").size());
     if (const auto tolerance = stand.frame.tolerance.find(row_key); tolerance != stand.frame.tolerance.end())
@@ -169,7 +171,7 @@ void close_frame(RunContext &run, FourHigh &stand, const reduce::ChainInputs &in
                   stand.frame.*member, "N/m",
                   fmt::format("share of what frame.modulus = {:.4g} MN/mm leaves for the frame at the load of {} (30.11)",
                               rules.modulus / 1e9, stand.passes.front().name),
-                  not_given, joined(reduce::Keys{key}, reduce::closure_keys(stand)));
+                  not_given, joined(KeyList{key}, closure_keys(*run.keys)));
     p.at = inputs.at;
     if (const auto tolerance = rules.tolerance.find(row.key); tolerance != rules.tolerance.end())
       p.error_estimate = tolerance->second;

@@ -63,7 +63,7 @@ void add_frequencies(RunContext &run, const reduce::StandWithModes &s, const red
     f.at             = chain.model.at;
     f.error_estimate = s.modes.error_estimate[i] + errors.error[i];
     f.error_lacks    = errors.lacks[std::size_t(i)];
-    f.inputs         = keys_of_models(chain);
+    f.inputs         = keys_of_models(*run.keys, chain);
     if (s.model.name == word_of(StandModelKind::craig_bampton))  // its work-roll chocks stand on their bearings
       f.inputs = joined(std::move(f.inputs), chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
     for (const reduce::ModePair &pair : pairs)
@@ -378,9 +378,9 @@ void compare_models(RunContext &run, const StandStates &states, const StandInSta
                                                                 components, masses)));
 }
 
-KeyList keys_of_models(const reduce::LumpedStand &chain)
+KeyList keys_of_models(MovingKeys &keys, const reduce::LumpedStand &chain)
 {
-  return joined(keys_of(chain.model), detailed_model_keys());
+  return joined(keys_of(chain.model), detailed_model_keys(keys));
 }
 
 std::vector<reduce::ModalSensitivity> inputs_of_modes(const FourHigh &stand, const reduce::LumpedStand &chain,

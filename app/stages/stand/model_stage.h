@@ -75,7 +75,7 @@ void compare_models(RunContext &run, const StandStates &states, const StandInSta
 std::vector<reduce::ModalSensitivity> inputs_of_modes(const FourHigh &stand, const reduce::LumpedStand &chain,
                                                       const StandModels &models, const ComponentSets &components);
 /// Keys behind the beams and the finite elements.
-KeyList keys_of_models(const reduce::LumpedStand &chain);
+KeyList keys_of_models(MovingKeys &keys, const reduce::LumpedStand &chain);
 
 /// Frequencies of the finite elements as checks of f1..f6 and open.f1..f6, once those are computed.
 void add_model_checks(RunContext &run, const StandStates &states);

@@ -225,8 +225,7 @@ void add_housing_frequencies(RunContext &run, const FourHigh &stand, const Compo
     p.error_estimate =
         mesh_pair_error(f, std::sqrt(coarse_modes.eigenvalues()[i]) / (2 * M_PI), housing_mesh_gain()) +
         0.5 * squared * q.dot(fine.residual * q);  // (22.9)
-    p.inputs = reduce::housing_keys(stand.housing, true);
-    p.inputs.push_back("dynamics.frequency_limit");
+    p.inputs = bare_housing_keys(*run.keys);
     run.results.add(row::modes::of_housing.of(std::to_string(i + 1)), p);
   }
 }

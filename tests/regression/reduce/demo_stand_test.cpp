@@ -1,6 +1,7 @@
 // The demo stand as the reference file describes it.  Its masses and frame springs were tuned to published values,
 // so agreement with those proves nothing; what is tested is that the same drawing gives the same numbers as the
 // independent program behind the reference.
+#include "core/case/moving_keys.h"
 #include "reduce/bearing/rigid_rings.h"
 #include "reduce/chain/beam_shapes.h"
 #include "reduce/chain/line_contact.h"
@@ -276,7 +277,9 @@ TEST(LumpedStand, GivenValuesReplaceAndKeepTheirSource)
 
 TEST(LumpedStand, EveryNumberCarriesItsProof)
 {
-  const LumpedModel model = lumped_model(demo_stand(), inputs_at(working_load, 0.02, 0.05));
+  MovingKeys keys(demo_stand());
+  const LumpedModel model =
+      lumped_stand(demo_stand(), inputs_at(working_load, 0.02, 0.05), StatedErrors::propagated, &keys).model;
   for (const auto &mass : model.M) {
     EXPECT_EQ(mass.unit, "kg");
     EXPECT_EQ(mass.source, Source::computed);

@@ -1,3 +1,5 @@
+#include "core/case/chain_inputs.h"
+#include "core/case/chatter_inputs.h"
 #include "core/case/contact_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
@@ -87,4 +89,48 @@ TEST(MovingKeys, SteelDoesNotMoveABodyWithItsOwn)
   const std::vector<std::string> both{"upper.youngs_modulus=200 GPa", "lower.youngs_modulus=200 GPa"};
   EXPECT_FALSE(holds(list(both), "steel.youngs_modulus"));
   EXPECT_TRUE(holds(list(both), "steel.poisson_ratio"));
+}
+
+TEST(MovingKeys, AVariantStatesItsNumbersAndThoseThatItLeavesToTheStand)
+{
+  MovingKeys keys(read_case("cases/chatter-two-stands.toml",
+                            {R"(variant.stiff.stiffnesses=["9e10 N/m", "4e10 N/m", "6e10 N/m", "6e10 N/m", )"
+                             R"("4e10 N/m", "9e10 N/m"])"})
+                      .spec);
+  const KeyList variant = variant_keys(keys, 0, 0), stand = chatter_keys(keys, 0, ChatterReading::search);
+  EXPECT_TRUE(holds(variant, "variant.stiff.stiffnesses"));
+  EXPECT_FALSE(holds(variant, "stand.stiffnesses"));
+  EXPECT_FALSE(holds(variant, "variant.stiff.masses")) << "it is not given";
+  EXPECT_TRUE(holds(variant, "stand.masses"));
+  EXPECT_TRUE(holds(stand, "stand.stiffnesses"));
+  EXPECT_FALSE(holds(stand, "variant.stiff.stiffnesses"));
+}
+
+TEST(MovingKeys, AFilmIsThatOfTheSectionThatGivesIt)
+{
+  MovingKeys keys(read_case("cases/chatter-two-stands.toml").spec);
+  const KeyList bite = chatter_keys(keys, 1, ChatterReading::bite);
+  EXPECT_TRUE(holds(bite, "oil.viscosity") && holds(bite, "oil.friction.mu0") && holds(bite, "condition.1.speed"));
+  EXPECT_FALSE(holds(bite, "strip.friction.viscosity"));
+  EXPECT_FALSE(holds(bite, "oil.film_range")) << "it is compared with the film alone";
+  EXPECT_FALSE(holds(bite, "analysis.linearisation"));
+  EXPECT_TRUE(holds(chatter_keys(keys, 1, ChatterReading::slopes), "analysis.linearisation"));
+  EXPECT_FALSE(holds(chatter_keys(keys, 1, ChatterReading::search), "condition.1.speed"));
+  EXPECT_FALSE(holds(chatter_keys(keys, 1, ChatterReading::growth), "analysis.speeds"));
+}
+
+TEST(MovingKeys, ADrawnPartOfTheFrameHasTheKeysOfItsDrawing)
+{
+  const auto list = [](const char *file, double Frame::*part) {
+    MovingKeys keys(read_case(std::string("cases/") + file + ".toml").spec);
+    return frame_keys(keys, {part}, ChainReading::run);
+  };
+  EXPECT_EQ(list("four-high-1400", &Frame::upper_post_stiffness), KeyList{"frame.upper_post_stiffness"});
+  const KeyList post = list("four-high-drawn", &Frame::upper_post_stiffness),
+                mass = list("four-high-drawn", &Frame::upper_post_mass);
+  EXPECT_TRUE(holds(post, "housing.fillet_radius") && holds(post, "housing.post_width"));
+  EXPECT_FALSE(holds(post, "frame.upper_post_stiffness") || holds(post, "housing.density"));
+  EXPECT_TRUE(holds(mass, "housing.density"));
+  EXPECT_EQ(list("four-high-drawn", &Frame::oil_column_stiffness),
+            (KeyList{"screwdown.piston_diameter", "screwdown.stroke", "screwdown.oil_modulus"}));
 }

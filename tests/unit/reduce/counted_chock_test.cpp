@@ -1,4 +1,5 @@
 // A chock is counted once in the chain: inside the bearing that was computed with it, or as the spring of [frame].
+#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include "reduce/stand/lumped_stand.h"
 #include "tests/support/near.h"
@@ -28,7 +29,9 @@ LumpedModel chain_with(const std::string &more)
   in.K_Zy_upper = in.K_Zy_lower = spring(2.4e10);  // the chock is in it, or not: the chain cannot tell
   in.Kzc                        = {spring(1.2e10), spring(7e9), spring(7e9), spring(1.2e10)};
   in.at                         = "976.0 kN";
-  return reduce::lumped_model(std::get<FourHigh>(the_case.spec), in);
+  MovingKeys keys(the_case.spec);
+  return reduce::lumped_stand(std::get<FourHigh>(the_case.spec), in, reduce::StatedErrors::propagated, &keys)
+      .model;
 }
 }  // namespace
 

@@ -52,8 +52,7 @@ TEST(Screwdown, OilColumnReplacesItsSpringOnly)
   EXPECT_EQ(r.parts, "oil column");
   EXPECT_EQ(r.before, 1.8e10);
   EXPECT_EQ(r.after, out.frame.oil_column_stiffness);
-  EXPECT_EQ(r.inputs,
-            (std::vector<std::string>{"screwdown.oil_modulus", "screwdown.piston_diameter", "screwdown.stroke"}));
+  EXPECT_EQ(r.member, &Frame::oil_column_stiffness);
   EXPECT_EQ(out.frame.piston_stiffness, 4e11);
 }
 
