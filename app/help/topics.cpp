@@ -3,6 +3,7 @@
 #include "app/help/page_text.h"
 #include "core/base/choice.h"
 #include "core/base/errors.h"
+#include "core/base/si_unit.h"
 #include "core/base/text.h"
 #include "core/case/fields.h"
 #include "core/records/result_place.h"
@@ -15,10 +16,10 @@
 namespace mill::help {
 namespace {
 // Pages of docs/ that are looked through row by row; only the glossary is a topic itself.
-enum class TablePage { glossary, output, input };
+enum class TablePage { glossary, input };
 constexpr auto words_of(TablePage)
 {
-  return choice_words<TablePage>("glossary", "output", "input");
+  return choice_words<TablePage>("glossary", "input");
 }
 
 bool is_table(const std::string &name)
@@ -126,25 +127,47 @@ std::string terms(const std::string &topic)
   return text;
 }
 
-// Rows of docs/output.md, name, meaning, unit, theory, whose name `wanted` takes.
-template <class Wanted> std::string rows_of_results(const Wanted &wanted)
+// Whether a name of the reference, "contact.upper/lower.half_width", begins as the topic does: at least one part
+// is a word of both and does not stand for any name.
+std::string with_topic(const std::string &name, const std::string &topic)
 {
-  std::string text;
-  each_row(TablePage::output, [&](const std::string &section, const std::vector<std::string> &cells) {
-    const std::string name = without_backticks(cells[0]);
-    if (cells.size() < 4 || cells[0] == name || !wanted(name))  // names are in backticks
-      return;
-    text += fmt::format("result {} [{}]\n", name, cells[2]) +
-            paragraph(fmt::format("{}: {}; theory {}", section, cells[1], cells[3]), 4);
-  });
-  return text;
+  auto parts       = split(name, '.');
+  const auto words = split(topic, '.');
+  bool same        = false;
+  if (words.size() > parts.size())
+    return "";
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    same     = same || (!is_any_name(parts[i]) && is_numbered(parts[i], words[i]));
+    parts[i] = words[i];
+  }
+  return same ? fmt::format("{}", fmt::join(parts, ".")) : "";
 }
 
+std::string unit_text(const ResultRow &row)
+{
+  if (!*row.unit)
+    return "of its key";
+  return is_in(row.unit, SiUnit::one) ? "-" : row.unit;
+}
+
+// The result of this name and those whose names begin with it.
 std::string results(const std::string &topic)
 {
-  const std::string same =
-      rows_of_results([&](const std::string &name) { return name == topic || name.rfind(topic + ".", 0) == 0; });
-  return same.empty() ? rows_of_results([&](const std::string &name) { return is_name_of(name, topic); }) : same;
+  std::string listed, completed;
+  for (const RowGroup &group : row_groups())
+    for (const ResultRow *row : group.rows) {
+      const auto text_of = [&](const std::string &name) {
+        return fmt::format("result {} [{}]\n", name, unit_text(*row)) +
+               paragraph(fmt::format("{}: {}; theory {}", group.title, meaning_of_result(name), row->theory), 4);
+      };
+      for (const std::string &on_page : names_on_page(*row)) {
+        if (on_page == topic || on_page.rfind(topic + ".", 0) == 0)
+          listed += text_of(on_page);
+        else if (const std::string name = with_topic(on_page, topic); is_made_by(*row, name))
+          completed += text_of(name);
+      }
+    }
+  return listed.empty() ? completed : listed;
 }
 
 // Rows of docs/input.md: key, form, range, default, example, meaning, below the section "[work_roll]".

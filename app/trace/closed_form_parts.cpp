@@ -1,10 +1,10 @@
 #include "app/trace/closed_form_parts.h"
-#include "app/stages/contact/body_pair.h"
 #include "app/stages/contact/contact_stage.h"
 #include "core/case/moving_keys.h"
 #include "core/model/two_cylinders.h"
 #include "core/records/result_names.h"
 #include "fem/contact/hertz.h"
+#include "fem/contact/two_bodies.h"
 #include "reduce/chain/housing_frame.h"
 #include "reduce/chain/line_contact.h"
 #include "reduce/chain/screwdown.h"
@@ -122,15 +122,10 @@ struct ClosedFormContact {
 // Hertz' ellipse, or the line of Hertz and Lundberg where the contact is as long as the faces.
 std::vector<ClosedFormResult> closed_form_space(const TwoCylinders &pair, MovingKeys *keys)
 {
-  const SpaceShape shape = space_shape(pair);
-  const double load      = pair.space.at;
-  ClosedFormContact c{pair,
-                      keys,
-                      closed_keys(pair),
-                      "contact.space.",
-                      {"{}", {{load, "N"}}},
-                      "",
-                      "app/stages/contact/space_contact"};
+  const contact::SpaceShape shape = contact::space_shape(pair);
+  const double load               = pair.space.at;
+  ClosedFormContact c{
+      pair, keys, closed_keys(pair), "contact.space.", {"{}", {{load, "N"}}}, "", "fem/contact/space_contact"};
   c.closed = joined(std::move(c.closed), keys_in("contact.space", "at"));
   if (shape.is_point(load, pair.space.tilt)) {
     const auto e = contact::hertz_point(load, shape.radius, 1 / shape.curvature, shape.modulus);
@@ -167,7 +162,7 @@ std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair, Mo
   if (pair.in_space)
     return closed_form_space(pair, keys);
   const double q  = pair.contact.at;
-  const auto line = contact::line_bodies(line_bodies_of(pair), q);
+  const auto line = contact::line_bodies(contact::line_bodies_of(pair), q);
   ClosedFormContact c{pair,
                       keys,
                       joined(closed_keys(pair), keys_in("contact.line", "at")),

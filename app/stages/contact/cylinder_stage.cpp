@@ -5,9 +5,9 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/contact/half_plane_stage.h"
 #include "app/stages/contact/space_stage.h"
-#include "core/numerics/difference.h"
-#include "core/numerics/mesh_pair.h"
 #include "core/records/rows_of_contact.h"
+#include "fem/contact/half_plane_numbers.h"
+#include "fem/contact/two_bodies.h"
 #include "fem/roll/contact_slope.h"
 #include "fem/roll/contact_study.h"
 #include "meshes/roll/contact_mesh_size.h"
@@ -17,6 +17,8 @@
 
 namespace mill {
 namespace {
+using contact::LineValues;
+
 // What one engine says of the contact at its working load, and on elements twice as large.
 struct LineAnswer {
   std::string method;
@@ -118,37 +120,27 @@ LineAnswer by_half_planes(RunContext &run, const TwoCylinders &spec)
       "half planes, boundary elements (sec. 33.2), cylinders to their axes with Johnson's datum, an elastic plane "
       "to the stated depth";
   a.coarser = "strips twice as wide";
-  a.value   = half_plane_values(spec, c.at, true);
-  a.second  = half_plane_values(spec, c.at, false);
-  a.curve   = half_plane_curve(spec, fem::log_spaced(c.loads[0], c.loads[1], c.samples), run.progress);
+  a.value   = contact::half_plane_values(spec, c.at, true);
+  a.second  = contact::half_plane_values(spec, c.at, false);
+  a.curve   = contact::half_plane_curve(spec, fem::log_spaced(c.loads[0], c.loads[1], c.samples), run.progress);
   return a;
-}
-
-// Half width and peak are fitted apart (1.4); a parabola of them must carry the load again.
-double misfit_of(const LineValues &v, const double load)
-{
-  return std::abs(0.5 * M_PI * v.half_width * v.peak_pressure / load - 1);
 }
 
 void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine engine, const LineAnswer &a)
 {
   const ContactSettings &c = spec.contact;
-  const auto closed        = contact::line_bodies(line_bodies_of(spec), c.at);
-  const double misfit      = misfit_of(a.value, c.at);
+  const auto closed        = contact::line_bodies(contact::line_bodies_of(spec), c.at);
+  const LineValues error   = contact::line_errors(a.value, a.second, c.at, a.exact);
   const bool by_elements   = engine != PlaneEngine::half_planes;
-  const LineValues other   = by_elements ? half_plane_values(spec, c.at, true) : LineValues{};
+  const LineValues other   = by_elements ? contact::half_plane_values(spec, c.at, true) : LineValues{};
   const auto scalar        = [&](const RowOf<0> &row, double LineValues::*member, std::vector<Check> checks) {
     Parameter s;
     s.value          = a.value.*member;
     s.unit           = row.unit;
     s.method         = a.method;
     s.at             = {"{}", {{c.at, "N/mm"}}};
-    s.error_estimate = mesh_pair_error(s.value, a.second.*member);
-    if (member == &LineValues::half_width || member == &LineValues::peak_pressure)
-      s.error_estimate = std::max(s.error_estimate, misfit);
-    if (member == &LineValues::tangent && std::isfinite(a.exact))
-      s.error_estimate = std::max(s.error_estimate, difference(a.exact, s.value));
-    s.checks = std::move(checks);
+    s.error_estimate = error.*member;
+    s.checks         = std::move(checks);
     if (by_elements)
       s.checks.push_back({"half planes, boundary elements (sec. 33.2)", other.*member, ""});
     s.checks.push_back({a.coarser, a.second.*member, ""});
@@ -175,7 +167,7 @@ Table closed_curve(const TwoCylinders &spec, const Eigen::VectorXd &loads)
     return closed_table(*steel, loads, "N/m", "N/m2");
   Eigen::VectorXd secant(loads.size()), tangent(loads.size());
   for (Eigen::Index i = 0; i < loads.size(); ++i) {
-    const auto line = contact::line_bodies(line_bodies_of(spec), loads[i]);
+    const auto line = contact::line_bodies(contact::line_bodies_of(spec), loads[i]);
     secant[i]       = line.secant;
     tangent[i]      = line.tangent;
   }
@@ -188,8 +180,10 @@ Table closed_curve(const TwoCylinders &spec, const Eigen::VectorXd &loads)
 PlannedRoll planned_cylinder(const TwoCylinders &spec, const double diameter)
 {
   const ContactSettings &c = spec.contact;
-  const auto half_width = [&](const double q) { return contact::line_bodies(line_bodies_of(spec), q).half_width; };
-  const auto round      = [](const RoundBody &body) {
+  const auto half_width    = [&](const double q) {
+    return contact::line_bodies(contact::line_bodies_of(spec), q).half_width;
+  };
+  const auto round = [](const RoundBody &body) {
     return body.plane() ? std::numeric_limits<double>::infinity() : body.diameter;
   };
   PlannedRoll plan;

@@ -1,4 +1,4 @@
-#include "app/stages/contact/space_contact.h"
+#include "fem/contact/space_contact.h"
 #include "core/base/errors.h"
 #include "fem/contact/hertz.h"
 #include "fem/contact/row_refinement.h"
@@ -8,7 +8,7 @@
 #include <optional>
 #include <vector>
 
-namespace mill {
+namespace mill::contact {
 namespace {
 // Expected half axes of the contact and where its middle lies.
 struct Expected {
@@ -19,10 +19,10 @@ struct Expected {
 Expected expected(const SpaceShape &s, const double load, const double tilt)
 {
   if (s.is_point(load, tilt)) {
-    const auto ellipse = contact::hertz_point(load, s.radius, 1 / s.curvature, s.modulus);
+    const auto ellipse = hertz_point(load, s.radius, 1 / s.curvature, s.modulus);
     return {ellipse.semi_x, ellipse.semi_y, tilt / s.curvature, true};
   }
-  return {contact::hertz_line(load / s.length, s.radius, s.modulus).half_width, 0.5 * s.length, 0, false};
+  return {hertz_line(load / s.length, s.radius, s.modulus).half_width, 0.5 * s.length, 0, false};
 }
 
 Eigen::VectorXd mirrored(const Eigen::VectorXd &edges)
@@ -39,10 +39,10 @@ double shortest_row(const SpaceShape &s, const Expected &e, const int rectangles
 }
 
 // A grid that reaches `wide` expected half axes.
-contact::QuarterGrid grid_for(const SpaceShape &s, const Expected &e, const double wide, const double tilt,
-                              const int rectangles)
+QuarterGrid grid_for(const SpaceShape &s, const Expected &e, const double wide, const double tilt,
+                     const int rectangles)
 {
-  contact::QuarterGrid grid;
+  QuarterGrid grid;
   grid.n_x   = int(std::ceil(wide * rectangles));
   grid.width = e.half_x / rectangles;
   grid.half  = tilt != 0 || !s.symmetric;
@@ -55,14 +55,14 @@ contact::QuarterGrid grid_for(const SpaceShape &s, const Expected &e, const doub
     grid.z         = Eigen::VectorXd::LinSpaced(rows + 1, low, high);
   } else {
     const double in_middle   = 12. / rectangles * s.length / (grid.half ? 36 : 50);
-    const Eigen::VectorXd up = contact::graded_edges(e.half_z, in_middle, shortest_row(s, e, rectangles), 1.4);
+    const Eigen::VectorXd up = graded_edges(e.half_z, in_middle, shortest_row(s, e, rectangles), 1.4);
     grid.z                   = grid.half ? mirrored(up) : up;
   }
   return grid;
 }
 
 // Half axis along z by the pressures of the column next to x = 0, on the longer side of the middle.
-double half_axis(const contact::HalfSpaceState &s, const double middle)
+double half_axis(const HalfSpaceState &s, const double middle)
 {
   std::vector<double> z, p;
   for (Eigen::Index j = 0; j < s.z.size(); ++j)
@@ -70,10 +70,10 @@ double half_axis(const contact::HalfSpaceState &s, const double middle)
       z.push_back(s.z[j] - middle);
       p.push_back(s.pressure(0, j));
     }
-  return contact::fit_pressure(z, p).half_width;
+  return fit_pressure(z, p).half_width;
 }
 
-double length_of_loaded_rows(const contact::QuarterGrid &grid, const contact::HalfSpaceState &s)
+double length_of_loaded_rows(const QuarterGrid &grid, const HalfSpaceState &s)
 {
   double length = 0;
   for (Eigen::Index j = 0; j < s.z.size(); ++j)
@@ -82,7 +82,7 @@ double length_of_loaded_rows(const contact::QuarterGrid &grid, const contact::Ha
   return grid.half ? length : 2 * length;
 }
 
-int row_of_results(const contact::HalfSpaceState &s, const bool point)
+int row_of_results(const HalfSpaceState &s, const bool point)
 {
   Eigen::Index row = 0;
   if (point)
@@ -114,11 +114,11 @@ void solve_with_fine_rows(SpaceAnswer &a, const SpaceShape &shape, const double 
 {
   constexpr int most_rounds = 6, most_unknowns = 4000;
   const double bend = 0.04 * 12 / rectangles;  // of the largest line load: it is off by less than half of that
-  std::optional<contact::HalfSpaceContact> contact;
+  std::optional<HalfSpaceContact> contact;
   for (int round = 0;; ++round) {
     contact.emplace(shape.bodies, a.grid, shape.gap(tilt));
     a.state                     = contact->at_load(load);
-    const Eigen::VectorXd finer = contact::refined_rows(a.grid, a.state, bend, least);
+    const Eigen::VectorXd finer = refined_rows(a.grid, a.state, bend, least);
     if (round == most_rounds || finer.size() == a.grid.z.size() || a.grid.n_x * finer.size() > most_unknowns)
       break;
     a.grid.z = finer;
@@ -129,7 +129,7 @@ void solve_with_fine_rows(SpaceAnswer &a, const SpaceShape &shape, const double 
 
 void solve_on_grid(SpaceAnswer &a, const SpaceShape &shape, const double tilt, const double load)
 {
-  contact::HalfSpaceContact contact(shape.bodies, a.grid, shape.gap(tilt));
+  HalfSpaceContact contact(shape.bodies, a.grid, shape.gap(tilt));
   a.tangent = contact.tangent(load);
   a.state   = contact.at_load(load);
 }
@@ -173,16 +173,16 @@ SpaceAnswer solve_in_space(const SpaceShape &shape, const double load, const dou
 
 bool singular_end(const SpaceShape &shape, const SpaceAnswer &answer, const double tilt)
 {
-  return answer.cut && contact::has_singular_end(shape.bodies, answer.grid, shape.gap(tilt), answer.state.load);
+  return answer.cut && has_singular_end(shape.bodies, answer.grid, shape.gap(tilt), answer.state.load);
 }
 
 namespace {
 // The part of the contact that symmetry leaves, in equal rectangles.
-contact::RectangleGrid slip_grid(const SpaceShape &shape, const SpaceContactSettings &c,
-                                 const SpaceAnswer &pressed, const int cells)
+RectangleGrid slip_grid(const SpaceShape &shape, const SpaceContactSettings &c, const SpaceAnswer &pressed,
+                        const int cells)
 {
   const bool coupled = shape.bodies.coupling != 0, along = c.tangential_direction == TangentialDirection::along;
-  contact::RectangleGrid g;
+  RectangleGrid g;
   g.along     = along;
   g.mirror_x  = !coupled || along;
   g.mirror_z  = !pressed.grid.half && (!coupled || !along);
@@ -213,10 +213,10 @@ SpaceSlip slip_in_space(const SpaceShape &shape, const SpaceContactSettings &c, 
 {
   const auto grid = slip_grid(shape, c, pressed, cells);
   SpaceSlip s;
-  s.contact = contact::rectangle_contact(shape.bodies, shape.gap(c.tilt), grid, c.friction);
-  contact::FrictionSolver solver(s.contact.problem);
+  s.contact = rectangle_contact(shape.bodies, shape.gap(c.tilt), grid, c.friction);
+  FrictionSolver solver(s.contact.problem);
   const double P = c.at * s.contact.share, Q = c.tangential_load * s.contact.share;
-  const auto along = [&](const contact::FrictionState &state) {
+  const auto along = [&](const FrictionState &state) {
     return 1 / state.stiffness.inverse()(1, 1) / s.contact.share;
   };
   const auto &start     = solver.advance({Eigen::Vector2d(P, 0), {}});
@@ -238,16 +238,15 @@ SpaceSlip slip_in_space(const SpaceShape &shape, const SpaceContactSettings &c, 
     else
       distance[i] = off[i] <= off.minCoeff() * (1 + 1e-9) ? std::abs(s.contact.place(i, 0)) : -1;
   if (shape.bodies.coupling == 0) {
-    s.stick_half_width = contact::stick_edge(s.state, distance, contact::along_motion(s.contact, s.state),
-                                             c.friction, s.contact.area)
-                             .stick;
+    s.stick_half_width =
+        stick_edge(s.state, distance, along_motion(s.contact, s.state), c.friction, s.contact.area).stick;
     return s;
   }
   // Unlike materials leave a stuck zone off the middle, of another shape: its rectangles in the row are counted.
   int stuck = 0;
   for (Eigen::Index i = 0; i < off.size(); ++i)
-    stuck += off[i] <= off.minCoeff() * (1 + 1e-9) && s.state.status[std::size_t(i)] == contact::Status::stick;
+    stuck += off[i] <= off.minCoeff() * (1 + 1e-9) && s.state.status[std::size_t(i)] == Status::stick;
   s.stick_half_width = stuck * s.contact.width * (grid.mirror_x ? 1 : 0.5);
   return s;
 }
-}  // namespace mill
+}  // namespace mill::contact

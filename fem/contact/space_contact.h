@@ -1,12 +1,12 @@
 #pragma once
-#include "app/stages/contact/body_pair.h"
 #include "fem/contact/partial_slip.h"
+#include "fem/contact/two_bodies.h"
 
 // One contact in space solved on a grid that suits it.  theory.md 33.3
-namespace mill {
+namespace mill::contact {
 struct SpaceAnswer {
-  contact::HalfSpaceState state;
-  contact::QuarterGrid grid;
+  HalfSpaceState state;
+  QuarterGrid grid;
   double tangent       = 0;      ///< N/m
   int row              = 0;      ///< next to mid-length; of a point contact that with the largest line load
   double half_width    = 0;      ///< m, there; mean of both rows at mid-length where none lies on it
@@ -33,10 +33,10 @@ struct SpaceSlip {
   double displacement;      ///< m
   double first_stiffness;   ///< N/m, of the first increment
   double tangent;           ///< N/m, at the tangential load
-  contact::RectangleContact contact;
-  contact::FrictionState state;
+  RectangleContact contact;
+  FrictionState state;
 };
 /// @param cells  over each side of the contact, of a quarter
 SpaceSlip slip_in_space(const SpaceShape &shape, const SpaceContactSettings &settings, const SpaceAnswer &pressed,
                         int cells);
-}  // namespace mill
+}  // namespace mill::contact
