@@ -86,7 +86,7 @@ ClusterForce cluster_force(const ClusterStand &stand, const ClusterPass &pass)
   // One mean stress, as in the fits: a law that begins at zero has no stress at the entry of the first
   // pass.
   const bite::RollBite bite = bite::with_exit_stress(*drawn);
-  bite::SlabModel model     = slab_model(stand.bite);
+  bite::SlabModel model     = fem::slab_model(stand.bite);
   model.curve_points        = 0;
   if (model.arc == bite::Arc::elastic)
     model.arc = bite::Arc::hitchcock;

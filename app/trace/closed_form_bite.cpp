@@ -41,7 +41,7 @@ struct SlabAnswer {
 // section of the roll, so Hitchcock's represents it.
 SlabAnswer solve_bite(const bite::RollBite &bite, const BiteSetup &setup)
 {
-  bite::SlabModel model = slab_model(setup);
+  bite::SlabModel model = fem::slab_model(setup);
   if (setup.method == BiteMethod::fe)
     model.theory = bite::Theory::karman;
   if (model.arc == bite::Arc::elastic)

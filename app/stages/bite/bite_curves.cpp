@@ -39,7 +39,7 @@ struct Sweep {
 
 std::optional<bite::BiteState> slab_state(const BiteStudy &study, const RollBite &bite)
 {
-  bite::SlabModel model = slab_model(study.question.setup);
+  bite::SlabModel model = fem::slab_model(study.question.setup);
   if (model.arc == Arc::elastic)
     model.arc = Arc::hitchcock;  // a map takes many states
   try {
@@ -187,7 +187,7 @@ void write_map(RunContext &run, const BiteStudy &study)
   const RollBite &bite = study.question.bite;
   if (!is_a_number(bite.strip.friction))
     return;
-  bite::SlabModel model = slab_model(study.question.setup);
+  bite::SlabModel model = fem::slab_model(study.question.setup);
   if (model.arc == Arc::elastic)
     model.arc = Arc::hitchcock;
   constexpr Eigen::Index n = 25;

@@ -1,12 +1,11 @@
 #include "app/stages/bite/bite_results.h"
-#include "app/stages/bite/bite_accuracy.h"
 #include "app/stages/contact/contact_stage.h"
 #include "core/base/force_text.h"
 #include "core/records/bite_model.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_bite.h"
+#include "fem/strip/bite_numbers.h"
 #include "reduce/bite/slab/neutral_point.h"
-#include "reduce/bite/slab/path_stiffness.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -31,20 +30,6 @@ Parameter plain(const BiteStudy &s, const BiteAnswer &answer)
   p.method = model_text(answer);
   p.at     = operating_point(s);
   return p;
-}
-
-bool is_fitted(const BiteStudy &s)
-{
-  return !std::isnan(s.question.force_deviation);
-}
-
-// Flow stress and friction that belong to another force give another K4: beyond this the first page shows it.  A
-// strip that was fitted to the force is within three standard deviations of it.
-bool agrees_with_force(const BiteStudy &s)
-{
-  constexpr double same_force = 0.1;
-  return apart(s.chosen().state.force, s.question.force) <=
-         (is_fitted(s) ? 3 * s.question.force_deviation : same_force);
 }
 
 // The same number by every other model.
@@ -148,18 +133,12 @@ namespace {
 // On a free arc strip.exit_thickness is the smallest thickness under load; the strip springs back behind it.
 void add_thicknesses(const BiteStudy &s, const Adder &add)
 {
-  const bool fe        = &s.chosen() == s.find("fe");
-  const bool free_slab = !fe && s.chosen().key == word_of(BiteModel::karman_elastic_arc);
-  const double leaving = fe ? s.flow->fine.exit_thickness
-                            : bite::leaving_thickness(s.question.bite, s.chosen().state,
-                                                      free_slab ? bite::Arc::elastic : bite::Arc::rigid);
-  add(row::bite::exit_thickness, leaving, not_given, {},
+  const auto thickness = fem::strip_thickness(s);
+  add(row::bite::exit_thickness, thickness.leaving, not_given, {},
       ", of the strip that leaves the stand, under its front tension");
-  if (fe && s.flow->elastic)
-    add(row::bite::smallest_thickness, s.flow->smallest_thickness, not_given, {}, ", under the rolls, loaded");
-  else if (free_slab)
-    add(row::bite::smallest_thickness, s.question.bite.strip.exit_thickness, not_given, {},
-        ", under the rolls, loaded: as given");
+  const bool fe = &s.chosen() == s.find("fe");
+  add(row::bite::smallest_thickness, thickness.smallest, not_given, {},
+      fe ? ", under the rolls, loaded" : ", under the rolls, loaded: as given");
 }
 }  // namespace
 
@@ -184,16 +163,16 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   const double coarse_torque = s.flow ? s.flow->coarse_torque : not_given;
   auto checks                = comparisons(s, force_in);
   if (!std::isnan(s.question.force))
-    checks.push_back(
-        {s.question.force_name, s.question.force, agrees_with_force(s) || is_fitted(s) ? "" : force_remedy});
+    checks.push_back({s.question.force_name, s.question.force,
+                      fem::agrees_with_force(s) || fem::is_fitted(s) ? "" : force_remedy});
   const auto with_measured = [](std::vector<Check> checks, const double value) {
     if (!std::isnan(value))
       checks.push_back(check(CheckId::measured, value));
     return checks;
   };
-  const double error = bite_error(s, state.force, coarse_force, force_in);
+  const double error = fem::bite_error(s, state.force, coarse_force, force_in);
   add(row::bite::force, state.force, error, std::move(checks));
-  add(row::bite::torque, state.torque, bite_error(s, state.torque, coarse_torque, torque_in),
+  add(row::bite::torque, state.torque, fem::bite_error(s, state.torque, coarse_torque, torque_in),
       with_measured(comparisons(s, torque_in), s.question.measured_torque), ", of one roll");
   add(row::bite::friction, state.friction, not_given);
   add(row::bite::film_thickness, state.film_thickness, not_given);
@@ -202,7 +181,7 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
   add(row::bite::arc_length, state.arc_length, not_given);
   add(row::bite::sticking_length, state.sticking_length, not_given);
   add(row::bite::forward_slip, state.forward_slip,
-      bite_error(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in),
+      fem::bite_error(s, state.forward_slip, s.flow ? s.flow->coarse_slip : not_given, slip_in),
       with_measured(comparisons(s, slip_in), s.question.measured_slip));
   const auto neutral = [&](const BiteAnswer &a) { return bite::neutral_angle(s.question.bite, a.state); };
   add(row::bite::neutral_angle, neutral(s.chosen()), not_given, comparisons(s, neutral),
@@ -231,47 +210,9 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
 }
 
 namespace {
-// Value at one place of a function given by rising points.
-double interpolated(const Eigen::VectorXd &x, const Eigen::VectorXd &y, const double position)
+// The path form belongs to the mesh, so its number of nodes stands with it.
+void add_path_plateau(const BiteStudy &s, const bite::PathStiffness &path, BiteSpring &spring)
 {
-  if (position <= x[0] || position >= x[x.size() - 1])
-    return position <= x[0] ? y[0] : y[y.size() - 1];
-  const auto i   = std::upper_bound(x.data(), x.data() + x.size(), position) - x.data();
-  const double t = (position - x[i - 1]) / (x[i] - x[i - 1]);
-  return (1 - t) * y[i - 1] + t * y[i];
-}
-
-// (contact nodes) m, how far the section of the roll deflects under the pressure of the finite elements.
-Eigen::VectorXd roll_displacement(const BiteStudy &s)
-{
-  const bite::BiteState &state     = s.flow->fine.state;
-  const bite::ArcFlexibility &roll = s.flexibility;
-  Eigen::VectorXd pressure         = Eigen::VectorXd::Zero(roll.position.size());
-  for (Eigen::Index i = 0; i < pressure.size(); ++i)
-    if (const double x = roll.position[i];
-        x >= state.position[0] && x <= state.position[state.position.size() - 1])
-      pressure[i] = interpolated(state.position, state.pressure, x);
-  const Eigen::VectorXd u = roll.influence * pressure;
-  Eigen::VectorXd at_nodes(state.position.size());
-  for (Eigen::Index i = 0; i < at_nodes.size(); ++i)
-    at_nodes[i] = interpolated(roll.position, u, state.position[i]);
-  return at_nodes;
-}
-
-// The path form: nodal forces over how far the roll deflects there.  It belongs to the mesh, so its number of
-// nodes stands with it.
-void add_path_plateau(const BiteStudy &s, BiteSpring &spring)
-{
-  if (!s.flow || s.flexibility.position.size() == 0)
-    return;  // a rigid roll deflects nowhere
-  const fem::StripFlow &f = s.flow->fine;
-  bite::PathStiffness path;
-  try {
-    path = bite::path_stiffness(f.state.position, f.state.pressure, roll_displacement(s),
-                                s.question.bite.strip.width, s.question.setup.path_trim);
-  } catch (const InputError &) {
-    return;  // no place with both pressure and displacement
-  }
   Parameter &p = spring.path_plateau;
   p            = plain(s, *s.find("fe"));
   p.unit       = "N/m";
@@ -279,41 +220,23 @@ void add_path_plateau(const BiteStudy &s, BiteSpring &spring)
   p.method += fmt::format(", nodal force over nodal displacement, {:g} % left out at each end; {} nodes, falls as "
                           "1/nodes",
                           100 * s.question.setup.path_trim, path.nodes);
-  // The only other value of the flattening: the section of the roll under the computed pressure.
   spring.flattening.checks = {{"finite elements of the roll's section, sum of nodal forces over mean displacement",
                                path.sum, "reads the mean over the arc, the closed form its middle"}};
-  spring.flattening.error_estimate = apart(path.sum, spring.flattening.value);
   p.checks = {{"sum of nodal forces over mean displacement", path.sum, "does not depend on the mesh"},
               {"flattening of one roll, closed form, over the nodes", spring.flattening.value / path.nodes, ""}};
-}
-// Plastic slope and the flattening of both rolls in series; what is not known of the flattening comes with it.
-void add_combined(const BiteStudy &s, BiteSpring &spring)
-{
-  const bite::BiteStiffness &k = s.chosen().stiffness;
-  const double coarse_slope    = s.flow ? s.flow->coarse_slope : not_given;
-  const double coarse          = 1 / (1 / coarse_slope + 2 / k.flattening);
-  const double of_flattening   = 2 * k.combined / k.flattening * spring.flattening.error_estimate;
-  spring.combined              = plain(s, s.chosen());
-  spring.combined.unit         = "N/m";
-  spring.combined.value        = k.combined;
-  spring.combined.method = model_text(s.chosen()) + ", plastic slope in series with the flattening of both rolls";
-  spring.combined.checks = comparisons(s, combined_in);
-  spring.combined.error_estimate = bite_error(s, k.combined, coarse, combined_in);
-  if (!std::isnan(of_flattening))
-    spring.combined.error_estimate += of_flattening;
 }
 }  // namespace
 
 BiteSpring bite_spring(const BiteStudy &s)
 {
   const BiteAnswer &chosen = s.chosen();
-  const double coarse      = s.flow ? s.flow->coarse_slope : not_given;
+  const auto numbers       = fem::spring_numbers(s);
   const double dh          = s.question.bite.strip.entry_thickness - s.question.bite.strip.exit_thickness;
   BiteSpring spring;
   spring.plastic_slope                = plain(s, chosen);
   spring.plastic_slope.unit           = "N/m";
   spring.plastic_slope.value          = chosen.stiffness.plastic_slope;
-  spring.plastic_slope.error_estimate = bite_error(s, chosen.stiffness.plastic_slope, coarse, slope_in);
+  spring.plastic_slope.error_estimate = numbers.plastic_slope_error;
   spring.plastic_slope.method += ", -dF/dh_exit at fixed entry thickness, arc held";
   spring.plastic_slope.checks = comparisons(s, slope_in);
   if (!std::isnan(chosen.stiffness.plastic_slope_following))
@@ -323,12 +246,20 @@ BiteSpring bite_spring(const BiteStudy &s)
   spring.plastic_slope.checks.push_back(
       {"F / (2 reduction), lower rule of thumb", chosen.state.force / (2 * dh), ""});
 
-  spring.flattening        = plain(s, chosen);
-  spring.flattening.unit   = "N/m";
-  spring.flattening.value  = chosen.stiffness.flattening;
-  spring.flattening.method = "closed form, elastic flattening of one roll on the arc of the loaded roll";
-  add_path_plateau(s, spring);
-  add_combined(s, spring);
+  spring.flattening                = plain(s, chosen);
+  spring.flattening.unit           = "N/m";
+  spring.flattening.value          = chosen.stiffness.flattening;
+  spring.flattening.method         = "closed form, elastic flattening of one roll on the arc of the loaded roll";
+  spring.flattening.error_estimate = numbers.flattening_error;
+  if (numbers.path)
+    add_path_plateau(s, *numbers.path, spring);
+
+  spring.combined        = plain(s, chosen);
+  spring.combined.unit   = "N/m";
+  spring.combined.value  = chosen.stiffness.combined;
+  spring.combined.method = model_text(chosen) + ", plastic slope in series with the flattening of both rolls";
+  spring.combined.checks = comparisons(s, combined_in);
+  spring.combined.error_estimate = numbers.combined_error;
   return spring;
 }
 
@@ -352,12 +283,12 @@ void note_force(RunContext &run, const BiteStudy &s, const std::string &subject)
   if (std::isnan(s.question.force) || s.question.stress_fitted_to_force)
     return;  // a stress that was fitted to the force says nothing of the case
   const double force = s.chosen().state.force;
-  const bool fitted  = is_fitted(s);
+  const bool fitted  = fem::is_fitted(s);
   const std::string forces =
       fmt::format("{} give {} by {}; {} is {}",
                   fitted ? "the fitted flow stress and friction" : "strip.flow_stress and strip.friction",
                   in_kN(force), model_text(s.chosen()), s.question.force_name, in_kN(s.question.force));
-  if (agrees_with_force(s))
+  if (fem::agrees_with_force(s))
     run.assume(subject + ": " + forces);
   else
     run.warn({WarningId::bite_force, subject,
@@ -387,10 +318,7 @@ void note_bite(RunContext &run, const BiteStudy &s)
   if (!s.slab().refused.empty())
     run.warn({WarningId::bite_model_refused, subject, "the slab theory for comparison has no solution",
               s.slab().refused, "", concerned_by(s)});
-  const bool free_arc =
-      s.chosen().key == word_of(BiteModel::karman_elastic_arc) ||
-      (&s.chosen() == s.find("fe") && s.flow->elastic && s.question.setup.arc == BiteArc::elastic);
-  if (free_arc)
+  if (fem::on_free_arc(s))
     run.assume(where +
                "strip.exit_thickness is the smallest thickness of the strip under elastic rolls; the strip "
                "springs back from there to bite." +

@@ -44,7 +44,7 @@ void check_pass(const bite::RollBite &bite, const BiteSetup &setup, const Pass &
   if (follows_bite(bite.strip.friction) || !setup.fit.empty())  // of a fit the case's friction is a start only
     return;
   try {
-    bite::solve_slab(bite, {slab_model(setup).theory, bite::Arc::rigid});
+    bite::solve_slab(bite, {fem::slab_model(setup).theory, bite::Arc::rigid});
   } catch (const InputError &e) {
     if (!some_arc_takes(bite))
       problems.push_back({pass.place, "pass \"" + pass.name + "\": " + e.problems.front().message, {}});
@@ -64,8 +64,8 @@ void check_theory(const bite::RollBite &bite, const BiteSetup &setup, const Pass
     problems.push_back({pass.place, "pass \"" + pass.name + "\": " + why, {}});
   };
   try {
-    const BiteSetup settled = settled_setup(setup, bite::regime_of(bite));
-    bite::SlabModel model   = slab_model(settled);
+    const BiteSetup settled = fem::settled_setup(setup, bite::regime_of(bite));
+    bite::SlabModel model   = fem::slab_model(settled);
     model.curve_points      = 0;
     if (model.arc == bite::Arc::hitchcock)
       bite::solve_slab(bite, model);
@@ -140,7 +140,7 @@ namespace {
 std::optional<Warning> free_arc_refused(const bite::RollBite &bite, const BiteSetup &setup, const Pass &pass)
 {
   try {
-    bite::SlabModel model = slab_model(settled_setup(setup, bite::regime_of(bite)));
+    bite::SlabModel model = fem::slab_model(fem::settled_setup(setup, bite::regime_of(bite)));
     model.curve_points    = 0;
     if (model.arc == bite::Arc::elastic)
       bite::solve_slab(bite, model);

@@ -1,90 +1,12 @@
 #pragma once
 #include "app/run/run_context.h"
-#include "core/base/each_member.h"
-#include "core/model/bite_setup.h"
-#include "fem/strip/rigid_plastic/strip_flow.h"
-#include "reduce/bite/bite.h"
-#include "reduce/bite/slab/regime.h"
-#include "reduce/bite/slab/slab_bite.h"
-#include <exception>
-#include <optional>
+#include "fem/strip/bite_answers.h"
 
 namespace mill {
-/// What is asked of a roll bite.
-struct BiteQuestion {
-  bite::RollBite bite;
-  BiteSetup setup;
-  std::string pass;                     ///< its name
-  double force = not_given;             ///< N, for comparison with the computed one
-  std::string force_name;               ///< "mean of the recorded force"
-  double force_deviation = not_given;   ///< -, standard deviation of that force where the strip was fitted to it
-  bool stress_fitted_to_force = false;  ///< the flow stress of `bite` comes from `force`, not from the case
-  double measured_slip        = not_given;  ///< -, forward slip for comparison with the computed one
-  double measured_torque      = not_given;  ///< N m, of one roll
-  std::string roll_key;                     ///< of the case file, "work_roll.barrel_diameter"
-  bool curves              = true;  ///< also K4 over reduction, tension, friction, speed and the bite's aspect
-  double backup_half_width = 0;     ///< m, of the contact with the back-up roll opposite; 0: none
-};
-
-/// One model's answer, or why it has none.
-struct BiteAnswer {
-  std::string key;          ///< "fe", "karman", "karman-elastic-arc": names results and files
-  std::string refused;      ///< empty, or what the model says
-  bool impossible = false;  ///< refused because no roll can take the strip, and not for want of convergence
-  bite::BiteState state;
-  bite::BiteStiffness stiffness;
-};
-
-/// The finite-element bite on two meshes.
-struct FlowAnswer {
-  fem::StripFlow fine;
-  double coarse_force       = not_given;  ///< N, on elements twice as large
-  double coarse_slope       = not_given;  ///< N/m
-  double coarse_torque      = not_given;  ///< N m
-  double coarse_slip        = not_given;  ///< -, forward slip
-  bool elastic              = false;      ///< elastic-plastic strip; what follows is of that only
-  double smallest_thickness = not_given;  ///< m, of the strip under the rolls
-  double elastic_entry      = not_given;  ///< m, contact before the strip's surface yields
-  double elastic_exit       = not_given;  ///< m, contact behind its last yielding
-  double elastic_power      = not_given;  ///< -, elastic energy carried off over the power spent
-  Eigen::VectorXd outlet_height;          ///< (n) m, from the middle plane
-  Eigen::VectorXd outlet_stress;          ///< (n) Pa, along the strip far behind the bite
-};
-
-template <class Io, class R, if_record<R, FlowAnswer> = 0> void each_member(Io &&io, R &record)
-{
-  auto &[fine, coarse_force, coarse_slope, coarse_torque, coarse_slip, elastic, smallest_thickness, elastic_entry,
-         elastic_exit, elastic_power, outlet_height, outlet_stress] = record;
-  io("fine", fine);
-  io("coarse_force", coarse_force);
-  io("coarse_slope", coarse_slope);
-  io("coarse_torque", coarse_torque);
-  io("coarse_slip", coarse_slip);
-  io("elastic", elastic);
-  io("smallest_thickness", smallest_thickness);
-  io("elastic_entry", elastic_entry);
-  io("elastic_exit", elastic_exit);
-  io("elastic_power", elastic_power);
-  io("outlet_height", outlet_height);
-  io("outlet_stress", outlet_stress);
-}
-
-/// One pass by every model that applies.
-struct BiteStudy {
-  BiteQuestion question;  ///< with the solver that the regime asks for
-  bite::Regime regime;
-  std::vector<BiteAnswer> answers;  ///< the chosen slab theory first, "fe" last
-  std::optional<FlowAnswer> flow;
-  std::vector<std::string>
-      failures;  ///< of finite elements, one sentence each, in the order in which they were tried
-  bite::ArcFlexibility flexibility;  ///< of the roll's section; empty with a rigid arc
-  double flexibility_error = 0;      ///< -, of its shape, from two meshes
-  std::optional<BiteAnswer> softer;  ///< the chosen slab theory on a section softer by that error; free arc only
-  const BiteAnswer *find(const std::string &key) const;  ///< nullptr: not asked, or refused
-  const BiteAnswer &slab() const;                        ///< the chosen slab theory
-  const BiteAnswer &chosen() const;                      ///< that gives K4
-  bool beyond_circle() const;  ///< the chosen answer is on Hitchcock's circle, beyond its range
-};
+using fem::BiteAnswer;
+using fem::BiteQuestion;
+using fem::BiteStudy;
+using fem::FlowAnswer;
 
 /// Solves one pass.  Where finite elements find no answer those of the other strip are tried, then the slab
 /// theories give the values: Karman on a free arc, on Hitchcock's circle, Bland and Ford.
@@ -96,12 +18,6 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question);
 /// where a slab theory has one.  @throws InputError  a pass that no model takes Cost: one slab, some 5 ms; for
 /// such a pass five.
 std::optional<Warning> bite_without_theory(const BiteQuestion &question);
-
-/// Settings of [bite] with what they leave to the regime of the pass.
-BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime);
-
-/// The slab theory of [bite] with its arc.
-bite::SlabModel slab_model(const BiteSetup &setup);
 
 /// The model of one answer in words.
 std::string model_text(const BiteAnswer &answer);

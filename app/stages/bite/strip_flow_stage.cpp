@@ -47,7 +47,7 @@ StripLines lines_of(const FlowQuestion &q, const int along, const int through)
 fem::StripFlowModel rigid_model(const FlowQuestion &q)
 {
   fem::StripFlowModel model;
-  model.arc = slab_model(q.setup).arc;
+  model.arc = fem::slab_model(q.setup).arc;
   // A rigid-plastic strip ends with a step of pressure, under which a free arc has no limit (theory.md 17).
   if (model.arc == bite::Arc::elastic)
     model.arc = bite::Arc::hitchcock;

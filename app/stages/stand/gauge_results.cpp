@@ -68,7 +68,7 @@ public:
   CoupledCheck(const FourHigh &stand, const Pass &pass, const double radius, const reduce::LoadDeflection &stretch)
   {
     SlabForce slab{bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel),
-                   slab_model(stand.bite)};
+                   fem::slab_model(stand.bite)};
     slab.model.arc          = bite::Arc::rigid;
     slab.model.curve_points = 0;
     if (stand.bite.method == BiteMethod::fe)

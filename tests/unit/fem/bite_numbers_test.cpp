@@ -1,12 +1,15 @@
 // Error estimates of the results of the bite: from two meshes and from the theories that they are compared with.
-#include "app/stages/bite/bite_accuracy.h"
-#include "app/stages/bite/bite_results.h"
+#include "fem/strip/bite_numbers.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/near.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
 using namespace mill;
+using fem::bite_error;
+using fem::BiteAnswer;
+using fem::BiteStudy;
+using fem::spring_numbers;
 
 namespace {
 BiteAnswer answer(const std::string &key, const double force, const double slope, const double radius)
@@ -44,7 +47,7 @@ BiteStudy by_elements(const double ratio = 1)
 const auto exact = within(1e-12, "relative differences");
 }  // namespace
 
-TEST(BiteAccuracy, TheErrorIncludesTheSlabTheoryAndTheMeshes)
+TEST(BiteNumbers, TheErrorIncludesTheSlabTheoryAndTheMeshes)
 {
   BiteStudy s = by_elements();
   EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.07, exact));
@@ -56,17 +59,17 @@ TEST(BiteAccuracy, TheErrorIncludesTheSlabTheoryAndTheMeshes)
   EXPECT_TRUE(std::isnan(bite_error(s, 100, 98, force_of))) << "nothing independent: not known";
 }
 
-TEST(BiteAccuracy, BeyondHitchcocksRangeTheErrorNeedsAFreeArc)
+TEST(BiteNumbers, BeyondHitchcocksRangeTheErrorNeedsAFreeArc)
 {
   BiteStudy s = by_elements(5.5);
   EXPECT_TRUE(std::isnan(bite_error(s, 100, 98, force_of)));
-  EXPECT_TRUE(std::isnan(bite_spring(s).plastic_slope.error_estimate));
-  EXPECT_TRUE(std::isnan(bite_spring(s).combined.error_estimate));
+  EXPECT_TRUE(std::isnan(spring_numbers(s).plastic_slope_error));
+  EXPECT_TRUE(std::isnan(spring_numbers(s).combined_error));
   s.answers.push_back(answer("karman-elastic-arc", 130, 1400, 5.5 * 0.21));
   EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.3, exact));
 }
 
-TEST(BiteAccuracy, TheSectionOfTheRollEntersByItsEffectOnTheResult)
+TEST(BiteNumbers, TheSectionOfTheRollEntersByItsEffectOnTheResult)
 {
   BiteStudy s             = by_elements();
   s.question.setup.method = BiteMethod::slab;
@@ -77,12 +80,37 @@ TEST(BiteAccuracy, TheSectionOfTheRollEntersByItsEffectOnTheResult)
   EXPECT_TRUE(near(bite_error(s, 100, not_given, force_of), 0.025, exact));
 }
 
-TEST(BiteAccuracy, TheSeriesOfSlopeAndFlatteningHasASeparateError)
+TEST(BiteNumbers, TheSeriesOfSlopeAndFlatteningHasASeparateError)
 {
-  const BiteStudy s       = by_elements();
-  const BiteSpring spring = bite_spring(s);
-  EXPECT_TRUE(near(spring.plastic_slope.error_estimate, 0.1, exact));
+  const auto numbers = spring_numbers(by_elements());
+  EXPECT_TRUE(near(numbers.plastic_slope_error, 0.1, exact));
   // 1/(1/1000 + 2/20000) against 1/(1/1100 + 2/22000): in proportion here; the mesh alone is 0.9 %.
-  EXPECT_TRUE(near(spring.combined.error_estimate, 0.1, exact));
-  EXPECT_TRUE(std::isnan(spring.flattening.error_estimate)) << "no section of the roll: nothing to compare with";
+  EXPECT_TRUE(near(numbers.combined_error, 0.1, exact));
+  EXPECT_TRUE(std::isnan(numbers.flattening_error)) << "no section of the roll: nothing to compare with";
+  EXPECT_FALSE(numbers.path) << "nor a path";
+}
+
+// A section that deflects evenly by U under an even pressure: force over U is the stiffness of its sum form.
+TEST(BiteNumbers, TheSectionOfTheRollJudgesTheFlattening)
+{
+  constexpr int n      = 41;
+  constexpr double arc = 0.025, pressure = 400e6, U = 50e-6;
+  BiteStudy s             = by_elements();
+  auto &state             = s.flow->fine.state;
+  state.position          = Eigen::VectorXd::LinSpaced(n, -arc, 0);
+  state.pressure          = Eigen::VectorXd::Constant(n, pressure);
+  s.flexibility.position  = state.position;
+  s.flexibility.influence = Eigen::MatrixXd::Constant(n, n, U / (n * pressure));
+  const double F          = pressure * arc * s.question.bite.strip.width;
+  for (BiteAnswer &a : s.answers)
+    a.stiffness.flattening = 0.8 * F / U;
+  const auto numbers = spring_numbers(s);
+  ASSERT_TRUE(numbers.path);
+  EXPECT_TRUE(near(numbers.path->sum, F / U, within(1e-9, "even pressure and deflection, rounding")));
+  EXPECT_TRUE(near(numbers.flattening_error, 0.25, within(1e-9, "1/0.8 - 1, rounding")));
+  auto rigid        = s;
+  rigid.flexibility = {};
+  const auto &k     = s.chosen().stiffness;
+  EXPECT_TRUE(near(numbers.combined_error - spring_numbers(rigid).combined_error,
+                   0.25 * 2 * k.combined / k.flattening, within(1e-9, "share of both rolls in the series")));
 }
