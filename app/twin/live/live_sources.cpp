@@ -1,6 +1,10 @@
 #include "app/twin/live/live_sources.h"
+#include "app/twin/live/live_clock.h"
+#include "app/twin/stand/record_options.h"
 #include "core/base/errors.h"
+#include "core/case/monitoring.h"
 #include "twin/live/source/file_sources.h"
+#include "twin/live/steady_clock.h"
 #include "twin/web/server/listen_address.h"
 #include <filesystem>
 #include <fmt/format.h>
@@ -8,45 +12,111 @@
 namespace fs = std::filesystem;
 
 namespace mill {
-LiveSources::LiveSources(const LiveInput &input, const LiveOptions &options, const live::SourceRules &rules,
-                         const std::int64_t skip_to, live::SampleQueue &queue)
+namespace {
+live::ClockReading clock_now()
 {
-  const double speed = replay_speed(options.speed);
-  if (!options.speed.empty() && input.kind != LiveInput::Kind::replay)
+  return {live::steady_now(), utc_now()};
+}
+}  // namespace
+
+LiveSources::LiveSources(LiveInput input) : input_(std::move(input))
+{
+  if (input_.kind != LiveInput::Kind::replay)
+    arrival_.emplace();
+}
+
+live::SourceRules LiveSources::rules(const CommandLine &command, const std::string &token,
+                                     const live::Engine &engine) const
+{
+  live::SourceRules rules;
+  rules.places  = live::places_of(live::stepped(engine.model(), {}));
+  rules.reading = read_options(command, monitoring_of(command.target, command.sets));
+  rules.token   = input_.kind == LiveInput::Kind::tcp ? token : "";
+  rules.next    = [this] { return next(); };
+  if (input_.kind == LiveInput::Kind::mqtt && engine.resumed_at() != 0) {
+    const live::LiveSource &source = *engine.source();
+    rules.assumed = live::SourceHead{source.rate, source.start_time, source.name, source.channels, source.factor};
+  }
+  return rules;
+}
+
+void LiveSources::open(const CommandLine &command, const std::string &token, const live::Engine &engine)
+{
+  const live::SourceRules rules = this->rules(command, token, engine);
+  const double speed            = replay_speed(command.live.speed);
+  if (!command.live.speed.empty() && input_.kind != LiveInput::Kind::replay)
     throw InputError(
         "--speed belongs to a record that is played (--input FILE.csv); other sources set their own pace");
-  const live::FileSource file{input.target, rules, speed, skip_to};
-  const auto start = [&](auto read) { thread_ = std::make_unique<live::SourceThread>(queue, std::move(read)); };
+  std::int64_t skip_to = 0;
+  if (engine.resumed_at() != 0) {
+    next_ = engine.resumed_at();
+    if (engine.source()->name == input_.target)
+      skip_to = engine.resumed_at();
+  }
+  const live::FileSource file{input_.target, rules, speed, skip_to};
+  const auto start = [&](auto read) { thread_ = std::make_unique<live::SourceThread>(queue_, std::move(read)); };
   using Kind       = LiveInput::Kind;
-  switch (input.kind) {
+  switch (input_.kind) {
   case Kind::replay:
-    if (!fs::is_regular_file(input.target))
-      throw InputError("the file " + input.target + " does not exist");
-    description_ = "record " + input.target;
-    start([file, &queue](const std::atomic<bool> &stop) { live::replay_csv(file, queue, stop); });
+    if (!fs::is_regular_file(input_.target))
+      throw InputError("the file " + input_.target + " does not exist");
+    description_ = "record " + input_.target;
+    start([file, this](const std::atomic<bool> &stop) { live::replay_csv(file, queue_, stop); });
     break;
   case Kind::tail:
-    description_ = "growing file " + input.target;
-    start([file, &queue](const std::atomic<bool> &stop) { live::follow_csv(file, queue, stop); });
+    description_ = "growing file " + input_.target;
+    start([file, this](const std::atomic<bool> &stop) { live::follow_csv(file, queue_, stop); });
     break;
   case Kind::lines:
     description_ = "standard input";
-    start([rules, &queue](const std::atomic<bool> &stop) { live::read_json_lines(0, rules, queue, stop); });
+    start([rules, this](const std::atomic<bool> &stop) { live::read_json_lines(0, rules, queue_, stop); });
     break;
   case Kind::tcp: {
-    const auto listen = web::address_and_port("--input", input.target, "tcp:127.0.0.1:8461");
-    port_ = std::make_unique<live::DataPort>(live::DataPortSettings{listen.address, listen.port, rules}, queue);
+    const auto listen = web::address_and_port("--input", input_.target, "tcp:127.0.0.1:8461");
+    port_ = std::make_unique<live::DataPort>(live::DataPortSettings{listen.address, listen.port, rules}, queue_);
     description_ = fmt::format("tcp {}:{}", listen.address, port_->port());
     break;
   }
   case Kind::mqtt: {
-    live::MqttSettings settings = live::mqtt_settings(input.target);
+    live::MqttSettings settings = live::mqtt_settings(input_.target);
     settings.rules              = rules;
     description_                = fmt::format("mqtt {}:{}/{}", settings.host, settings.port, settings.stand);
-    mqtt_                       = std::make_unique<live::MqttSource>(settings, queue);
+    mqtt_                       = std::make_unique<live::MqttSource>(settings, queue_);
     break;
   }
   }
+}
+
+void LiveSources::begin(const live::LiveSource &source)
+{
+  if (arrival_)
+    arrival_->begin(source.rate);
+}
+
+LiveSources::News LiveSources::arrived(const std::int64_t next, const std::int64_t n, const double rate)
+{
+  return arrival_ ? arrival_->arrived(next, n, clock_now(), double(queue_.samples()) / rate) : std::nullopt;
+}
+
+LiveSources::News LiveSources::look()
+{
+  return arrival_ ? arrival_->look(clock_now()) : std::nullopt;
+}
+
+double LiveSources::arrival_rate() const
+{
+  return arrival_ ? arrival_->rate() : std::numeric_limits<double>::quiet_NaN();
+}
+
+void LiveSources::set_next(const std::int64_t next)
+{
+  next_ = next;
+}
+
+std::optional<std::int64_t> LiveSources::next() const
+{
+  const std::int64_t next = next_;
+  return next < 0 ? std::nullopt : std::optional(next);
 }
 
 std::string LiveSources::notice() const

@@ -1,23 +1,43 @@
 #pragma once
-#include "app/command/live_options.h"
+#include "app/command/command_line.h"
 #include "app/twin/live/live_input.h"
+#include "twin/live/engine/engine.h"
 #include "twin/live/queue/sample_queue.h"
+#include "twin/live/source/arrival_watch.h"
 #include "twin/live/source/data_port.h"
 #include "twin/live/source/mqtt_source.h"
 #include "twin/live/source/source_thread.h"
+#include <atomic>
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace mill {
-/// The source that the user asked for, running.
+/// The source that the user asked for, its queue, and the watch over rate and clocks of a source that sets its own
+/// pace.  In the thread of the engine; the readers ask for next() from theirs.
 class LiveSources {
 public:
-  /// @param skip_to  sample behind the last one of an earlier run of the same file; 0: none
-  /// @throws InputError  a file or an address that is not there
-  LiveSources(const LiveInput &input, const LiveOptions &options, const live::SourceRules &rules,
-              std::int64_t skip_to, live::SampleQueue &queue);
+  using News = std::optional<live::ArrivalWatch::News>;
+  explicit LiveSources(LiveInput input);
 
-  const std::string &description() const  ///< "tcp 127.0.0.1:8461"
+  /// Starts the reader, at the sample where an engine that was resumed goes on.
+  /// @param token  that a head on TCP brings; empty: none
+  /// @throws InputError  options, a file or an address that is not there
+  void open(const CommandLine &command, const std::string &token, const live::Engine &engine);
+
+  void begin(const live::LiveSource &source);
+  /// @param next  number behind the last sample that came;  @param n  samples that came;  @param rate  Hz
+  News arrived(std::int64_t next, std::int64_t n, double rate);
+  News look();                  ///< now and then
+  double arrival_rate() const;  ///< Hz; NaN: not measured
+
+  void set_next(std::int64_t next);
+  std::optional<std::int64_t> next() const;  ///< sample that the twin waits for, sent to senders; from any thread
+  live::SampleQueue &queue()
+  {
+    return queue_;
+  }
+  const std::string &description() const  ///< "tcp 127.0.0.1:8461"; empty before open()
   {
     return description_;
   }
@@ -28,6 +48,12 @@ public:
   void rethrow() const;
 
 private:
+  live::SourceRules rules(const CommandLine &command, const std::string &token, const live::Engine &engine) const;
+
+  LiveInput input_;
+  std::optional<live::ArrivalWatch> arrival_;
+  live::SampleQueue queue_;
+  std::atomic<std::int64_t> next_{-1};
   std::string description_;
   std::unique_ptr<live::SourceThread> thread_;
   std::unique_ptr<live::DataPort> port_;
