@@ -24,23 +24,17 @@ BentWorkRoll bent_roll(const FourHigh &stand, const Component *solid, const doub
                             beam_section(barrel_section(roll), stand.steel).bending})};
 }
 
-std::vector<PathPart> parts_of(const std::vector<PathSpring> &path)
-{
-  std::vector<PathPart> parts;
-  for (const PathSpring &spring : path)
-    parts.push_back(spring.part);
-  return parts;
-}
-
 MillModulus modulus_at(const std::vector<PathSpring> &path, const double force)
 {
-  auto parts = parts_of(path);
-  for (std::size_t i = 0; i < path.size(); ++i)
-    if (path[i].at_others) {
-      const auto there = path[i].at_others(force);
-      parts[i].tangent = there.tangent;
-      parts[i].secant  = there.secant;
-    }
+  std::vector<PathPart> parts;
+  for (const PathSpring &spring : path) {
+    parts.push_back(spring);
+    if (!spring.at_others)
+      continue;
+    const auto there     = spring.at_others(force);
+    parts.back().tangent = there.tangent;
+    parts.back().secant  = there.secant;
+  }
   return mill_modulus(parts);
 }
 
@@ -61,10 +55,16 @@ double error_on_modulus(const std::vector<PathPart> &path, const std::vector<Pat
   return error;
 }
 
-LoadDeflection stretch_of(const std::vector<PathSpring> &path, const std::array<double, 2> &forces)
+LoadDeflection stretch_of(const std::vector<PathSpring> &path, const double load,
+                          const std::array<const ContactCurve *, 2> &contacts)
 {
-  constexpr int n        = 41;
-  const auto [low, high] = forces;
+  constexpr int n = 41;
+  double low = 0.1 * load, high = 2 * load;
+  for (const ContactCurve *curve : contacts)
+    if (curve) {
+      low  = std::max(low, curve->load[0]);
+      high = std::min(high, curve->load[curve->load.size() - 1]);
+    }
   LoadDeflection all{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
   for (int i = 0; i < n; ++i) {
     const double F    = i == n - 1 ? high : low * std::pow(high / low, double(i) / (n - 1));
@@ -159,24 +159,14 @@ PathSpring spring_with_bearings(PathPart part, const double K_Zy, const double s
           }};
 }
 
-std::array<double, 2> forces_of_stretch(const double load, const std::array<const ContactCurve *, 2> &contacts)
-{
-  double low = 0.1 * load, high = 2 * load;
-  for (const ContactCurve *curve : contacts)
-    if (curve) {
-      low  = std::max(low, curve->load[0]);
-      high = std::min(high, curve->load[curve->load.size() - 1]);
-    }
-  return {low, high};
-}
-
 PathModulus path_modulus(const std::vector<PathSpring> &path, const std::vector<PathSpring> &touching,
-                         const Frame &frame, const double load, const std::array<double, 2> &forces)
+                         const Frame &frame, const double load,
+                         const std::array<const ContactCurve *, 2> &contacts)
 {
-  const auto parts = parts_of(path);
-  PathModulus out{mill_modulus(parts), 0, 0, stretch_of(path, forces)};
+  const std::vector<PathPart> parts(path.begin(), path.end());
+  PathModulus out{mill_modulus(parts), 0, 0, stretch_of(path, load, contacts)};
   if (is_closed(frame))
-    out.modulus.error = error_on_modulus(parts, parts_of(touching), frame.modulus_error);
+    out.modulus.error = error_on_modulus(parts, {touching.begin(), touching.end()}, frame.modulus_error);
   if (!std::isnan(out.modulus.error))
     out.modulus.lacks.clear();
   const double d     = force_step * load;

@@ -51,15 +51,14 @@ struct BendingSpring {
 BendingSpring bending_spring(const FourHigh &stand, const SolidRolls &rolls, const Parameter &K3,
                              const Parameter &K5);
 
-/// Tangent and secant of a spring at one force.  N/m
+/// Slopes of a spring at one force.
 struct SpringAtForce {
-  double tangent, secant;
+  double tangent, secant;  ///< N/m
 };
 
-/// A spring on the path of the force.
-struct PathSpring {
-  PathPart part;                                   ///< at the rolling force
-  std::function<SpringAtForce(double)> at_others;  ///< at another force (N); empty: the same
+/// A spring on the path of the force, and what it is at another one (N); empty: the same.
+struct PathSpring : PathPart {
+  std::function<SpringAtForce(double)> at_others;
 };
 
 /// A spring of the chain whose bearings deflect along their curve.
@@ -68,23 +67,20 @@ struct PathSpring {
 /// @param bearings  lives as long as the answer; null: not known
 PathSpring spring_with_bearings(PathPart part, double K_Zy, double secant, const LoadDeflection *bearings);
 
-/// Forces over which a stand stretches: a tenth to twice the rolling force, as far as both contacts have samples.
-/// N
-std::array<double, 2> forces_of_stretch(double load, const std::array<const ContactCurve *, 2> &contacts);
-
 /// A path at its rolling force.
 struct PathModulus {
   MillModulus modulus;
   double by_differences;   ///< N/m, the tangent from secants at 2 % more and less force
   double by_tangents;      ///< N/m, the secant from tangents, summed from the smallest force of the stretch
-  LoadDeflection stretch;  ///< 41 forces
+  LoadDeflection stretch;  ///< 41 forces, a tenth to twice the rolling force as far as both contacts have samples
 };
 /// Where the frame follows a measured modulus, (30.12) gives the error in place of (30.5).
 /// @param touching  the same path with work rolls that touch each other, which that modulus was measured on
-/// @param load      N; @param forces  N, of the stretch
+/// @param load      N
+/// @param contacts  their curves; null: given
 /// Errors as mill_modulus.  Cost: 110 times the springs of the path.
 PathModulus path_modulus(const std::vector<PathSpring> &path, const std::vector<PathSpring> &touching,
-                         const Frame &frame, double load, const std::array<double, 2> &forces);
+                         const Frame &frame, double load, const std::array<const ContactCurve *, 2> &contacts);
 
 /// Opening of the gap of a model of the stand per rolling force, bite left out, at mid-length or as mean.  m/N,
 /// (30.4)

@@ -18,7 +18,6 @@
 
 namespace mill {
 namespace {
-using reduce::PathPart;
 using reduce::PathSpring;
 
 Parameter made(const char *unit, const double value, const std::string &method, const OperatingPoint &load)
@@ -48,20 +47,18 @@ namespace {
 class Modulus {
 public:
   Modulus(RunContext &context, const FourHigh &s, const ModulusParts &p)
-      : run(context), stand(s), parts(p), operating_point(at_force(p.load)),
-        forces(reduce::forces_of_stretch(p.load, {p.upper, p.lower}))
+      : run(context), stand(s), parts(p), operating_point(at_force(p.load))
   {
   }
   void add()
   {
     add_contact_of_work_rolls();
-    common = common_path();
     add_touching();
     if (!std::isnan(parts.K4.flattening.value)) {
       add_bending();
       add_with_strip();
-      add_by_width();
-      warn_unusual();
+      if (parts.pass == 0)  // the same stand in every pass
+        warn_unusual();
     } else if (parts.pass == 0)
       run.assume("K4 is given and does not contain the flattening at the strip: the mill modulus is that of work "
                  "rolls that touch each other");
@@ -76,8 +73,7 @@ private:
   const FourHigh &stand;
   const ModulusParts &parts;
   OperatingPoint operating_point;
-  std::array<double, 2> forces;  // N, of the stretch
-  std::vector<PathSpring> common, touching;
+  std::vector<PathSpring> touching;
   reduce::BendingSpring bending;
   reduce::PathModulus closed;  // work rolls on each other
   std::optional<reduce::PathModulus> with_strip;
@@ -109,41 +105,42 @@ private:
     const Parameter *p = run.results.find(of_pass(name));
     return p ? p->value : otherwise;
   }
+  // Of both bearings over the rolling force; null: not known.
+  const reduce::LoadDeflection *bearing_curve(const std::size_t seat) const
+  {
+    const auto *seats = parts.backup_deflection;
+    return seats && (*seats)[seat].load.size() >= 2 ? &(*seats)[seat] : nullptr;
+  }
   // Of both bearings; the tangent where neither the result of a bearing nor its curve is there.
   double secant_of_bearings(const std::size_t seat) const
   {
     const double K_Zy = parts.K_Zy[seat].value;
     if (parts.pass == 0)
       return 2 * secant_of(seat == 0 ? "Kzc1.secant" : "Kzc4.secant", K_Zy / 2);
-    if (!has_curve(seat))
-      return K_Zy;
-    return parts.load / reduce::deflected_at((*parts.backup_deflection)[seat], parts.load).deflection;
+    const auto *curve = bearing_curve(seat);
+    return curve ? parts.load / reduce::deflected_at(*curve, parts.load).deflection : K_Zy;
   }
-  bool has_curve(const std::size_t seat) const
+  static PathSpring part(const std::string &name, const Parameter &p, const double secant)
   {
-    return parts.backup_deflection && (*parts.backup_deflection)[seat].load.size() >= 2;
-  }
-  static PathPart part(const std::string &name, const Parameter &p, const double secant)
-  {
-    return {name, p.value, secant, p.error_estimate, p.error_lacks};
+    return {{name, p.value, secant, p.error_estimate, p.error_lacks}, {}};
   }
   PathSpring constant(const std::string &name) const
   {
-    return {part(name, spring(name), spring(name).value), {}};
+    return part(name, spring(name), spring(name).value);
   }
   PathSpring with_bearings(const std::string &name, const std::size_t seat) const
   {
     if (stand.given.count(name) || stand.given.count("K_Zy"))
       return constant(name);
-    return reduce::spring_with_bearings(constant(name).part, parts.K_Zy[seat].value, secant_of_bearings(seat),
-                                        has_curve(seat) ? &(*parts.backup_deflection)[seat] : nullptr);
+    return reduce::spring_with_bearings(constant(name), parts.K_Zy[seat].value, secant_of_bearings(seat),
+                                        bearing_curve(seat));
   }
   PathSpring of_contact(const std::string &name, const ContactCurve *curve) const
   {
     PathSpring contact = constant(name);
     if (stand.given.count(name))
       return contact;
-    contact.part.secant = secant_of(name + ".secant", contact.part.tangent);
+    contact.secant = secant_of(name + ".secant", contact.tangent);
     if (curve)
       contact.at_others = [curve](const double force) {
         const auto slope = fem::slope_of(*curve, force);
@@ -151,25 +148,15 @@ private:
       };
     return contact;
   }
-  std::vector<PathSpring> common_path() const
-  {
-    return {constant("K1"),
-            constant("K7"),
-            with_bearings("K2", 0),
-            with_bearings("K6", 1),
-            of_contact("K3", parts.upper),
-            of_contact("K5", parts.lower)};
-  }
   reduce::PathModulus modulus_of(const std::vector<PathSpring> &path) const
   {
-    return reduce::path_modulus(path, touching, stand.frame, parts.load, forces);
+    return reduce::path_modulus(path, touching, stand.frame, parts.load, {parts.upper, parts.lower});
   }
 
   void add_contact_of_work_rolls();
   void add_touching();
   void add_bending();
   void add_with_strip();
-  void add_by_width();
   void warn_unusual();
   void write();
   Parameter result_of(const reduce::MillModulus &m, const std::string &method, const bool tangent) const
@@ -206,13 +193,18 @@ void Modulus::add_touching()
 {
   for (const char *name : {"K1", "K2", "K3", "K5", "K6", "K7"})
     of_path = joined(std::move(of_path), spring(name).inputs);
-  touching = common;
-  touching.push_back({part(name_of(row::stand::K_ww_tangent), result(name_of(row::stand::K_ww_tangent)),
-                           result(name_of(row::stand::K_ww_secant)).value),
-                      [this](const double force) {
-                        const auto contact = reduce::line_contact(reduce::work_roll_pair(stand), force);
-                        return reduce::SpringAtForce{contact.tangent, contact.secant};
-                      }});
+  const std::string K_ww    = name_of(row::stand::K_ww_tangent);
+  touching                  = {constant("K1"),
+                               constant("K7"),
+                               with_bearings("K2", 0),
+                               with_bearings("K6", 1),
+                               of_contact("K3", parts.upper),
+                               of_contact("K5", parts.lower),
+                               part(K_ww, result(K_ww), result(name_of(row::stand::K_ww_secant)).value)};
+  touching.back().at_others = [this](const double force) {
+    const auto contact = reduce::line_contact(reduce::work_roll_pair(stand), force);
+    return reduce::SpringAtForce{contact.tangent, contact.secant};
+  };
   closed = modulus_of(touching);
   Parameter tangent =
       result_of(closed.modulus, "K1, K2, K3, work rolls on each other, K5, K6, K7 in series (30.1)", true);
@@ -248,14 +240,13 @@ void Modulus::add_bending()
 
 void Modulus::add_with_strip()
 {
-  const Parameter &flattening  = parts.K4.flattening;
-  std::vector<PathSpring> path = common;
-  path.push_back({{"K4.flattening", flattening.value / 2, flattening.value / 2, flattening.error_estimate,
-                   flattening.error_lacks},
-                  {}});
+  const Parameter &flattening = parts.K4.flattening;
+  auto path                   = touching;
+  path.back() = {{"K4.flattening", flattening.value / 2, flattening.value / 2, flattening.error_estimate,
+                  flattening.error_lacks},
+                 {}};
   if (bending.bends)
-    path.push_back(
-        {part(name_of(row::stand::K_bend), result(name_of(row::stand::K_bend)), 1 / bending.compliance), {}});
+    path.push_back(part(name_of(row::stand::K_bend), result(name_of(row::stand::K_bend)), 1 / bending.compliance));
   with_strip = modulus_of(path);
   Parameter tangent =
       result_of(with_strip->modulus,
@@ -270,10 +261,6 @@ void Modulus::add_with_strip()
       {"tangents summed over the force", with_strip->by_tangents, "from the smallest force of the curve"});
   run.results.add(name_of(row::stand::modulus_tangent), tangent);
   run.results.add(name_of(row::stand::modulus_secant), secant);
-}
-
-void Modulus::add_by_width()
-{
   const auto by_width = [&](const double slope) {
     return reduce::modulus_by_width(with_strip->modulus.tangent, parts.K4.flattening.value, stand.strip.width,
                                     slope);
@@ -290,8 +277,6 @@ void Modulus::add_by_width()
 
 void Modulus::warn_unusual()
 {
-  if (parts.pass > 0)  // the same stand
-    return;
   const auto &m = with_strip->modulus;
   if (m.tangent < reduce::least_usual_modulus || m.tangent > reduce::largest_usual_modulus)
     run.warn({WarningId::modulus_unusual,
