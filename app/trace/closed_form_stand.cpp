@@ -1,15 +1,13 @@
 #include "app/trace/closed_form_stand.h"
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/stand/mode_results.h"
-#include "app/stages/stand/modulus_stage.h"
 #include "core/base/force_text.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/four_high.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_stand.h"
-#include "reduce/chain/line_contact.h"
-#include "reduce/chain/mill_modulus.h"
+#include "reduce/stand/stand_modulus.h"
 #include <fmt/format.h>
 #include <utility>
 
@@ -76,7 +74,7 @@ struct ClosedFormModulus {
 void ClosedFormModulus::add_kissing() const
 {
   const std::string touching = name_of(row::stand::K_ww_tangent);
-  add(made(touching, "N/m", reduce::line_contact(work_roll_pair(stand), load).tangent,
+  add(made(touching, "N/m", reduce::line_contact(reduce::work_roll_pair(stand), load).tangent,
            "Hertz line contact of both work rolls over the barrel", at),
       {}, keys ? touching_roll_keys(*keys, 0) : KeyList(), "reduce/chain/line_contact", "(3.5b)");
   const auto names = path({touching});
@@ -124,9 +122,9 @@ bool ClosedFormModulus::add_bite() const
 void ClosedFormModulus::add_with_strip() const
 {
   const double K3 = value("K3"), K5 = value("K5");
-  const double bend = work_rolls_bending(stand, nullptr, stand.strip.width, K3, K5);
+  const double bend = reduce::work_rolls_bending(stand, nullptr, stand.strip.width, K3, K5);
   std::vector<std::string> more{"K4.flattening"};
-  if (bend * K3 > least_bending) {
+  if (bend * K3 > reduce::least_bending) {
     ClosedFormResult r =
         made(name_of(row::stand::K_bend), "N/m", factor(factors, name_of(row::stand::K_bend)) / bend,
              "Euler beam on its contact line", at);

@@ -1,10 +1,12 @@
 #include "dynamics/response/modes.h"
 #include "core/base/errors.h"
+#include "core/records/key_list.h"
 #include "dynamics/response/state_space.h"
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <complex>
+#include <utility>
 
 namespace mill::dynamics {
 namespace {
@@ -70,6 +72,24 @@ Modes modes(const MillModel &model)
     result.kinetic_share.row(i) = model.M.cwiseProduct(result.shape.col(i).cwiseAbs2()).transpose();  // (6.13)
   }
   return result;
+}
+
+ModeError mode_error(const Modes &modes, const Eigen::Index mode, const LumpedModel &model)
+{
+  constexpr double no_share = 1e-5;  // too little to matter even of a spring that is twice as stiff
+  ModeError out;
+  const auto add = [&](const std::string &name, const Parameter &part, const double share) {
+    if (share < no_share)
+      return;
+    out.error += 0.5 * share * part.error_estimate;
+    if (std::isnan(part.error_estimate))
+      out.lacks = joined(std::move(out.lacks), part.error_lacks.empty() ? KeyList{name} : part.error_lacks);
+  };
+  for (int j = 0; j < 7; ++j)
+    add("K" + std::to_string(j + 1), model.K[std::size_t(j)], modes.strain_share(mode, j));
+  for (int j = 0; j < 6; ++j)
+    add("M" + std::to_string(j + 1), model.M[std::size_t(j)], modes.kinetic_share(mode, j));
+  return out;
 }
 
 std::vector<Pole> poles(const MillModel &model)

@@ -17,6 +17,15 @@ struct Modes {
 /// @throws SolverError  the eigenvalue iteration fails, which only a NaN in the matrices can cause
 Modes modes(const MillModel &model);
 
+/// How far a natural frequency of the chain may be off.
+struct ModeError {
+  double error = 0;                ///< -, relative; NaN: a spring or mass that the mode follows states no error
+  std::vector<std::string> lacks;  ///< which, or what would state it
+};
+/// Half the strain share of each spring, and half the kinetic share of each mass, is how the frequency follows it.
+/// @param modes  of mill_model(model, ..): seven springs, six masses
+ModeError mode_error(const Modes &modes, Eigen::Index mode, const LumpedModel &model);
+
 /// One pole of the damped model.
 struct Pole {
   double frequency;  ///< Hz, |lambda| / 2 pi

@@ -16,8 +16,9 @@ MillModulus mill_modulus(const std::vector<PathPart> &path)
     tangent += 1 / part.tangent;
     secant += 1 / part.secant;
     if (1 / part.tangent > most) {
-      most        = 1 / part.tangent;
-      all.softest = part.name;
+      most                = 1 / part.tangent;
+      all.softest         = part.name;
+      all.softest_tangent = part.tangent;
     }
   }
   all.tangent = 1 / tangent;

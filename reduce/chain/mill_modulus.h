@@ -25,6 +25,7 @@ struct MillModulus {
   double error   = 0;              ///< -, relative, of the tangent, (30.5); NaN: not known
   std::vector<std::string> lacks;  ///< why no error is known
   std::string softest;             ///< the part that deflects most
+  double softest_tangent = 0;      ///< N/m, of it
 };
 
 /// @throws InputError  a part without positive stiffness, named

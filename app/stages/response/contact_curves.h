@@ -3,10 +3,9 @@
 #include "core/model/chain_curves.h"
 #include "core/model/dynamics_settings.h"
 #include "core/model/lumped_model.h"
-#include "core/records/nonlinear_record.h"
 #include "core/records/records.h"
 #include "dynamics/nonlinear/curve_model.h"
-#include "dynamics/response/modal_model.h"
+#include "dynamics/nonlinear/curve_study.h"
 #include "reduce/chain/mill_modulus.h"
 #include "reduce/stand/lumped_stand.h"
 #include "reduce/stand/stand_comparison.h"
@@ -18,13 +17,9 @@ namespace mill {
 struct Pass;
 
 /// The driven pass on curves, and the linear model of the same stand at the same load.
-struct CurveDrive {
-  dynamics::CurveStand stand;
-  dynamics::ModalModel modal;            ///< the same modes, for what is seen of them
-  std::vector<NonlinearSpring> springs;  ///< in the order of stand.laws, without what a run adds
-  std::vector<std::string> mode_names;   ///< empty: not named
-  double load    = 0;                    ///< N, at rest
-  double highest = 0;                    ///< Hz, modes to be looked at
+struct CurveDrive : dynamics::DrivenCurves {
+  std::vector<std::string> mode_names;  ///< empty: not named
+  double load = 0;                      ///< N, at rest
 };
 
 /// Curves of a four-high at one working load; null or empty: not computed.

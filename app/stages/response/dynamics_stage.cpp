@@ -12,12 +12,10 @@
 #include "core/records/rows_of_stand.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
-#include "dynamics/response/response.h"
+#include "dynamics/response/pass_study.h"
 #include "dynamics/response/rolling_force.h"
-#include "dynamics/response/spectrum.h"
 #include "reduce/stand/gap_modes.h"
 #include "twin/records/force_record.h"
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <optional>
@@ -34,27 +32,6 @@ std::array<KeyList, 2> inputs_of(const LumpedModel &model, const DynamicsSetting
   };
   const KeyList upper = half(Half::upper), lower = half(Half::lower), both = joined(upper, lower);
   return six_masses ? std::array<KeyList, 2>{upper, lower} : std::array<KeyList, 2>{both, both};
-}
-
-// Error of a frequency from the errors of springs and masses: half the strain-energy share of a spring, and half
-// the kinetic share of a mass, is how the frequency follows it.  One without an error leaves the frequency
-// without.
-void state_error(Parameter &f, const dynamics::Modes &modes, const Eigen::Index mode, const LumpedModel &model)
-{
-  constexpr double no_share = 1e-5;  // too little to matter even of a spring that is twice as stiff
-  f.error_estimate          = 0;
-  const auto add            = [&](const std::string &name, const Parameter &part, const double share) {
-    if (share < no_share)
-      return;
-    f.error_estimate += 0.5 * share * part.error_estimate;
-    if (std::isnan(part.error_estimate))
-      f.error_lacks =
-          joined(std::move(f.error_lacks), part.error_lacks.empty() ? KeyList{name} : part.error_lacks);
-  };
-  for (int j = 0; j < 7; ++j)
-    add("K" + std::to_string(j + 1), model.K[std::size_t(j)], modes.strain_share(mode, j));
-  for (int j = 0; j < 6; ++j)
-    add("M" + std::to_string(j + 1), model.M[std::size_t(j)], modes.kinetic_share(mode, j));
 }
 
 constexpr std::array<const char *, 2> driven_rolls{"upper_work_roll", "lower_work_roll"};
@@ -169,6 +146,12 @@ HorizontalModes horizontal_modes(const LumpedModel &model, const double chock_se
 }
 
 namespace {
+// Shapes, one a column, over their largest component.
+Eigen::MatrixXd to_largest(const Eigen::MatrixXd &shape)
+{
+  return shape.array().rowwise() / shape.cwiseAbs().colwise().maxCoeff().array();
+}
+
 // @param named  state whose names the results get
 void add_vertical_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings &settings,
                         const GapState named)
@@ -178,12 +161,9 @@ void add_vertical_modes(RunContext &run, const LumpedModel &model, const Dynamic
   Table table;
   table.add("mode", "", Eigen::VectorXd::LinSpaced(n, 1, double(n))).add("frequency", "Hz", modes.frequency);
   table.add("gap_share", "", reduce::gap_shares(modes.frequency, modes.shape, chain.b));
-  for (Eigen::Index j = 0; j < n; ++j) {
-    Eigen::VectorXd y(n);
-    for (Eigen::Index i = 0; i < n; ++i)
-      y[i] = modes.shape(j, i) / modes.shape.col(i).cwiseAbs().maxCoeff();
-    table.add("y" + std::to_string(j + 1), "", y);
-  }
+  const Eigen::MatrixXd y = to_largest(modes.shape);
+  for (Eigen::Index j = 0; j < n; ++j)
+    table.add("y" + std::to_string(j + 1), "", y.row(j).transpose());
   for (std::size_t s = 0; s < chain.springs.size(); ++s)
     table.add("energy_" + chain.springs[s].name, "", modes.strain_share.col(Eigen::Index(s)));
   if (named == GapState::open)
@@ -195,12 +175,14 @@ void add_vertical_modes(RunContext &run, const LumpedModel &model, const Dynamic
   const bool strip = driven_state(settings) == GapState::rolling;
   for (Eigen::Index i = 0; i < n; ++i) {
     Parameter f;
-    f.value  = modes.frequency[i];
-    f.unit   = "Hz";
-    f.method = strip ? "six-mass chain, K4 between the work rolls" : "six-mass chain, K4 = 0";
-    f.at     = model.at;
-    state_error(f, modes, i, model);
-    f.inputs = chain_mode_keys(*run.keys, model, settings, half[std::size_t(i)]);
+    f.value                   = modes.frequency[i];
+    f.unit                    = "Hz";
+    f.method                  = strip ? "six-mass chain, K4 between the work rolls" : "six-mass chain, K4 = 0";
+    f.at                      = model.at;
+    const auto [error, lacks] = dynamics::mode_error(modes, i, model);
+    f.error_estimate          = error;
+    f.error_lacks             = lacks;
+    f.inputs                  = chain_mode_keys(*run.keys, model, settings, half[std::size_t(i)]);
     run.results.add(row::modes::vertical.of(word_of_state(named), std::to_string(i + 1)), f);
   }
 }
@@ -223,12 +205,9 @@ void add_modes(RunContext &run, const LumpedModel &model, const DynamicsSettings
   Table plane;
   plane.add("mode", "", Eigen::VectorXd::LinSpaced(n_plane, 1, double(n_plane)))
       .add("frequency", "Hz", sideways.frequency);
-  for (Eigen::Index j = 0; j < n_plane; ++j) {
-    Eigen::VectorXd x(n_plane);
-    for (Eigen::Index i = 0; i < x.size(); ++i)
-      x[i] = sideways.shape(j, i) / sideways.shape.col(i).cwiseAbs().maxCoeff();
-    plane.add(slug(horizontal.labels[std::size_t(j)]), "", x);
-  }
+  const Eigen::MatrixXd x = to_largest(sideways.shape);
+  for (Eigen::Index j = 0; j < n_plane; ++j)
+    plane.add(slug(horizontal.labels[std::size_t(j)]), "", x.row(j).transpose());
   write_curve(run, curve::modes_horizontal, "", plane);
   for (Eigen::Index i = 0; i < sideways.frequency.size(); ++i) {
     const std::string &label = mover[std::size_t(i)];
@@ -344,19 +323,10 @@ void warn_of_missing_modes(RunContext &run, const PassModel &model, const Pass &
               {pass.name},
               "dynamics.frequency_limit"});
 }
-}  // namespace
 
-namespace {
 Warning repaired(const Pass &pass, const std::string &note, const Place &place)
 {
   return {WarningId::record_repaired, pass.name, note, "", "", {pass.name}, "", place};
-}
-
-// What half the output rate would show of it.
-Eigen::MatrixXd every_other(const Eigen::MatrixXd &samples)
-{
-  return Eigen::Map<const Eigen::MatrixXd, 0, Eigen::Stride<Eigen::Dynamic, 2>>(
-      samples.data(), (samples.rows() + 1) / 2, samples.cols(), {samples.rows(), 2});
 }
 }  // namespace
 
@@ -379,20 +349,16 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   }
   if (auto warning = dynamics::output_rate_warning(settings.output_rate, highest))
     run.warn(std::move(*warning));
-  std::optional<CurveRuns> curves;
+  std::optional<dynamics::CurveRuns> curves;
   if (model.curves)
-    curves = run_on_curves(*model.curves, model.driven, force, settings.output_rate);
-  const auto response =
-      curves ? curves->curve.response : dynamics::mill_response(model.driven, force, settings.output_rate);
+    curves = dynamics::curve_runs(*model.curves, model.driven, force, settings.output_rate);
+  const auto study     = curves ? dynamics::pass_study(curves->curve.response, settings.output_rate)
+                                : dynamics::pass_study(model.driven, force, settings.output_rate);
+  const auto &response = study.response;
   if (!response.note.empty())
     run.warn({WarningId::time_integration, pass.name, response.note, "", "", {pass.name}});
 
-  const Eigen::VectorXd upper = response.acceleration.col(dynamics::upper_work_roll);
-  const Eigen::VectorXd lower = response.acceleration.col(dynamics::lower_work_roll);
   // Half the output rate shows what the sampling does; the remaining uncertainty of a level is not known.
-  const Eigen::MatrixXd coarse =
-      curves ? every_other(response.acceleration)
-             : dynamics::mill_response(model.driven, force, 0.5 * settings.output_rate).acceleration;
   const auto add = [&](const RowOf<2> &row, const std::size_t roll, const double value, const double second,
                        std::vector<Check> checks) {
     Parameter p;
@@ -428,10 +394,9 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
         .add("lower_work_roll", "g", measured.lower_work_roll / dynamics::standard_gravity);
     run.out.write_table(file + "-measured", std::move(record));
   }
-  const Eigen::VectorXd *rolls[] = {&upper, &lower};
-  const int columns[]            = {dynamics::upper_work_roll, dynamics::lower_work_roll};
+  const int columns[] = {dynamics::upper_work_roll, dynamics::lower_work_roll};
   for (std::size_t r = 0; r < 2; ++r) {
-    const auto fine = dynamics::level(*rolls[r]), half = dynamics::level(coarse.col(columns[r]));
+    const auto &fine = study.level[r], &half = study.half_rate[r];
     const auto with_runs = [&](std::vector<Check> checks, const bool peak) {
       if (curves)
         for (Check &check : checks_of_level(*curves, columns[r], peak))
@@ -448,17 +413,13 @@ void simulate_pass(RunContext &run, const PassModel &model, const DynamicsSettin
   }
 
   run.out.write_table(file, dynamics::response_table(response));
-  const auto spectrum_f = dynamics::amplitude_spectral_density(response.force, settings.output_rate);
-  const auto spectrum_u = dynamics::amplitude_spectral_density(upper, settings.output_rate);
-  const auto spectrum_l = dynamics::amplitude_spectral_density(lower, settings.output_rate);
   Table spectrum;
-  spectrum.add("frequency", "Hz", spectrum_f.frequency)
-      .add("force", "N/sqrt(Hz)", spectrum_f.density)
-      .add("upper_work_roll", "g/sqrt(Hz)", spectrum_u.density / dynamics::standard_gravity)
-      .add("lower_work_roll", "g/sqrt(Hz)", spectrum_l.density / dynamics::standard_gravity);
+  spectrum.add("frequency", "Hz", study.force.frequency).add("force", "N/sqrt(Hz)", study.force.density);
+  for (std::size_t r = 0; r < 2; ++r)
+    spectrum.add(driven_rolls[r], "g/sqrt(Hz)", study.rolls[r].density / dynamics::standard_gravity);
   run.out.write_table(file + "-spectrum", std::move(spectrum));
   run.progress.note(fmt::format("{}: spectra of {} segments of {} samples, {} window", pass.name,
-                                spectrum_f.n_segments, spectrum_f.segment_length, spectrum_f.window));
+                                study.force.n_segments, study.force.segment_length, study.force.window));
   if (pass.synthetic || pass.force_file.empty())
     run.assume(pass.name + ": the force record is synthetic, noise in the stated range; its spectrum is assumed");
   if (curves)

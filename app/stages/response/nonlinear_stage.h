@@ -3,23 +3,15 @@
 #include "app/stages/response/contact_curves.h"
 #include "core/base/parameter.h"
 #include "core/records/key_list.h"
-#include "dynamics/nonlinear/curve_response.h"
+#include "dynamics/nonlinear/curve_study.h"
 
 namespace mill {
 struct Pass;
 
-/// A pass driven on curves, on their slopes, and on the curves by fixed steps.
-struct CurveRuns {
-  dynamics::CurveRun curve, fixed;
-  dynamics::Response linear;
-};
-CurveRuns run_on_curves(const CurveDrive &drive, const dynamics::DrivenModel &linear, const ForceRecord &force,
-                        double output_rate);
-
 /// Checks of a level on the curves: the linear run and the fixed steps.
 /// @param column  of the accelerations
 /// @param peak    the largest value, else the rms; g
-std::vector<Check> checks_of_level(const CurveRuns &runs, int column, bool peak);
+std::vector<Check> checks_of_level(const dynamics::CurveRuns &runs, int column, bool peak);
 
 /// What drives a stand on curves.
 struct DrivenPass {
@@ -32,5 +24,6 @@ struct DrivenPass {
 
 /// nonlinear.<pass>.*, curves/nonlinear-<pass>.json, curves/nonlinear-<pass>-spectrum.csv,
 /// curves/backbone-<pass>.csv, response/<pass>-parted.csv, and a warning where linear springs were not enough.
-void add_nonlinear(RunContext &run, const CurveDrive &drive, const CurveRuns &runs, const DrivenPass &driven);
+void add_nonlinear(RunContext &run, const CurveDrive &drive, const dynamics::CurveRuns &runs,
+                   const DrivenPass &driven);
 }  // namespace mill

@@ -4,8 +4,6 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/stand/model_stage.h"
 #include "core/model/four_high.h"
-#include "reduce/chain/line_contact.h"
-#include "reduce/chain/roll_shapes.h"
 
 namespace mill {
 /// The inputs of the mill modulus of one pass in addition to the results of the run.
@@ -22,20 +20,9 @@ struct ModulusParts {
   std::vector<Check> gap;    ///< m/N, opening of the gap per force by other models of the stand, without the bite
 };
 
-/// The two work rolls on each other.
-reduce::CylinderPair work_roll_pair(const FourHigh &stand);
-
 /// K_ww: both work rolls on each other over the barrel at a rolling force, tangent.  N/m
 /// @param K3  the contact computed at the same force, for the error; null: given
 Parameter touching_work_rolls(const FourHigh &stand, double load, const Parameter *K3);
-
-/// Bending of both work rolls between a strip of this width and their contact lines, as compliance of the gap:
-/// m/N, (30.3).
-/// @param solid  the work roll by finite elements; null: Euler's beam
-double work_rolls_bending(const FourHigh &stand, const Component *solid, double width, double K3, double K5);
-
-/// A share of the flexibility of K3 below which the strip is treated as wide as the barrel.
-inline constexpr double least_bending = 1e-6;
 
 /// Opening of the gap per rolling force by beams and finite elements, K4 left out, m/N.  theory.md (30.4)
 std::vector<Check> gaps_of(const StandModels &models, MassReference reference);

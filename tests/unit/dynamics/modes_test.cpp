@@ -90,3 +90,22 @@ TEST(Modes, LossFactorNeedsASpringOfTheChain)
 {
   EXPECT_THROW(loss_factor_poles(published, "K8", 0.01), InputError);
 }
+
+// A stand whose springs are all stiffer by e1 and whose masses are all heavier by e2 vibrates faster by their
+// halves.
+TEST(Modes, ErrorOfAFrequencyIsHalfThatOfSpringsAndMasses)
+{
+  LumpedModel stand = published_stand();
+  for (Parameter &K : stand.K)
+    K.error_estimate = 0.04;
+  for (Parameter &M : stand.M)
+    M.error_estimate = 0.02;
+  const Modes solution = modes(published);
+  for (Eigen::Index i = 0; i < 6; ++i)
+    EXPECT_TRUE(near(mode_error(solution, i, stand).error, 0.03, within(1e-4, "shares below 1e-5 are left out")));
+  stand.K[0].error_estimate = stand.M[0].error_estimate = not_given;
+  stand.M[0].error_lacks                                = {"frame.upper_post_mass_tolerance"};
+  const auto error                                      = mode_error(solution, 0, stand);
+  EXPECT_TRUE(std::isnan(error.error));
+  EXPECT_EQ(error.lacks, (std::vector<std::string>{"K1", "frame.upper_post_mass_tolerance"}));
+}
