@@ -124,7 +124,7 @@ public:
     out.Kzc[i]           = film_stiffness(study, inputs);
     out.Kzc_across[i]    = film_stiffness(study, inputs, true);
     if (seat.backup)
-      out.film_damper[i == 0 ? 0 : 1] = 2 * study.solution.at.damping(0, 0);
+      out.film_damper[i == 0 ? 0 : 1] = 2 * study.numbers.solution.at.damping(0, 0);
     if (pass > 0)
       return;
     run.results.add(row::bearing::tangent.of(seat.name), out.Kzc[i]);
