@@ -83,10 +83,10 @@ Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vect
   for (const double companion : all.tail(all.size() - 3))
     p.error_estimate += mesh_pair_error(p.value, companion, 2);
   if (liner && q.bearing.support_assumed)  // the case does not say that the liner carries the whole side
-    p.error_estimate += std::abs(s.tangent_across / p.value - 1);
+    p.error_estimate += std::abs(s.numbers.tangent_across.value / p.value - 1);
   p.checks = {{"ISO/TS 16281, rigid rings", iso, ""}};
   if (liner)
-    p.checks.push_back({"the chock on the supports that carry the load", s.tangent_across, ""});
+    p.checks.push_back({"the chock on the supports that carry the load", s.numbers.tangent_across.value, ""});
   return p;
 }
 }  // namespace mill

@@ -3,9 +3,7 @@
 #include "app/stages/bearing/bearing_files.h"
 #include "app/stages/bearing/bearing_store.h"
 #include "core/base/files.h"
-#include "core/model/bearing_ratings.h"
 #include "core/model/case.h"
-#include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
 #include "reduce/bearing/geometry.h"
 #include "reduce/bearing/rating_life.h"
@@ -93,31 +91,13 @@ std::vector<bearing::AssemblyState> solved_all(const RunContext &run, const Bear
   return states;
 }
 
-std::vector<StudyVariant> named(const std::vector<BearingVariant> &variants,
-                                std::vector<bearing::AssemblyState> &&states)
+std::vector<bearing::StateVariant> named(const std::vector<BearingVariant> &variants,
+                                         std::vector<bearing::AssemblyState> &&states)
 {
-  std::vector<StudyVariant> out;
+  std::vector<bearing::StateVariant> out;
   for (std::size_t i = 0; i < variants.size(); ++i)
     out.push_back({variants[i].about, std::move(states.at(i))});
   return out;
-}
-
-// The radial stiffness by the models that the case does not use.
-void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const std::string &rigid_name)
-{
-  const bool elastic      = s.question.bearing.rings == RingBodies::elastic;
-  const std::string other = elastic ? "rigid rings" : "another law of one roller";
-  const auto add = [&](const std::string &name, const bearing::AssemblyState &state, const std::string &note) {
-    s.tangent_checks.push_back({name, bearing::radial_tangent(state, s.loading), note});
-    if (s.question.radial > 0)
-      s.secant_checks.push_back({name, bearing::radial_secant(state), note});
-  };
-  add("ISO/TS 16281, rigid rings", s.standard, other);
-  add("Palmgren, rigid rings", palmgren, other);
-  if (elastic)
-    add(rigid_name, s.rigid, "the same rollers, rigid rings");
-  for (const StudyVariant &support : s.supports)
-    add(support.about, support.at, "a support that the case leaves open; part of the error");
 }
 
 // The state at the working load; without one, the curve as far as it went is left behind.
@@ -324,32 +304,15 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
               s.curve.failure->what, s.curve.failure->remedy});
   s.at              = std::move(solved.at);
   s.standard        = std::move(solved.standard);
+  s.palmgren        = std::move(solved.palmgren);
   s.rigid           = std::move(solved.rigid);
-  s.tangent         = bearing::radial_tangent(s.at, s.loading);
-  s.secant          = bearing::radial_secant(s.at);
-  s.tangent_across  = bearing::stiffness_along(s.at, s.loading, 1);
   s.slice_deviation = solved.slice_deviation;
-  const auto rigid  = with_rigid_rings(s.parts.model);
   s.companions      = named(companions_of(s), std::move(solved.companions));
+  s.meshes          = s.parts.companions.size();  // these come first; the others are other models
   s.supports        = named(s.parts.supports, std::move(solved.supports));
-  s.arrangements    = named(arrangements_of(s, rigid), std::move(solved.arrangements));
-  add_checks(s, solved.palmgren, model_name(rigid.bearing));
+  s.arrangements    = named(arrangements_of(s, with_rigid_rings(s.parts.model)), std::move(solved.arrangements));
+  s.numbers         = bearing::bearing_numbers(s, q.bearing.candidates);
   run.progress.at("bearing " + q.bearing.name, 1);
   return s;
-}
-
-double error_of(const BearingStudy &s, const StateNumber &number)
-{
-  const double value = number(s.at);
-  if (s.companions.empty() || !(std::abs(value) > 0))
-    return not_given;
-  const auto change = [&](const StudyVariant &v) { return std::abs(number(v.at) / value - 1); };
-  double sum = 0, support = 0;
-  const std::size_t meshes = s.parts.companions.size();  // these come first; the others are other models
-  for (std::size_t i = 0; i < s.companions.size(); ++i)
-    sum += (i < meshes ? mesh_pair_safety : 1) * change(s.companions[i]);
-  for (const StudyVariant &v : s.supports)
-    support = std::max(support, change(v));
-  return sum + support;
 }
 }  // namespace mill
