@@ -32,9 +32,11 @@ using StateNumber = std::function<double(const AssemblyState &)>;
 
 /// A number with its error, and what the other models give for it.  The member that is one states its unit.
 struct ComparedNumber {
-  double value    = not_given;
-  double error    = not_given;  ///< -, relative; NaN: the number is zero, or nothing says what it is known to
-  double standard = not_given, palmgren = not_given, rigid = not_given;
+  double value    = not_given;  ///< unit of the quantity
+  double error    = not_given;  ///< -, relative; NaN: the number is zero, or nothing states what it is known to
+  double standard = not_given;  ///< unit of the quantity, as all that follow: of the state of the same name
+  double palmgren = not_given;  ///< the same unit
+  double rigid    = not_given;  ///< the same unit
   std::vector<double> supports, arrangements;
 };
 /// Error: the sum of what each companion changes in the number, meshes with the safety of a pair, and the largest

@@ -44,8 +44,8 @@ RatingNumbers rating_numbers(const RollerBearing &bearing, const ComparedStates 
 
 /// Smallest and largest number among the candidates of estimated rollers and the one taken.
 struct CandidateRange {
-  double low, high;
-  double error;  ///< -, relative, of the one taken
+  double low, high;  ///< unit of the number
+  double error;      ///< -, relative, of the one taken
 };
 CandidateRange candidate_range(const std::vector<RollerCandidate> &candidates, double taken,
                                const std::function<double(const RollerCandidate &)> &number);

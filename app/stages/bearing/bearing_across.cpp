@@ -37,10 +37,7 @@ double across(const bearing::BearingModel &model, const BearingQuestion &q)
 
 double by_law(const BearingQuestion &q, const OneRollerLaw law)
 {
-  RollerBearing b = with_row_places(q.bearing);
-  b.roller_law    = law;
-  b.rings         = RingBodies::rigid;
-  return across(bearing::rigid_model(b), q);
+  return across(bearing::model_by_law(q.bearing, law), q);
 }
 }  // namespace
 

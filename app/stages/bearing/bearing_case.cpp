@@ -92,7 +92,7 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
     q.loads = log_spaced(spec.load.loads, spec.load.samples);
   q.published       = spec.published;
   q.published_total = "Kzc";
-  const auto parts  = bearing_parts(run, q.bearing, largest_roller_load(q));
+  const auto parts  = bearing_parts(run, q.bearing, bearing::largest_roller_load(q.bearing, q));
   const auto study  = study_bearing(run, parts, q);
   auto inputs       = bearing_inputs(q.bearing);
   for (const char *key : {"radial", "axial", "tilt", "cage_angle", "axial_displacement", "moment", "speed"})

@@ -239,7 +239,8 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       if (is_given(seat) || film_of(stand, seat))
         continue;
       double &bound = largest[seat.roll->bearing];
-      bound         = std::max(bound, largest_roller_load(question(seat, load_of(stand, seat, F).value, true)));
+      const auto q  = question(seat, load_of(stand, seat, F).value, true);
+      bound         = std::max(bound, bearing::largest_roller_load(q.bearing, q));
     }
   std::vector<IndependentStage> made;
   for (const auto &[name, bound] : largest)

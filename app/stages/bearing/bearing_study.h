@@ -3,24 +3,19 @@
 #include "app/stages/bearing/bearing_readings.h"
 #include "core/model/bearing_case.h"
 #include "core/model/given.h"
+#include "reduce/bearing/asked_load.h"
 #include "reduce/bearing/bearing_numbers.h"
 #include <memory>
 
 namespace mill {
 /// What is asked of a bearing.
-struct BearingQuestion {
+struct BearingQuestion : bearing::AskedLoad {
   RollerBearing bearing;
-  double radial             = 0;          ///< N
-  double axial              = 0;          ///< N; 0: the inner ring keeps its axial place
-  double tilt               = 0;          ///< rad
-  double cage_angle         = 0;          ///< rad
-  double axial_displacement = not_given;  ///< m, imposed in place of an axial load
-  double moment             = not_given;  ///< N m, in the plane of the load, in place of a tilt
-  double speed              = not_given;  ///< 1/s, of the shaft
-  double centrifugal        = 0;          ///< N, of each roller, in the equilibrium
-  std::vector<double> loads;              ///< N, of the curve, ascending; may be empty
-  GivenValues published;                  ///< of [published]: Kzc, row1_roller..row4_roller
-  std::string published_total;            ///< which of them is this bearing's stiffness: "Kzc", "Kzc2"
+  double cage_angle  = 0;          ///< rad
+  double speed       = not_given;  ///< 1/s, of the shaft
+  double centrifugal = 0;          ///< N, of each roller, in the equilibrium
+  GivenValues published;           ///< of [published]: Kzc, row1_roller..row4_roller
+  std::string published_total;     ///< which of them is this bearing's stiffness: "Kzc", "Kzc2"
 };
 
 /// One bearing at its working load and over its curve.
@@ -33,15 +28,11 @@ struct BearingStudy : bearing::ComparedStates {
   std::shared_ptr<BearingReadings> readings;  ///< what else was solved of it, shared by copies
 };
 
-/// What a case of kind "bearing" asks, and what acts on the inner ring under one radial load of its sweep.
+/// What a case of kind "bearing" asks.
 BearingQuestion question_of(const BearingCase &spec);
-bearing::RingLoading drive_of(const BearingQuestion &question, double radial);
 
 /// "1000 kN on one bearing, 50 kN axial": what a result of the study belongs to.
 OperatingPoint operating_point(const BearingStudy &study);
-
-/// Largest roller load, N, the question may lead to: for the mesh.
-double largest_roller_load(const BearingQuestion &question);
 
 /// Solves the bearing at its working load and over its curve.
 /// @throws InputError   a fit beyond yield
