@@ -58,7 +58,8 @@ std::shared_ptr<const BearingCurve> curve_of(const BearingQuestion &question, co
   for (std::size_t i = 0; i < states.states.size(); ++i) {
     curve.load.push_back(question.loads[i]);
     curve.approach.push_back(states.states[i].motion[0]);
-    curve.tangent.push_back(bearing::radial_tangent(states.states[i], drive_of(question, question.loads[i])));
+    curve.tangent.push_back(
+        bearing::radial_tangent(states.states[i], bearing::drive_of(question, question.loads[i])));
   }
   return std::make_shared<const BearingCurve>(std::move(curve));
 }
@@ -78,8 +79,9 @@ StackBearings solve_stack_bearings(RunContext &run, const StackInput &input, con
   StackBearings bearings;
   for (const auto &[name, load] : loads_of_bearings(stack)) {
     const BearingQuestion question = stack_bearing_question(input, name, load);
-    const BearingParts parts       = bearing_parts(run, question.bearing, largest_roller_load(question));
-    bearings[name]                 = study_bearing(run, parts, question);
+    const BearingParts parts =
+        bearing_parts(run, question.bearing, bearing::largest_roller_load(question.bearing, question));
+    bearings[name] = study_bearing(run, parts, question);
   }
   return bearings;
 }
@@ -112,10 +114,10 @@ Stack with_rigid_bearings(const StackInput &input, Stack stack)
   std::map<std::string, std::shared_ptr<const BearingCurve>> curves;
   for (const auto &[name, load] : loads_of_bearings(stack)) {
     BearingQuestion question = stack_bearing_question(input, name, load);
-    question.bearing         = between_rigid_rings(question.bearing);
+    question.bearing         = bearing::between_rigid_rings(question.bearing);
     std::vector<bearing::RingLoading> loadings;
     for (const double each : question.loads)
-      loadings.push_back(drive_of(question, each));
+      loadings.push_back(bearing::drive_of(question, each));
     bearing::BearingAssembly assembly(bearing::rigid_model(question.bearing));
     curves[name] = curve_of(question, assembly.curve(loadings));
   }

@@ -58,7 +58,7 @@ KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
 bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingLoading &loading,
                               const double cage_angle = 0, const double centrifugal = 0)
 {
-  auto model              = bearing::rigid_model(between_rigid_rings(b));
+  auto model              = bearing::rigid_model(bearing::between_rigid_rings(b));
   model.cage_angle        = cage_angle;
   model.centrifugal_force = centrifugal;
   return bearing::BearingAssembly(model).solve(loading);
@@ -196,7 +196,7 @@ std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec, 
   }
   const RollerBearing &b         = bearing_of(spec.bearings, spec.load.bearing);
   const BearingQuestion question = question_of(spec);
-  const auto loading             = drive_of(question, spec.load.radial);
+  const auto loading             = bearing::drive_of(question, spec.load.radial);
   const auto state               = solved(b, loading, spec.load.cage_angle, question.centrifugal);
   std::vector<ClosedFormResult> all;
   const auto add = [&](const char *name, const char *unit, const double value, const char *equation) {

@@ -1,6 +1,7 @@
 #include "reduce/bearing/ring_sections.h"
 #include "core/base/errors.h"
 #include "reduce/bearing/geometry.h"
+#include "reduce/bearing/roller_law.h"
 #include <algorithm>
 #include <cmath>
 #include <sstream>
@@ -177,5 +178,28 @@ RingSections ring_sections(const RollerBearing &b, const RacewayDatum &datum)
     refuse(b, "the depth to which the raceways are counted must be positive");
   out.cone.land = out.cup.land = land;
   return out;
+}
+
+RacewayDatum law_datum(const RollerBearing &b)
+{
+  const RingWalls walls = ring_walls(b);
+  return {walls.inner, walls.outer, not_given};
+}
+
+RollerSetup roller_setup(RollerBearing b, const double largest_load)
+{
+  b.chock = ChockForm::rigid;
+  RollerSetup s;
+  s.diameter       = b.roller_diameter;
+  s.length         = std::isnan(b.roller_total_length) ? b.roller_length : b.roller_total_length;
+  s.contact_length = b.roller_length;
+  s.inner_radius   = (pitch_diameter(b) - b.roller_diameter) / 2;
+  s.outer_radius   = (pitch_diameter(b) + b.roller_diameter) / 2;
+  s.inner_depth    = law_datum(b).depth_inner;
+  s.outer_depth    = law_datum(b).depth_outer;
+  s.land           = ring_sections(b, law_datum(b)).cone.land;
+  s.material       = {b.youngs_modulus, b.poisson_ratio, 7850};
+  s.largest_load   = largest_load;
+  return s;
 }
 }  // namespace mill::bearing

@@ -1,6 +1,7 @@
 #pragma once
 #include "core/model/ring_sections.h"
 #include "core/model/roller_bearing.h"
+#include "core/model/roller_setup.h"
 
 namespace mill::bearing {
 /// Deformation of the rings that the law of one roller already contains.
@@ -18,6 +19,16 @@ struct RacewayDatum {
 /// the
 ///                     bearing or with a dimension missing; a land that does not fit; says which and by how much
 RingSections ring_sections(const RollerBearing &bearing, const RacewayDatum &datum = {});
+
+/// The walls of the rings, which the law of one roller includes; what is beyond them belongs to the rings.
+/// @throws InputError  as ring_walls
+RacewayDatum law_datum(const RollerBearing &bearing);
+
+/// One roller between its raceways as drawn, held at the depths of law_datum, with the land of the rings; what
+/// holds the cup does not matter.
+/// @param largest_load  N, on one roller
+/// @throws InputError  as ring_sections
+RollerSetup roller_setup(RollerBearing bearing, double largest_load);
 
 /// m, wall of a ring at mid-row, along the normal of the raceway: the depth that the law of one roller contains.
 double ring_wall(const RingSection &section);

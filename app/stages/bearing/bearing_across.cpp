@@ -37,10 +37,7 @@ double across(const bearing::BearingModel &model, const BearingQuestion &q)
 
 double by_law(const BearingQuestion &q, const OneRollerLaw law)
 {
-  RollerBearing b = with_row_places(q.bearing);
-  b.roller_law    = law;
-  b.rings         = RingBodies::rigid;
-  return across(bearing::rigid_model(b), q);
+  return across(bearing::model_by_law(q.bearing, law), q);
 }
 }  // namespace
 
@@ -83,10 +80,10 @@ Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vect
   for (const double companion : all.tail(all.size() - 3))
     p.error_estimate += mesh_pair_error(p.value, companion, 2);
   if (liner && q.bearing.support_assumed)  // the case does not say that the liner carries the whole side
-    p.error_estimate += std::abs(s.tangent_across / p.value - 1);
+    p.error_estimate += std::abs(s.numbers.tangent_across.value / p.value - 1);
   p.checks = {{"ISO/TS 16281, rigid rings", iso, ""}};
   if (liner)
-    p.checks.push_back({"the chock on the supports that carry the load", s.tangent_across, ""});
+    p.checks.push_back({"the chock on the supports that carry the load", s.numbers.tangent_across.value, ""});
   return p;
 }
 }  // namespace mill

@@ -65,12 +65,13 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
                 "dynamics.frequency", "dynamics.direction", "load.radial"};
     run.results.add(row.of(), p);
   };
-  const double linear = std::sqrt(study.tangent / e.mass) / (2 * M_PI);
+  const double linear = std::sqrt(study.numbers.tangent.value / e.mass) / (2 * M_PI);
   add(row::motion::frequency, motion.frequency_along, "small motions about the load, on the interpolated curve",
       {{"tangent of the assembled bearing", linear, ""}});
   add(row::motion::frequency_across, motion.frequency_across,
       "small motions across the load, on the interpolated curve",
-      {{"tangent of the assembled bearing across the load", std::sqrt(study.tangent_across / e.mass) / (2 * M_PI),
+      {{"tangent of the assembled bearing across the load",
+        std::sqrt(study.numbers.tangent_across.value / e.mass) / (2 * M_PI),
         "a bearing in a chock is not the same all round"}});
   add(row::motion::spectrum_peak, motion.spectrum_peak, "highest line of the acceleration's spectrum");
   add(row::motion::peak_acceleration, motion.peak_acceleration, "time integration on the bearing's curve");
@@ -91,7 +92,7 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
     q.loads = log_spaced(spec.load.loads, spec.load.samples);
   q.published       = spec.published;
   q.published_total = "Kzc";
-  const auto parts  = bearing_parts(run, q.bearing, largest_roller_load(q));
+  const auto parts  = bearing_parts(run, q.bearing, bearing::largest_roller_load(q.bearing, q));
   const auto study  = study_bearing(run, parts, q);
   auto inputs       = bearing_inputs(q.bearing);
   for (const char *key : {"radial", "axial", "tilt", "cage_angle", "axial_displacement", "moment", "speed"})

@@ -50,7 +50,7 @@ Table load_table(const BearingStudy &s)
 Table row_table(const BearingStudy &s)
 {
   const auto rows  = s.at.row_share.size();
-  const auto stiff = heaviest_of_rows(s.at);
+  const auto stiff = bearing::heaviest_of_rows(s.at);
   Table t;
   t.add("row", "", Eigen::VectorXd::LinSpaced(rows, 1, double(rows)))
       .add("share", "", s.at.row_share)

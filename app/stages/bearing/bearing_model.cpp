@@ -9,7 +9,6 @@
 #include "meshes/bearing/chock.h"
 #include "meshes/bearing/roller.h"
 #include "meshes/common/mesher.h"
-#include "reduce/bearing/clearance.h"
 #include "reduce/bearing/geometry.h"
 #include "reduce/bearing/ring_sections.h"
 #include "reduce/bearing/roller_profile.h"
@@ -105,73 +104,7 @@ fem::RingResult condensed_surroundings(RunContext &run, const bearing::ChockSupp
   return kept_part<fem::RingResult>(run, support.name + ", bearing " + support.bearing.name,
                                     file_name(run, "rings", key), key, make, rigid_rings(support.bearing));
 }
-
-// The part of the rings that the law of one roller includes; the remainder belongs to the rings.
-bearing::RacewayDatum datum_of(const RollerBearing &b)
-{
-  const auto walls = bearing::ring_walls(b);
-  return {walls.inner, walls.outer, not_given};
-}
-
-// Straight raceway beyond the rollers' ends, the same for the roller and for the rings; no matter what holds the
-// cup.
-double land_of(RollerBearing b)
-{
-  b.chock = ChockForm::rigid;
-  return bearing::ring_sections(b, datum_of(b)).cone.land;
-}
-
-RollerSetup setup_of(const RollerBearing &b, const bearing::RingWalls &walls, const double land,
-                     const double largest_load)
-{
-  RollerSetup s;
-  s.diameter       = b.roller_diameter;
-  s.length         = std::isnan(b.roller_total_length) ? b.roller_length : b.roller_total_length;
-  s.contact_length = b.roller_length;
-  s.inner_radius   = (bearing::pitch_diameter(b) - b.roller_diameter) / 2;
-  s.outer_radius   = (bearing::pitch_diameter(b) + b.roller_diameter) / 2;
-  s.inner_depth    = walls.inner;
-  s.outer_depth    = walls.outer;
-  s.land           = land;
-  s.material       = {b.youngs_modulus, b.poisson_ratio, 7850};
-  s.largest_load   = largest_load;
-  return s;
-}
 }  // namespace
-
-RollerBearing with_row_places(RollerBearing b)
-{
-  if (std::isnan(b.width))
-    b.width = b.rows * b.roller_length;
-  if (std::isnan(bearing::pitch_diameter(b)))
-    b.pitch_diameter =
-        b.rollers_per_row * (std::isnan(b.roller_diameter) ? b.roller_length : b.roller_diameter) / M_PI;
-  return b;
-}
-
-RollerBearing between_rigid_rings(RollerBearing b)
-{
-  if (b.roller_law == OneRollerLaw::fe)
-    b.roller_law = OneRollerLaw::iso;
-  b.rings = RingBodies::rigid;
-  return with_row_places(std::move(b));
-}
-
-double roller_load_bound(const RollerBearing &b, const double radial_load, const double tilt)
-{
-  // Stribeck's number raised to 5 for clearance; tilted by 0.5 mrad one row of four carries two thirds of 1 MN and
-  // all of 500 kN.
-  const double even = 5 * radial_load / (b.rows * b.rollers_per_row * std::cos(b.cup_angle));
-  // A crowned roller carries little loads on a short line: the patch serves at least a pressure of 1.5 GPa.
-  constexpr double always = 1.5e9;
-  double least            = 1e3;
-  if (std::isfinite(b.roller_diameter) && std::isfinite(bearing::pitch_diameter(b))) {
-    const double modulus = b.youngs_modulus / (2 * (1 - b.poisson_ratio * b.poisson_ratio));
-    least                = M_PI * bearing::effective_radius(b, true) * always * always / modulus * b.roller_length;
-  }
-  const double bound = std::max(even * (tilt == 0 ? 2 : 4), least);
-  return 1e3 * std::exp2(std::ceil(std::log2(bound / 1e3)));
-}
 
 std::function<double(double)> drop_of(const RollerBearing &b)
 {
@@ -183,7 +116,7 @@ void add_rings(RunContext &run, const RollerBearing &b, const fem::RingResult &r
 {
   parts.model.rings = rings.flexibility;
   parts.notes       = rings.notes;
-  for (BearingVariant &companion : parts.companions)
+  for (bearing::BearingVariant &companion : parts.companions)
     companion.model.rings = rings.flexibility;
   parts.companions.push_back({"rings and chock on a coarser mesh", parts.model});
   parts.companions.back().model.rings = parts.coarse_rings = rings.companion;
@@ -204,9 +137,10 @@ CondensedParts condensed_parts(RunContext &run, const RollerBearing &b, const do
   CondensedParts parts;
   std::vector<IndependentStage> stages;
   if (b.rings == RingBodies::elastic)
-    stages.push_back([&](RunContext &part_run) { parts.rings = condensed_rings(part_run, b, datum_of(b)); });
+    stages.push_back(
+        [&](RunContext &part_run) { parts.rings = condensed_rings(part_run, b, bearing::law_datum(b)); });
   if (b.roller_law == OneRollerLaw::fe) {
-    const auto setup = setup_of(b, bearing::ring_walls(b), land_of(b), largest_load);
+    const auto setup = bearing::roller_setup(b, largest_load);
     const auto name  = "roller of bearing " + b.name;
     stages.push_back(
         [&, setup, name](RunContext &part_run) { parts.roller = condensed_roller(part_run, b, name, setup); });
@@ -217,7 +151,8 @@ CondensedParts condensed_parts(RunContext &run, const RollerBearing &b, const do
   for (const bearing::ChockSupport &support : supports) {
     auto &result = parts.surroundings[support.name];
     stages.push_back([&](RunContext &part_run) {
-      result = condensed_surroundings(part_run, support, datum_of(b), fem::RingOptions().chock_harmonics);
+      result =
+          condensed_surroundings(part_run, support, bearing::law_datum(b), fem::RingOptions().chock_harmonics);
     });
   }
   run_side_by_side(run, std::move(stages));
@@ -232,33 +167,31 @@ BearingParts with_support(RunContext &run, const RollerBearing &b, BearingParts 
   const auto made     = parts.surroundings.find(support.name);
   const auto other    = made != parts.surroundings.end() && harmonics == fem::RingOptions().chock_harmonics
                             ? made->second
-                            : condensed_surroundings(run, support, datum_of(b), harmonics);
+                            : condensed_surroundings(run, support, bearing::law_datum(b), harmonics);
   const auto exchange = [&](bearing::BearingModel &model) {
     model.rings = bearing::with_surroundings_of(model.rings, parts.coarse_rings, other.flexibility, harmonics);
   };
   exchange(parts.model);
-  for (BearingVariant &companion : parts.companions)
+  for (bearing::BearingVariant &companion : parts.companions)
     exchange(companion.model);
   return parts;
 }
 
 std::string roller_inputs(const RollerBearing &b, const double largest_load)
 {
-  return b.roller_law == OneRollerLaw::fe
-             ? inputs_of(setup_of(b, bearing::ring_walls(b), land_of(b), largest_load))
-             : "";
+  return b.roller_law == OneRollerLaw::fe ? inputs_of(bearing::roller_setup(b, largest_load)) : "";
 }
 
 std::string ring_inputs(const RollerBearing &b)
 {
-  return b.rings == RingBodies::elastic ? inputs_of(bearing::ring_sections(b, datum_of(b))) : "";
+  return b.rings == RingBodies::elastic ? inputs_of(bearing::ring_sections(b, bearing::law_datum(b))) : "";
 }
 
 BearingParts bearing_parts(RunContext &run, const RollerBearing &b, const double largest_load,
                            const std::vector<bearing::ChockSupport> &also)
 {
   BearingParts parts;
-  parts.model.bearing = with_row_places(b);
+  parts.model.bearing = bearing::with_row_places(b);
   auto supports       = also;
   if (b.rings == RingBodies::elastic) {
     const auto open = bearing::open_supports(b);
@@ -292,7 +225,7 @@ void write_chock(RunContext &run, const RollerBearing &b, const Eigen::MatrixXd 
   if (!counts_its_chock(b))
     return;
   StageTimer timer(run, "fields of bearing " + b.name);
-  const RingSections sections = bearing::ring_sections(b, datum_of(b));
+  const RingSections sections = bearing::ring_sections(b, bearing::law_datum(b));
   const std::string mesh_file = run.out.file("fields/chock.msh");
   const MeshFile mesh         = meshes::mesh_chock(sections.cup, sections.housing, 1, mesh_file);
   fem::write_chock_vtu(run.out.file("fields/bearing-" + slug(b.name) + "-chock.vtu"), sections.cup, mesh,
@@ -301,15 +234,6 @@ void write_chock(RunContext &run, const RollerBearing &b, const Eigen::MatrixXd 
 }
 
 namespace {
-// What presses every roller at rest, between rigid rings and by the standard's law; N.  0: nothing.
-double load_at_rest(RollerBearing b)
-{
-  b.roller_law         = OneRollerLaw::iso;
-  const auto law       = bearing::roller_law(b);
-  const double pressed = bearing::approach_offset(b, law);
-  return pressed > 0 ? bearing::roller_load(law, pressed, 0).load : 0;
-}
-
 Place place_of(const Case &the_case, const std::string &key)
 {
   const auto place = the_case.places.find(key);
@@ -318,27 +242,20 @@ Place place_of(const Case &the_case, const std::string &key)
 
 void check_fit(const Case &the_case, const RollerBearing &b, std::vector<Problem> &problems)
 {
-  if (!std::isfinite(b.roller_diameter) || !std::isfinite(bearing::pitch_diameter(b)))
+  const auto fit = bearing::resting_fit(b);
+  if (!fit || fit->pressure <= b.yield_pressure)
     return;
-  const double load = load_at_rest(b);
-  if (!(load > 0))
-    return;
-  const double pressure = bearing::elastic_roller(b, load, b.roller_diameter / 2).inner_peak_pressure;
-  if (pressure <= b.yield_pressure)
-    return;
-  // Pressure goes with the root of the roller's load, that with the preload or the interference to the 10/9.
   const bool preloaded  = b.preload > 0;
-  const double part     = std::pow(b.yield_pressure / pressure, preloaded ? 2 : 1.8);
   const std::string key = "bearing." + b.name + (preloaded ? ".preload" : ".radial_clearance");
   const std::string given =
       preloaded ? fmt::format("{:.4g} kN", b.preload / 1e3) : fmt::format("{:.4g} mm", 1e3 * b.radial_clearance);
-  const std::string most = preloaded ? fmt::format("{:.3g} kN", part * b.preload / 1e3)
-                                     : fmt::format("{:.3g} mm", 1e3 * part * b.radial_clearance);
+  const std::string most = preloaded ? fmt::format("{:.3g} kN", fit->yield_share * b.preload / 1e3)
+                                     : fmt::format("{:.3g} mm", 1e3 * fit->yield_share * b.radial_clearance);
   problems.push_back(
       {place_of(the_case, key),
        fmt::format("{} = \"{}\" presses every roller with {:.4g} kN before any load acts, {:.0f} MPa on the inner "
                    "raceway; it yields at {:.0f} MPa (yield_pressure), reached at about {}",
-                   key, given, load / 1e3, pressure / 1e6, b.yield_pressure / 1e6, most),
+                   key, given, fit->load / 1e3, fit->pressure / 1e6, b.yield_pressure / 1e6, most),
        {}});
 }
 
@@ -349,9 +266,9 @@ void check_drawing(const Case &the_case, const RollerBearing &b, std::vector<Pro
     return;
   try {
     if (b.rings == RingBodies::elastic)
-      bearing::ring_sections(b, datum_of(b));
+      bearing::ring_sections(b, bearing::law_datum(b));
     else
-      land_of(b);
+      bearing::roller_setup(b, 0);
     if (b.profile != RollerProfile::none)
       drop_of(b)(0);
   } catch (const InputError &e) {

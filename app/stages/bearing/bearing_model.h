@@ -2,7 +2,7 @@
 #include "app/run/run_context.h"
 #include "fem/bearing/ring_flexibility.h"
 #include "fem/bearing/roller_contact.h"
-#include "reduce/bearing/assembly.h"
+#include "reduce/bearing/bearing_models.h"
 #include "reduce/bearing/chock_supports.h"
 #include <functional>
 #include <map>
@@ -13,35 +13,18 @@
 namespace mill {
 struct Case;
 
-/// A bearing with one ingredient of its model exchanged.
-struct BearingVariant {
-  std::string about;  ///< "roller on a mesh twice as coarse", "chock on two feet"
-  bearing::BearingModel model;
-};
-
 /// A bearing ready to be loaded: its geometry, the law of its roller and how far its rings deflect, each with what
 /// it is known to.
 struct BearingParts {
   bearing::BearingModel model;
-  std::vector<BearingVariant> companions;              ///< on coarser meshes, one ingredient at a time
-  std::vector<BearingVariant> supports;                ///< of the chock, where the case leaves them open
+  std::vector<bearing::BearingVariant> companions;     ///< on coarser meshes, one ingredient at a time
+  std::vector<bearing::BearingVariant> supports;       ///< of the chock, where the case leaves them open
   bearing::RingFlexibility coarse_rings;               ///< rings and chock on coarser meshes; none for rigid rings
   std::shared_ptr<const fem::CondensedRoller> roller;  ///< roller_law = "fe" only
   double law_depth_inner = 0, law_depth_outer = 0;     ///< m, of the raceways in the law of one roller
   std::vector<std::string> notes;                      ///< sentences for the report
   std::map<std::string, fem::RingResult> surroundings;  ///< of the cup, by the name of the chock's support
 };
-
-/// Largest load, N, that one roller may get under these radial loads, generously and rounded up to a power of two
-/// kN, so that neighbouring cases share a mesh.
-double roller_load_bound(const RollerBearing &bearing, double radial_load, double tilt);
-
-/// The bearing with its rows side by side and its rollers touching where width and pitch diameter are not given:
-/// under a radial load without tilt their places do not matter.
-RollerBearing with_row_places(RollerBearing bearing);
-
-/// The same without finite elements: laminae of ISO/TS 16281, or the law of the case, between rigid rings.
-RollerBearing between_rigid_rings(RollerBearing bearing);
 
 /// Everything that the kept parts of a bearing depend on, as text; its hash is the key of the cache.  Empty: the
 /// bearing has no such part.

@@ -25,7 +25,7 @@ double where(const std::function<double(double)> &f, const double value, const d
   return root_between(low, high, [&](const double x) { return f(x) - value; }).value_or(not_given);
 }
 
-using Stiffness = std::function<double(const bearing::AssemblyState &)>;
+using Stiffness = bearing::StateNumber;
 
 // Bearing load at which the stiffness of the curve takes the value, linear between its points; NaN: nowhere on it.
 double where_on_curve(const std::vector<bearing::AssemblyState> &states, const Stiffness &stiffness,
@@ -54,22 +54,7 @@ std::vector<bearing::AssemblyState> states_beyond(const BearingStudy &s)
   states.insert(states.begin(), s.curve.states.back());
   return states;
 }
-}  // namespace
 
-RowRollers heaviest_of_rows(const bearing::AssemblyState &state)
-{
-  const auto rows = state.roller_load.rows();
-  RowRollers out{Eigen::VectorXd(rows), Eigen::VectorXd(rows), Eigen::VectorXd(rows)};
-  for (Eigen::Index r = 0; r < rows; ++r) {
-    Eigen::Index j;
-    out.load[r]    = state.roller_load.row(r).maxCoeff(&j);
-    out.secant[r]  = out.load[r] / state.roller_approach(r, j);
-    out.tangent[r] = state.roller_tangent(r, j);
-  }
-  return out;
-}
-
-namespace {
 // (rows, 2) N, load at which the law of one roller has the published stiffness as secant and as tangent.
 Eigen::MatrixXd loads_that_fit(const BearingStudy &s, const Eigen::VectorXd &value)
 {
@@ -94,7 +79,7 @@ Eigen::MatrixXd loads_that_fit(const BearingStudy &s, const Eigen::VectorXd &val
 Table published_table(const BearingStudy &s)
 {
   const auto rows  = s.at.roller_load.rows();
-  const auto heavy = heaviest_of_rows(s.at);
+  const auto heavy = bearing::heaviest_of_rows(s.at);
   Eigen::VectorXd value(rows);
   for (Eigen::Index r = 0; r < rows; ++r)
     value[r] = published(s, row_key(r));
@@ -129,7 +114,7 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
     p.checks = std::move(checks);
     run.results.add(row.of(prefix), p);
   };
-  const auto heavy = heaviest_of_rows(s.at);
+  const auto heavy = bearing::heaviest_of_rows(s.at);
   const double Z5  = b.rollers_per_row / 5.;
   if (std::isfinite(sum)) {
     const double mechanics = b.rollers_per_row * std::pow(std::cos(b.cup_angle), 2) / 4.0847;

@@ -3,13 +3,6 @@
 #include "core/records/csv.h"
 
 namespace mill {
-/// Stiffness of the heaviest roller of each row between its raceways.
-struct RowRollers {
-  Eigen::VectorXd load;             ///< (rows) N
-  Eigen::VectorXd secant, tangent;  ///< (rows) N/m
-};
-RowRollers heaviest_of_rows(const bearing::AssemblyState &state);
-
 /// Published stiffnesses of one roller compared with the computed ones: at the load of the case, and the roller
 /// loads at which the law of one roller fits them (NaN: at none up to 200 kN).  Empty without published values.
 Table published_table(const BearingStudy &study);

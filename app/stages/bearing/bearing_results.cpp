@@ -1,7 +1,5 @@
 #include "app/stages/bearing/bearing_results.h"
-#include "app/stages/bearing/bearing_published.h"
 #include "core/case/provenance.h"
-#include "core/model/bearing_ratings.h"
 #include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/chock_supports.h"
 #include "reduce/bearing/geometry.h"
@@ -9,10 +7,11 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <functional>
-#include <initializer_list>
 
 namespace mill {
 namespace {
+using bearing::ComparedNumber;
+
 Parameter plain(const BearingStudy &s, const std::vector<std::string> &inputs)
 {
   Parameter p;
@@ -23,58 +22,46 @@ Parameter plain(const BearingStudy &s, const std::vector<std::string> &inputs)
   return p;
 }
 
+// A number as a result, with the error of the study.
+Parameter stated(const BearingStudy &s, const ComparedNumber &number, const std::vector<std::string> &inputs)
+{
+  Parameter p      = plain(s, inputs);
+  p.value          = number.value;
+  p.error_estimate = number.error;
+  return p;
+}
+
 // The same number by the model of the standard, and by the other arrangements of the rows where the case does not
 // say which one it is; their difference is not an error of the model.
-std::vector<Check> comparisons(const BearingStudy &s, const StateNumber &number, const bool of_arrangement = false)
+std::vector<Check> comparisons(const BearingStudy &s, const ComparedNumber &number,
+                               const bool of_arrangement = false)
 {
-  std::vector<Check> checks{{"ISO/TS 16281, rigid rings", number(s.standard), ""}};
+  std::vector<Check> checks{{"ISO/TS 16281, rigid rings", number.standard, ""}};
   if (!of_arrangement || s.arrangements.empty())
     return checks;
   const RollerBearing &b = s.question.bearing;
-  checks.push_back(
-      {"rows " + arrangement_name(b.arrangement, b.rows) + ", rigid rings", number(s.rigid), "assumed"});
-  for (const StudyVariant &v : s.arrangements)
-    checks.push_back({"rows " + v.about + ", rigid rings", number(v.at), "not excluded by the case"});
+  checks.push_back({"rows " + arrangement_name(b.arrangement, b.rows) + ", rigid rings", number.rigid, "assumed"});
+  for (std::size_t i = 0; i < s.arrangements.size(); ++i)
+    checks.push_back(
+        {"rows " + s.arrangements[i].about + ", rigid rings", number.arrangements[i], "not excluded by the case"});
   return checks;
 }
 
-// One number of the heaviest roller.
-StateNumber of_heaviest(Eigen::VectorXd RowRollers::*number)
+// A radial stiffness by the models that the case does not use.
+std::vector<Check> other_models(const BearingStudy &s, const ComparedNumber &number)
 {
-  return [number](const bearing::AssemblyState &state) {
-    const RowRollers rows = heaviest_of_rows(state);
-    Eigen::Index row;
-    rows.load.maxCoeff(&row);
-    return (rows.*number)[row];
-  };
-}
-}  // namespace
-
-namespace {
-// Uncertainty of a stiffness from estimated rollers, in addition to that of the model.
-double with_estimates(const BearingStudy &s, const double error)
-{
-  return error + stiffness_spread(s.question.bearing.candidates);
-}
-
-// The same of another number: what hangs on the contact angle, and what on the number of rollers.
-double estimate_error(const BearingStudy &s, const ResultRow &row)
-{
-  const auto &candidates = s.question.bearing.candidates;
-  const auto is_one_of   = [&](std::initializer_list<const ResultRow *> rows) {
-    return std::find(rows.begin(), rows.end(), &row) != rows.end();
-  };
-  using namespace row::bearing;
-  if (is_one_of({&roller_secant, &roller_tangent, &roller_max})) {
-    double spread = 0;
-    for (const RollerCandidate &c : candidates)
-      spread =
-          std::max(spread, std::abs(double(candidates.front().rollers_per_row) / double(c.rollers_per_row) - 1));
-    return spread;
-  }
-  const bool of_angle =
-      is_one_of({&axial, &axial_load, &axial_displacement, &row_axial, &tilting, &tilt, &moment, &rib_max});
-  return of_angle ? axial_spread(candidates) : 0;
+  RollerBearing b         = s.question.bearing;
+  const bool elastic      = b.rings == RingBodies::elastic;
+  const std::string other = elastic ? "rigid rings" : "another law of one roller";
+  std::vector<Check> checks{{"ISO/TS 16281, rigid rings", number.standard, other},
+                            {"Palmgren, rigid rings", number.palmgren, other}};
+  b.rings = RingBodies::rigid;
+  if (elastic)
+    checks.push_back({model_name(b), number.rigid, "the same rollers, rigid rings"});
+  for (std::size_t i = 0; i < s.supports.size(); ++i)
+    checks.push_back(
+        {s.supports[i].about, number.supports[i], "a support that the case leaves open; part of the error"});
+  return checks;
 }
 }  // namespace
 
@@ -85,24 +72,16 @@ std::vector<std::string> bearing_inputs(const RollerBearing &b)
 
 Parameter tangent_of(const BearingStudy &s, const std::vector<std::string> &inputs)
 {
-  Parameter p = plain(s, inputs);
-  p.value     = s.tangent;
-  p.error_estimate =
-      with_estimates(s, error_of(s, [&](const auto &state) { return bearing::radial_tangent(state, s.loading); }));
-  p.checks = s.tangent_checks;
+  Parameter p = stated(s, s.numbers.tangent, inputs);
+  p.checks    = other_models(s, s.numbers.tangent);
   return p;
 }
 
 Parameter across_of(const BearingStudy &s, const std::vector<std::string> &inputs)
 {
-  const auto across = [&](const bearing::AssemblyState &state) {
-    return bearing::stiffness_along(state, s.loading, 1);
-  };
-  Parameter p      = plain(s, inputs);
-  p.value          = s.tangent_across;
-  p.error_estimate = with_estimates(s, error_of(s, across));
+  Parameter p = stated(s, s.numbers.tangent_across, inputs);
   p.method += ", across the load";
-  p.checks = comparisons(s, across);
+  p.checks = comparisons(s, s.numbers.tangent_across);
   return p;
 }
 
@@ -121,17 +100,13 @@ void add_closing_angle(RunContext &run, const std::string &prefix, const RollerB
   run.results.add(row::bearing::closing_cup_angle.of(prefix), p);
 }
 
-using Add = std::function<void(const ResultName &, const StateNumber &, bool, const std::string &)>;
+using Add = std::function<void(const ResultName &, const ComparedNumber &, bool, const std::string &)>;
 
 void add_stiffnesses(const std::string &prefix, const BearingStudy &s, const Add &add)
 {
-  add(
-      row::bearing::axial.of(prefix), [](const auto &state) { return state.tangent(2, 2); }, false,
-      ", tangent along the axis, all other motions held");
+  add(row::bearing::axial.of(prefix), s.numbers.axial, false, ", tangent along the axis, all other motions held");
   if (std::isfinite(s.question.bearing.width))  // else the places of the rows are not known
-    add(
-        row::bearing::tilting.of(prefix),
-        [&](const auto &state) { return bearing::stiffness_along(state, s.loading, 4); }, true,
+    add(row::bearing::tilting.of(prefix), s.numbers.tilting, true,
         ", tangent against tilt in the plane of the load, loads and imposed motions held");
 }
 
@@ -140,66 +115,49 @@ void add_motions(const std::string &prefix, const BearingStudy &s, const Add &ad
 {
   const BearingQuestion &q = s.question;
   if (std::isfinite(q.axial_displacement))
-    add(
-        row::bearing::axial_load.of(prefix), [](const auto &state) { return state.load[2]; }, true,
-        ", under the imposed axial displacement");
+    add(row::bearing::axial_load.of(prefix), s.numbers.axial_load, true, ", under the imposed axial displacement");
   else if (q.axial != 0)
-    add(
-        row::bearing::axial_displacement.of(prefix), [](const auto &state) { return state.motion[2]; }, true,
+    add(row::bearing::axial_displacement.of(prefix), s.numbers.axial_displacement, true,
         ", of the inner ring from its concentric place");
   if (std::isfinite(q.moment))
-    add(
-        row::bearing::tilt.of(prefix), [](const auto &state) { return state.motion[4]; }, true,
-        ", of the inner ring under the moment");
+    add(row::bearing::tilt.of(prefix), s.numbers.tilt, true, ", of the inner ring under the moment");
   else if (q.tilt != 0)
-    add(
-        row::bearing::moment.of(prefix), [](const auto &state) { return state.load[4]; }, true,
-        ", that holds the imposed tilt");
+    add(row::bearing::moment.of(prefix), s.numbers.moment, true, ", that holds the imposed tilt");
 }
 
 void add_rollers(const std::string &prefix, const BearingStudy &s, const Add &add)
 {
-  add(row::bearing::roller_secant.of(prefix), of_heaviest(&RowRollers::secant), false,
-      ", heaviest roller between its raceways");
-  add(row::bearing::roller_tangent.of(prefix), of_heaviest(&RowRollers::tangent), false,
-      ", heaviest roller between its raceways");
-  add(row::bearing::roller_max.of(prefix), of_heaviest(&RowRollers::load), false, ", heaviest roller");
+  const char *between = ", heaviest roller between its raceways";
+  add(row::bearing::roller_secant.of(prefix), s.numbers.roller_secant, false, between);
+  add(row::bearing::roller_tangent.of(prefix), s.numbers.roller_tangent, false, between);
+  add(row::bearing::roller_max.of(prefix), s.numbers.roller_max, false, ", heaviest roller");
   const bool tilted = s.question.tilt != 0 || std::isfinite(s.question.moment);
-  for (Eigen::Index r = 0; s.question.radial > 0 && r < s.at.row_share.size(); ++r)
-    add(
-        row::bearing::row_share.of(prefix, std::to_string(r + 1)),
-        [r](const auto &state) { return state.row_share[r]; }, tilted, "");
+  for (std::size_t r = 0; s.question.radial > 0 && r < s.numbers.row_share.size(); ++r)
+    add(row::bearing::row_share.of(prefix, std::to_string(r + 1)), s.numbers.row_share[r], tilted, "");
   if (!(s.question.bearing.cup_angle > 0))
     return;
-  for (Eigen::Index r = 0; r < s.at.row_axial.size(); ++r)
-    add(
-        row::bearing::row_axial.of(prefix, std::to_string(r + 1)),
-        [r](const auto &state) { return state.row_axial[r]; }, true, ", axial force of the row on the cup");
-  add(
-      row::bearing::rib_max.of(prefix), [](const auto &state) { return state.rib_force.maxCoeff(); }, false,
-      ", heaviest roller on the cone's rib");
+  for (std::size_t r = 0; r < s.numbers.row_axial.size(); ++r)
+    add(row::bearing::row_axial.of(prefix, std::to_string(r + 1)), s.numbers.row_axial[r], true,
+        ", axial force of the row on the cup");
+  add(row::bearing::rib_max.of(prefix), s.numbers.rib_max, false, ", heaviest roller on the cone's rib");
 }
 }  // namespace
 
 void add_bearing_results(RunContext &run, const std::string &prefix, const BearingStudy &s,
                          const std::vector<std::string> &inputs)
 {
-  const Add add = [&](const ResultName &name, const StateNumber &number, const bool of_arrangement,
+  const Add add = [&](const ResultName &name, const ComparedNumber &number, const bool of_arrangement,
                       const std::string &more) {
-    Parameter p      = plain(s, inputs);
-    p.value          = number(s.at);
-    p.unit           = name.row().unit;
-    p.error_estimate = error_of(s, number) + estimate_error(s, name.row());
-    p.checks         = comparisons(s, number, of_arrangement);
+    Parameter p = stated(s, number, inputs);
+    p.unit      = name.row().unit;
+    p.checks    = comparisons(s, number, of_arrangement);
     p.method += more;
     run.results.add(name, p);
   };
   run.results.add(row::bearing::tangent.of(prefix), tangent_of(s, inputs));
   if (s.question.radial > 0) {
-    Parameter secant      = plain(s, inputs);
-    secant.value          = s.secant;
-    secant.error_estimate = with_estimates(s, error_of(s, bearing::radial_secant));
-    secant.checks         = s.secant_checks;
+    Parameter secant = stated(s, s.numbers.secant, inputs);
+    secant.checks    = other_models(s, s.numbers.secant);
     run.results.add(row::bearing::secant.of(prefix), secant);
   }
   run.results.add(row::bearing::tangent_across.of(prefix), across_of(s, inputs));
@@ -215,10 +173,7 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
     p.method += more;
     run.results.add(row.of(prefix), p);
   };
-  Eigen::Index of_row, roller;
-  s.at.roller_load.maxCoeff(&of_row, &roller);
-  // Both flanks carry alike without a load across; the angle is counted without its sign.
-  state(row::bearing::heaviest_angle, std::abs(std::remainder(s.at.azimuth[roller], 2 * M_PI)),
+  state(row::bearing::heaviest_angle, s.numbers.heaviest_angle,
         ", of the heaviest roller from the line of the load", {});
   state(row::bearing::loaded_rollers, s.at.loaded_rollers.maxCoeff(),
         fmt::format(", in the fullest row; {} of {} in all rows", s.at.loaded_rollers.sum(),
@@ -234,29 +189,27 @@ void warn_of_arrangement(RunContext &run, const std::string &prefix, const Beari
   const RollerBearing &b = s.question.bearing;
   if (!b.arrangement_assumed)
     return;
-  const auto range = [&](const StateNumber &number, const char *format, const double unit) {
-    double low = number(s.rigid), high = low;
-    for (const StudyVariant &v : s.arrangements) {
-      low  = std::min(low, number(v.at));
-      high = std::max(high, number(v.at));
+  const auto range = [&](const ComparedNumber &number, const char *format, const double unit) {
+    double low = number.rigid, high = low;
+    for (const double other : number.arrangements) {
+      low  = std::min(low, other);
+      high = std::max(high, other);
     }
     return fmt::format(fmt::runtime(format), unit * low, unit * high);
   };
   std::string others, shares;
-  for (const StudyVariant &v : s.arrangements)
+  for (const bearing::StateVariant &v : s.arrangements)
     others += (others.empty() ? "" : "; ") + v.about;
   if (s.question.tilt == 0)
     shares = "the shares of the rows do not depend on it as long as nothing tilts";
   else
-    for (Eigen::Index r = 0; r < s.rigid.row_share.size(); ++r)
-      shares +=
-          fmt::format("{} {}: {}", shares.empty() ? "shares between rigid rings, row" : ", row", r + 1,
-                      range([r](const auto &state) { return state.row_share[r]; }, "{:.1f} .. {:.1f} %", 100));
+    for (std::size_t r = 0; r < s.numbers.row_share.size(); ++r)
+      shares += fmt::format("{} {}: {}", shares.empty() ? "shares between rigid rings, row" : ", row", r + 1,
+                            range(s.numbers.row_share[r], "{:.1f} .. {:.1f} %", 100));
   std::string tilting;
   if (std::isfinite(b.width))
-    tilting = prefix + ".tilting between rigid rings: " +
-              range([&](const auto &state) { return bearing::stiffness_along(state, s.loading, 4); },
-                    "{:.3g} .. {:.3g} kN m/mrad; ", 1e-6);
+    tilting =
+        prefix + ".tilting between rigid rings: " + range(s.numbers.tilting, "{:.3g} .. {:.3g} kN m/mrad; ", 1e-6);
   const std::string key = "bearing." + b.name + ".arrangement";
   run.warn(
       {WarningId::bearing_arrangement,
@@ -276,9 +229,9 @@ void say_supports(RunContext &run, const std::string &prefix, const BearingStudy
   if (s.supports.empty())
     return;
   std::string text = fmt::format("bearing.{} does not say how its chock is held: {}.tangent is {:.4g} kN/mm, {}",
-                                 b.name, prefix, s.tangent / 1e6, bearing::support_name(b));
-  for (const StudyVariant &v : s.supports)
-    text += fmt::format("; {:.4g} kN/mm, {}", bearing::radial_tangent(v.at, s.loading) / 1e6, v.about);
+                                 b.name, prefix, s.numbers.tangent.value / 1e6, bearing::support_name(b));
+  for (std::size_t i = 0; i < s.supports.size(); ++i)
+    text += fmt::format("; {:.4g} kN/mm, {}", s.numbers.tangent.supports[i] / 1e6, s.supports[i].about);
   run.assume(text + "; the largest difference is part of the error of every result of this bearing");
 }
 }  // namespace

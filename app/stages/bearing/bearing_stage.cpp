@@ -124,7 +124,7 @@ public:
     out.Kzc[i]           = film_stiffness(study, inputs);
     out.Kzc_across[i]    = film_stiffness(study, inputs, true);
     if (seat.backup)
-      out.film_damper[i == 0 ? 0 : 1] = 2 * study.solution.at.damping(0, 0);
+      out.film_damper[i == 0 ? 0 : 1] = 2 * study.numbers.solution.at.damping(0, 0);
     if (pass > 0)
       return;
     run.results.add(row::bearing::tangent.of(seat.name), out.Kzc[i]);
@@ -239,7 +239,8 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       if (is_given(seat) || film_of(stand, seat))
         continue;
       double &bound = largest[seat.roll->bearing];
-      bound         = std::max(bound, largest_roller_load(question(seat, load_of(stand, seat, F).value, true)));
+      const auto q  = question(seat, load_of(stand, seat, F).value, true);
+      bound         = std::max(bound, bearing::largest_roller_load(q.bearing, q));
     }
   std::vector<IndependentStage> made;
   for (const auto &[name, bound] : largest)

@@ -3,11 +3,8 @@
 #include "app/stages/bearing/bearing_files.h"
 #include "app/stages/bearing/bearing_store.h"
 #include "core/base/files.h"
-#include "core/model/bearing_ratings.h"
 #include "core/model/case.h"
-#include "core/numerics/mesh_pair.h"
 #include "core/process/parallel.h"
-#include "reduce/bearing/geometry.h"
 #include "reduce/bearing/rating_life.h"
 #include <algorithm>
 #include <cmath>
@@ -16,16 +13,9 @@
 
 namespace mill {
 namespace {
-RollerBearing by_standard(RollerBearing b, const OneRollerLaw law)
-{
-  b.roller_law = law;
-  b.rings      = RingBodies::rigid;
-  return b;
-}
-
 bearing::BearingModel standard_model(const BearingQuestion &q, const OneRollerLaw law)
 {
-  auto model              = bearing::rigid_model(by_standard(with_row_places(q.bearing), law));
+  auto model              = bearing::model_by_law(q.bearing, law);
   model.cage_angle        = q.cage_angle;
   model.centrifugal_force = q.centrifugal;
   return model;
@@ -49,43 +39,21 @@ bearing::AssemblyState solved(bearing::BearingModel model, const BearingStudy &s
 }
 
 // How well each ingredient of the model is known: the model without it, or with its neighbour.
-std::vector<BearingVariant> companions_of(const BearingStudy &s)
+std::vector<bearing::BearingVariant> companions_of(const BearingStudy &s)
 {
-  std::vector<BearingVariant> out = s.parts.companions;
+  std::vector<bearing::BearingVariant> out = s.parts.companions;
   if (s.slice_deviation != 0) {
     out.push_back({"contact elements instead of slices", s.parts.model});
     out.back().model.roller = bearing::stiffened(s.parts.model.roller, 1 + s.slice_deviation);
   }
-  if (!s.parts.roller) {
+  if (!s.parts.roller)
     // Without elements the spread of the published laws is how well the law of one roller is known.
-    const bool is_iso = s.question.bearing.roller_law == OneRollerLaw::iso;
-    out.push_back({"another law of one roller", s.parts.model});
-    auto &other  = out.back().model;
-    other.roller = bearing::with_limits(
-        bearing::roller_law(by_standard(other.bearing, is_iso ? OneRollerLaw::palmgren : OneRollerLaw::iso)));
-  }
-  return out;
-}
-
-// Rows in the other usual arrangements, between rigid rings: the results that depend on an arrangement that is not
-// given.
-std::vector<BearingVariant> arrangements_of(const BearingStudy &s, const bearing::BearingModel &rigid)
-{
-  std::vector<BearingVariant> out;
-  const RollerBearing &b = s.question.bearing;
-  if (!b.arrangement_assumed)
-    return out;
-  for (const std::string &hands : usual_arrangements(b.rows))
-    if (const std::string name = arrangement_name(hands, b.rows);
-        name != arrangement_name(b.arrangement, b.rows)) {
-      out.push_back({name, rigid});
-      out.back().model.bearing.arrangement = hands;
-    }
+    out.push_back({"another law of one roller", bearing::with_neighbouring_law(s.parts.model)});
   return out;
 }
 
 std::vector<bearing::AssemblyState> solved_all(const RunContext &run, const BearingStudy &s,
-                                               const std::vector<BearingVariant> &variants)
+                                               const std::vector<bearing::BearingVariant> &variants)
 {
   std::vector<bearing::AssemblyState> states(variants.size());
   share_tasks(long(variants.size()), run.threads,
@@ -93,31 +61,13 @@ std::vector<bearing::AssemblyState> solved_all(const RunContext &run, const Bear
   return states;
 }
 
-std::vector<StudyVariant> named(const std::vector<BearingVariant> &variants,
-                                std::vector<bearing::AssemblyState> &&states)
+std::vector<bearing::StateVariant> named(const std::vector<bearing::BearingVariant> &variants,
+                                         std::vector<bearing::AssemblyState> &&states)
 {
-  std::vector<StudyVariant> out;
+  std::vector<bearing::StateVariant> out;
   for (std::size_t i = 0; i < variants.size(); ++i)
     out.push_back({variants[i].about, std::move(states.at(i))});
   return out;
-}
-
-// The radial stiffness by the models that the case does not use.
-void add_checks(BearingStudy &s, const bearing::AssemblyState &palmgren, const std::string &rigid_name)
-{
-  const bool elastic      = s.question.bearing.rings == RingBodies::elastic;
-  const std::string other = elastic ? "rigid rings" : "another law of one roller";
-  const auto add = [&](const std::string &name, const bearing::AssemblyState &state, const std::string &note) {
-    s.tangent_checks.push_back({name, bearing::radial_tangent(state, s.loading), note});
-    if (s.question.radial > 0)
-      s.secant_checks.push_back({name, bearing::radial_secant(state), note});
-  };
-  add("ISO/TS 16281, rigid rings", s.standard, other);
-  add("Palmgren, rigid rings", palmgren, other);
-  if (elastic)
-    add(rigid_name, s.rigid, "the same rollers, rigid rings");
-  for (const StudyVariant &support : s.supports)
-    add(support.about, support.at, "a support that the case leaves open; part of the error");
 }
 
 // The state at the working load; without one, the curve as far as it went is left behind.
@@ -150,22 +100,6 @@ BearingQuestion question_of(const BearingCase &spec)
   q.speed              = spec.load.speed;
   q.centrifugal        = std::isfinite(q.speed) ? bearing::centrifugal_force(q.bearing, q.speed) : 0;
   return q;
-}
-
-bearing::RingLoading drive_of(const BearingQuestion &q, const double radial)
-{
-  auto loading = bearing::radial_drive(radial, q.tilt);
-  if (std::isfinite(q.axial_displacement))
-    loading.value[2] = q.axial_displacement;
-  else if (q.axial != 0) {
-    loading.value[2]      = q.axial;
-    loading.prescribed[2] = false;
-  }
-  if (std::isfinite(q.moment)) {
-    loading.value[4]      = q.moment;
-    loading.prescribed[4] = false;
-  }
-  return loading;
 }
 
 OperatingPoint operating_point(const BearingStudy &s)
@@ -222,48 +156,17 @@ std::string model_name(const RollerBearing &b)
   return law_name(b.roller_law) + ", elastic rings, " + seat_name(b.chock);
 }
 
-double largest_roller_load(const BearingQuestion &q)
-{
-  double radial = q.radial;
-  for (const double load : q.loads)
-    radial = std::max(radial, load);
-  double bound = roller_load_bound(q.bearing, radial, q.tilt);
-  if (q.axial != 0)
-    bound =
-        std::max(bound, roller_load_bound(q.bearing, std::abs(q.axial) / std::tan(q.bearing.cup_angle), q.tilt));
-  if (std::isfinite(q.moment)) {
-    // The rows stand apart by a quarter of the width, and lean: half of the smaller lever is on the safe side.
-    const double R = bearing::pitch_diameter(q.bearing) / 2, lever = std::max(q.bearing.width / 8, R / 4);
-    bound = std::max(bound, roller_load_bound(q.bearing, radial + std::abs(q.moment) / lever, 0));
-  }
-  if (std::isfinite(q.axial_displacement)) {
-    const double approach = std::abs(q.axial_displacement) * std::sin(q.bearing.cup_angle);
-    const double each =
-        bearing::roller_constant(OneRollerLaw::iso, q.bearing.roller_length) * std::pow(approach, 10. / 9);
-    const double even = each * q.bearing.rows * q.bearing.rollers_per_row * std::cos(q.bearing.cup_angle) / 5;
-    bound             = std::max(bound, roller_load_bound(q.bearing, radial + even, q.tilt));
-  }
-  return bound;
-}
-
 namespace {
-bearing::BearingModel with_rigid_rings(bearing::BearingModel model)
-{
-  model.rings         = {};
-  model.bearing.rings = RingBodies::rigid;
-  return model;
-}
-
 // Curves and working load by the model of the case, by the standard, and between rigid rings; then what each
 // ingredient is known to.  The curve's failure is left in the study.
 SolvedBearing solve_all(RunContext &run, BearingStudy &s)
 {
   const BearingQuestion &q = s.question;
   SolvedBearing out;
-  const auto rigid_model = with_rigid_rings(s.parts.model);
+  const auto rigid_model = bearing::with_rigid_rings(s.parts.model);
   std::vector<bearing::RingLoading> loadings;
   for (const double load : q.loads)
-    loadings.push_back(drive_of(q, load));
+    loadings.push_back(bearing::drive_of(q, load));
   run.progress.at("bearing " + q.bearing.name, 0);
   bearing::AssemblyCurve standard_curve, rigid_curve;
   const auto by = [&](const bearing::BearingModel &model, bearing::AssemblyCurve &curve,
@@ -285,7 +188,7 @@ SolvedBearing solve_all(RunContext &run, BearingStudy &s)
   out.slice_deviation = s.slice_deviation = deviation_of_slices(s.parts, out.at.roller_load.maxCoeff());
   out.companions                          = solved_all(run, s, companions_of(s));
   out.supports                            = solved_all(run, s, s.parts.supports);
-  out.arrangements                        = solved_all(run, s, arrangements_of(s, rigid_model));
+  out.arrangements                        = solved_all(run, s, bearing::other_arrangements(rigid_model));
   out.curve                               = s.curve.states;
   out.standard_curve                      = std::move(standard_curve.states);
   out.rigid_curve                         = std::move(rigid_curve.states);
@@ -313,7 +216,7 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
   s.parts                         = parts;
   s.parts.model.cage_angle        = q.cage_angle;
   s.parts.model.centrifugal_force = q.centrifugal;
-  s.loading                       = drive_of(q, q.radial);
+  s.loading                       = bearing::drive_of(q, q.radial);
   SolvedBearing solved            = solved_or_kept(run, s);
   s.curve.states                  = std::move(solved.curve);
   s.standard_curve.states         = std::move(solved.standard_curve);
@@ -324,32 +227,16 @@ BearingStudy study_bearing(RunContext &run, const BearingParts &parts, const Bea
               s.curve.failure->what, s.curve.failure->remedy});
   s.at              = std::move(solved.at);
   s.standard        = std::move(solved.standard);
+  s.palmgren        = std::move(solved.palmgren);
   s.rigid           = std::move(solved.rigid);
-  s.tangent         = bearing::radial_tangent(s.at, s.loading);
-  s.secant          = bearing::radial_secant(s.at);
-  s.tangent_across  = bearing::stiffness_along(s.at, s.loading, 1);
   s.slice_deviation = solved.slice_deviation;
-  const auto rigid  = with_rigid_rings(s.parts.model);
   s.companions      = named(companions_of(s), std::move(solved.companions));
+  s.meshes          = s.parts.companions.size();  // these come first; the others are other models
   s.supports        = named(s.parts.supports, std::move(solved.supports));
-  s.arrangements    = named(arrangements_of(s, rigid), std::move(solved.arrangements));
-  add_checks(s, solved.palmgren, model_name(rigid.bearing));
+  s.arrangements =
+      named(bearing::other_arrangements(bearing::with_rigid_rings(s.parts.model)), std::move(solved.arrangements));
+  s.numbers = bearing::bearing_numbers(s, q.bearing.candidates);
   run.progress.at("bearing " + q.bearing.name, 1);
   return s;
-}
-
-double error_of(const BearingStudy &s, const StateNumber &number)
-{
-  const double value = number(s.at);
-  if (s.companions.empty() || !(std::abs(value) > 0))
-    return not_given;
-  const auto change = [&](const StudyVariant &v) { return std::abs(number(v.at) / value - 1); };
-  double sum = 0, support = 0;
-  const std::size_t meshes = s.parts.companions.size();  // these come first; the others are other models
-  for (std::size_t i = 0; i < s.companions.size(); ++i)
-    sum += (i < meshes ? mesh_pair_safety : 1) * change(s.companions[i]);
-  for (const StudyVariant &v : s.supports)
-    support = std::max(support, change(v));
-  return sum + support;
 }
 }  // namespace mill

@@ -3,69 +3,36 @@
 #include "app/stages/bearing/bearing_readings.h"
 #include "core/model/bearing_case.h"
 #include "core/model/given.h"
-#include <functional>
-#include <optional>
+#include "reduce/bearing/asked_load.h"
+#include "reduce/bearing/bearing_numbers.h"
+#include <memory>
 
 namespace mill {
 /// What is asked of a bearing.
-struct BearingQuestion {
+struct BearingQuestion : bearing::AskedLoad {
   RollerBearing bearing;
-  double radial             = 0;          ///< N
-  double axial              = 0;          ///< N; 0: the inner ring keeps its axial place
-  double tilt               = 0;          ///< rad
-  double cage_angle         = 0;          ///< rad
-  double axial_displacement = not_given;  ///< m, imposed in place of an axial load
-  double moment             = not_given;  ///< N m, in the plane of the load, in place of a tilt
-  double speed              = not_given;  ///< 1/s, of the shaft
-  double centrifugal        = 0;          ///< N, of each roller, in the equilibrium
-  std::vector<double> loads;              ///< N, of the curve, ascending; may be empty
-  GivenValues published;                  ///< of [published]: Kzc, row1_roller..row4_roller
-  std::string published_total;            ///< which of them is this bearing's stiffness: "Kzc", "Kzc2"
+  double cage_angle  = 0;          ///< rad
+  double speed       = not_given;  ///< 1/s, of the shaft
+  double centrifugal = 0;          ///< N, of each roller, in the equilibrium
+  GivenValues published;           ///< of [published]: Kzc, row1_roller..row4_roller
+  std::string published_total;     ///< which of them is this bearing's stiffness: "Kzc", "Kzc2"
 };
 
-/// The state with one ingredient of the model exchanged, everything else and the load the same.
-struct StudyVariant {
-  std::string about;
-  bearing::AssemblyState at;
-};
-
-/// One bearing at its working load, by the model of the case, and by the models that it is compared with.
-struct BearingStudy {
+/// One bearing at its working load and over its curve.
+struct BearingStudy : bearing::ComparedStates {
   BearingQuestion question;
   BearingParts parts;
-  bearing::RingLoading loading;
-  bearing::AssemblyState at;        ///< at the working load
-  bearing::AssemblyState standard;  ///< ISO law, rigid rings
-  bearing::AssemblyState rigid;     ///< the law of the case, rigid rings
-  double tangent = 0, secant = 0;   ///< N/m
-  double tangent_across  = 0;       ///< N/m, across the load
-  double slice_deviation = 0;       ///< -, slice law against contact elements at the heaviest roller's load
-  /// What the result is known to, one state each: roller and rings on coarser meshes, the slices' distance from
-  /// the contact elements, another published law where no elements made the law.
-  std::vector<StudyVariant> companions;
-  std::vector<StudyVariant> supports;      ///< of the chock, where the case leaves them open
-  std::vector<StudyVariant> arrangements;  ///< rigid rings, other usual rows, where the case does not say its own
-  std::vector<Check> tangent_checks, secant_checks;
+  bearing::BearingNumbers numbers;
+  double slice_deviation = 0;  ///< -, slice law against contact elements at the heaviest roller's load
   bearing::AssemblyCurve curve, standard_curve, rigid_curve;
   std::shared_ptr<BearingReadings> readings;  ///< what else was solved of it, shared by copies
 };
 
-/// One number of a state: a stiffness, a share.
-using StateNumber = std::function<double(const bearing::AssemblyState &)>;
-
-/// Relative error of this number: the sum of what each companion changes in it, and the largest change by a
-/// support of the chock that is left open.  NaN for a number that is zero or has no companion.
-double error_of(const BearingStudy &study, const StateNumber &number);
-
-/// What a case of kind "bearing" asks, and what acts on the inner ring under one radial load of its sweep.
+/// What a case of kind "bearing" asks.
 BearingQuestion question_of(const BearingCase &spec);
-bearing::RingLoading drive_of(const BearingQuestion &question, double radial);
 
 /// "1000 kN on one bearing, 50 kN axial": what a result of the study belongs to.
 OperatingPoint operating_point(const BearingStudy &study);
-
-/// Largest roller load, N, the question may lead to: for the mesh.
-double largest_roller_load(const BearingQuestion &question);
 
 /// Solves the bearing at its working load and over its curve.
 /// @throws InputError   a fit beyond yield

@@ -60,7 +60,7 @@ LoadedState LoadedBearing::solve(const BearingLoading &load, const Progress &pro
   RunContext run{*the_case, out, cache, false};
   run.threads              = threads;
   run.progress             = progress;
-  const BearingParts parts = bearing_parts(run, drawn, largest_roller_load(question));
+  const BearingParts parts = bearing_parts(run, drawn, bearing::largest_roller_load(question.bearing, question));
   const BearingStudy study = study_bearing(run, parts, question);
   const auto inputs        = bearing_inputs(drawn);
   add_bearing_results(run, family::bearing, study, inputs);

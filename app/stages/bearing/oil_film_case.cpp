@@ -86,11 +86,11 @@ Table film_speed_table(const OilFilmStudy &s)
 // Station by station along the bearing; around, the bush unrolled from the load.
 Table film_pressure_table(const OilFilmStudy &s)
 {
-  const bearing::Film &film     = *s.solution.film.film;
+  const bearing::Film &film     = *s.numbers.solution.film.film;
   const bearing::FilmGrid &grid = film.grid();
   const OilFilmBearing &b       = s.question.bearing;
   const double R                = b.diameter / 2,
-               unit             = s.solution.fine.viscosity * s.question.load.speed * std::pow(R / b.clearance, 2);
+               unit = s.numbers.solution.fine.viscosity * s.question.load.speed * std::pow(R / b.clearance, 2);
   std::vector<std::pair<double, Eigen::Index>> order;  // angle from the load, column
   for (Eigen::Index i = 0; i < grid.columns(); ++i)
     order.emplace_back(std::remainder(grid.angle[i], 2 * M_PI), i);

@@ -2,82 +2,15 @@
 #include "app/run/curve_files.h"
 #include "core/base/files.h"
 #include "core/case/provenance.h"
-#include "core/numerics/mesh_pair.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_bearing.h"
-#include "reduce/bearing/oil_film/closed_forms.h"
-#include "reduce/bearing/oil_film/parabolic_film.h"
-#include <Eigen/LU>
-#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 
 namespace mill {
 namespace {
 using bearing::OilFilmState;
-
-// The rigid, aligned film with a parabola along the bearing, and the short bearing, at the load and viscosity of
-// the state: the values that it is compared with.
-struct SimplerFilm {
-  double eccentricity, attitude, short_eccentricity;
-  Eigen::Matrix2d stiffness;                     // N/m, of the parabola
-  Eigen::Matrix2d short_damping;                 // N s/m
-  double short_peak, short_flow, full_friction;  // Pa, m3/s, N m
-};
-
-// Turns numbers in the axes of a force (r, t) into those along it and 90 degrees on.
-Eigen::Matrix2d along_force(const Eigen::Matrix2d &m, const Eigen::Vector2d &force)
-{
-  Eigen::Matrix2d axes;
-  axes << force[0], -force[1], force[1], force[0];
-  axes /= force.norm();
-  return axes.transpose() * m * axes;
-}
-
-Eigen::Matrix2d parabolic_stiffness(const double length_ratio, const double e)
-{
-  const double step       = 1e-3 * std::min(e, 1 - e);
-  const Eigen::Vector2d f = bearing::parabolic_force(length_ratio, e);
-  Eigen::Matrix2d k;
-  k.col(0) =
-      (bearing::parabolic_force(length_ratio, e + step) - bearing::parabolic_force(length_ratio, e - step)) /
-      (2 * step);
-  k.col(1) = Eigen::Vector2d(-f[1], f[0]) / e;
-  return along_force(k, f);
-}
-
-double short_peak(const double length_ratio, const double e)
-{
-  double peak = 0;
-  for (int i = 0; i < 720; ++i) {
-    const double t = M_PI * i / 720;
-    peak = std::max(peak, 3 * length_ratio * length_ratio * e * std::sin(t) / std::pow(1 + e * std::cos(t), 3));
-  }
-  return peak;
-}
-
-SimplerFilm simpler_film(const OilFilmQuestion &q, const OilFilmState &state)
-{
-  const OilFilmBearing &b = q.bearing;
-  const double R = b.diameter / 2, half = b.length / 2, w = q.load.speed, ratio = R / b.clearance;
-  const double pressure = state.viscosity * w * ratio * ratio, force = pressure * R * half,
-               W       = q.load.load / force;
-  const double slender = b.length / b.diameter;
-  SimplerFilm s;
-  s.eccentricity          = bearing::parabolic_eccentricity(slender, W);
-  const Eigen::Vector2d f = bearing::parabolic_force(slender, s.eccentricity);
-  s.attitude              = -std::atan2(f[1], f[0]);
-  s.stiffness             = parabolic_stiffness(slender, s.eccentricity) * force / b.clearance;
-  s.short_eccentricity    = bearing::ocvirk_eccentricity(slender, W);
-  s.short_damping = bearing::ocvirk_coefficients(s.short_eccentricity).damping * q.load.load / (b.clearance * w);
-  s.short_peak    = short_peak(slender, s.short_eccentricity) * pressure;
-  s.short_flow    = 2 * s.eccentricity * R * b.clearance * w * half;
-  s.full_friction = (bearing::petroff_friction() / std::sqrt(1 - s.eccentricity * s.eccentricity) +
-                     s.eccentricity * W * std::sin(s.attitude) / 2) *
-                    state.viscosity * w * R * R * ratio * half;
-  return s;
-}
 
 bool is_plain(const OilFilmQuestion &q)
 {
@@ -113,21 +46,20 @@ const char *rigid_note(const OilFilmQuestion &q)
 constexpr const char *parabola_name = "film with a parabola along the bearing (29.15)";
 constexpr const char *short_name    = "short bearing (29.13)";
 
-// An entry of stiffness or damping with its error on two grids.
+// An entry of stiffness or damping with its error.
 Parameter film_entry(const OilFilmStudy &s, const std::vector<std::string> &inputs,
                      const Eigen::Matrix2d OilFilmState::*matrix, const int i, const int j)
 {
-  Parameter p = plain_film(s, inputs);
-  p.value     = (s.solution.at.*matrix)(i, j);
-  p.error_estimate =
-      mesh_pair_error((s.solution.fine.*matrix)(i, j), (s.solution.coarse.*matrix)(i, j), second_order);
+  Parameter p      = plain_film(s, inputs);
+  p.value          = (s.numbers.solution.at.*matrix)(i, j);
+  p.error_estimate = (s.numbers.error.*matrix)(i, j);
   return p;
 }
 
-void add_matrices(RunContext &run, const OilFilmStudy &s, const SimplerFilm &other,
-                  const std::vector<std::string> &inputs)
+void add_matrices(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs)
 {
-  const std::string &name = s.question.bearing.name;
+  const std::string &name            = s.question.bearing.name;
+  const bearing::SimplerFilms &other = s.numbers.simpler;
   for (int i = 0; i < 2; ++i)
     for (int j = 0; j < 2; ++j) {
       Parameter k = film_entry(s, inputs, &OilFilmState::stiffness, i, j);
@@ -144,34 +76,28 @@ void add_matrices(RunContext &run, const OilFilmStudy &s, const SimplerFilm &oth
 
 void add_layers(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs)
 {
-  if (!std::isfinite(s.solution.at.layer_stiffness))
+  const OilFilmState &state = s.numbers.solution.at;
+  const std::string &name   = s.question.bearing.name;
+  if (!std::isfinite(state.layer_stiffness))
     return;
-  OilFilmBearing rigid = s.question.bearing;
-  rigid.bush_thickness = rigid.sleeve_thickness = not_given;
-  rigid.viscosity                               = {{s.solution.at.temperature, s.solution.at.viscosity}};
-  rigid.heat_share                              = 0;
-  Parameter p                                   = plain_film(s, inputs);
-  p.unit                                        = "N/m";
-  p.value                                       = s.solution.at.layer_stiffness;
-  p.method = "layers of bush and sleeve under the film's pressure, W^2/(C int p^2 dA), (29.16)";
-  p.error_estimate =
-      mesh_pair_error(s.solution.fine.layer_stiffness, s.solution.coarse.layer_stiffness, second_order);
-  run.results.add(row::film::layer_stiffness.of(rigid.name), p);
-  Parameter series = plain_film(s, inputs);
-  series.unit      = "N/m";
-  series.method    = "rigid film along the load and layers as plain springs in series";
-  try {
-    const double film = bearing::solve_oil_film(rigid, s.question.load).at.stiffness(0, 0);
-    series.value      = 1 / (1 / film + 1 / p.value);
-    series.checks     = {
-            {"film and layers solved together", s.solution.at.stiffness(0, 0), "the layers reshape the film"}};
-    run.results.add(row::film::series_stiffness.of(rigid.name), series);
-  } catch (const SolverError &) {
+  Parameter p      = plain_film(s, inputs);
+  p.unit           = "N/m";
+  p.value          = state.layer_stiffness;
+  p.method         = "layers of bush and sleeve under the film's pressure, W^2/(C int p^2 dA), (29.16)";
+  p.error_estimate = s.numbers.error.layer_stiffness;
+  run.results.add(row::film::layer_stiffness.of(name), p);
+  if (const auto both = bearing::series_stiffness(s.question.bearing, s.question.load, state)) {
+    Parameter series = plain_film(s, inputs);
+    series.unit      = "N/m";
+    series.method    = "rigid film along the load and layers as plain springs in series";
+    series.value     = *both;
+    series.checks    = {{"film and layers solved together", state.stiffness(0, 0), "the layers reshape the film"}};
+    run.results.add(row::film::series_stiffness.of(name), series);
+  } else
     run.assume(
         fmt::format("bearing.{}: between rigid surfaces no film carries this load; plain springs in series are "
                     "left out",
-                    rigid.name));
-  }
+                    name));
 }
 }  // namespace
 
@@ -181,67 +107,55 @@ Parameter film_stiffness(const OilFilmStudy &s, const std::vector<std::string> &
   Parameter p    = film_entry(s, inputs, &OilFilmState::stiffness, axis, axis);
   p.unit         = "N/m";
   p.method += across ? ", across the load" : ", along the load";
-  p.checks = {
-      {parabola_name, simpler_film(s.question, s.solution.at).stiffness(axis, axis), rigid_note(s.question)}};
+  p.checks = {{parabola_name, s.numbers.simpler.stiffness(axis, axis), rigid_note(s.question)}};
   return p;
 }
 
 void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs)
 {
-  const std::string &name   = s.question.bearing.name;
-  const OilFilmState &state = s.solution.at;
-  const SimplerFilm other   = simpler_film(s.question, state);
-  const std::string note    = rigid_note(s.question);
-  const auto add = [&](const RowOf<1> &row, double OilFilmState::*number, std::vector<Check> checks = {},
-                       const double spread = 0) {
+  const std::string &name            = s.question.bearing.name;
+  const OilFilmState &state          = s.numbers.solution.at;
+  const bearing::SimplerFilms &other = s.numbers.simpler;
+  const std::string note             = rigid_note(s.question);
+  const auto add = [&](const RowOf<1> &row, double OilFilmState::*number, std::vector<Check> checks = {}) {
     Parameter p      = plain_film(s, inputs);
     p.value          = state.*number;
     p.unit           = row.unit;
-    p.error_estimate = mesh_pair_error(s.solution.fine.*number, s.solution.coarse.*number, second_order) + spread;
+    p.error_estimate = s.numbers.error.*number;
     p.checks         = std::move(checks);
     run.results.add(row.of(name), p);
   };
-  const double c = s.question.bearing.clearance;
   add(row::film::eccentricity, &OilFilmState::eccentricity,
       {{parabola_name, other.eccentricity, note}, {short_name, other.short_eccentricity, "L/D -> 0"}});
   add(row::film::attitude, &OilFilmState::attitude,
-      {{parabola_name, other.attitude, note},
-       {short_name, bearing::ocvirk_attitude(other.short_eccentricity), "L/D -> 0"}});
-  add(row::film::minimum_film, &OilFilmState::least_film, {{parabola_name, c * (1 - other.eccentricity), note}});
+      {{parabola_name, other.attitude, note}, {short_name, other.short_attitude, "L/D -> 0"}});
+  add(row::film::minimum_film, &OilFilmState::least_film, {{parabola_name, other.least_film, note}});
   add(row::film::peak_pressure, &OilFilmState::peak_pressure, {{short_name, other.short_peak, "L/D -> 0"}});
-  const double streamers = std::abs(state.power_streamers / state.power_loss - 1);
-  const double w         = s.question.load.speed;
   add(row::film::power_loss, &OilFilmState::power_loss,
-      {{"full film of the parabola's eccentricity", other.full_friction * w, note},
-       {"oil in streamers behind the rupture", state.power_streamers, "part of the error"}},
-      streamers);
+      {{"full film of the parabola's eccentricity", other.full_loss, note},
+       {"oil in streamers behind the rupture", state.power_streamers, "part of the error"}});
   add(row::film::friction_torque, &OilFilmState::friction_torque,
-      {{"full film of the parabola's eccentricity", other.full_friction, note}}, streamers);
+      {{"full film of the parabola's eccentricity", other.full_friction, note}});
   add(row::film::side_flow, &OilFilmState::side_flow,
       {{"short bearing, 2 e R c w L/2", other.short_flow, "L/D -> 0"}});
   const OilFilmBearing &b = s.question.bearing;
-  const double warming = b.heat_share * other.full_friction * w / (b.oil_density * b.oil_heat * other.short_flow);
   add(row::film::temperature, &OilFilmState::temperature,
-      {{"by full film and short bearing", b.inlet_temperature + b.warming_share * warming, note}});
+      {{"by full film and short bearing", b.inlet_temperature + b.warming_share * other.warming, note}});
   add(row::film::outlet_temperature, &OilFilmState::outlet_temperature,
-      {{"by full film and short bearing", b.inlet_temperature + warming, note}});
+      {{"by full film and short bearing", b.inlet_temperature + other.warming, note}});
   add(row::film::viscosity, &OilFilmState::viscosity);
-  add(row::film::sommerfeld, &OilFilmState::sommerfeld,
-      {{parabola_name,
-        bearing::sommerfeld_number(bearing::parabolic_force(b.length / b.diameter, state.eccentricity).norm()),
-        note}});
-  add_matrices(run, s, other, inputs);
+  add(row::film::sommerfeld, &OilFilmState::sommerfeld, {{parabola_name, other.sommerfeld, note}});
+  add_matrices(run, s, inputs);
   Parameter still      = plain_film(s, inputs);
   still.unit           = "N/m";
-  still.value          = 1 / state.stiffness.inverse()(0, 0);
-  still.error_estimate = mesh_pair_error(1 / s.solution.fine.stiffness.inverse()(0, 0),
-                                         1 / s.solution.coarse.stiffness.inverse()(0, 0), second_order);
+  still.value          = s.numbers.free.value;
+  still.error_estimate = s.numbers.free.error;
   still.method += ", along the load, free to move across";
-  still.checks = {{"difference of two loads", s.static_slope, ""}};
+  still.checks = {{"difference of two loads", s.numbers.free.by_loads, ""}};
   run.results.add(row::film::k_static.of(name), still);
   Parameter least = plain_film(s, inputs);
   least.unit      = "Hz";
-  least.value     = s.least_speed / (2 * M_PI);
+  least.value     = s.numbers.least_speed / (2 * M_PI);
   least.method += ", least speed of the sleeve at which a film carries this load";
   run.results.add(row::film::least_speed.of(name), least);
   if (s.question.load.tilt.norm() > 0)
@@ -251,7 +165,7 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
 
 void note_oil_film(RunContext &run, const OilFilmStudy &s, const bool in_chain)
 {
-  const OilFilmState &state = s.solution.at;
+  const OilFilmState &state = s.numbers.solution.at;
   const std::string &name   = s.question.bearing.name;
   const double locks        = state.stiffness(0, 0) / (2 * M_PI * state.damping(0, 0));
   const std::string film =

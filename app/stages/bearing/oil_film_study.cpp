@@ -7,7 +7,6 @@
 namespace mill {
 namespace {
 using bearing::OilFilmLoad;
-using bearing::OilFilmState;
 
 // No film carries: what is asked of it, and from which speed on it does.
 [[noreturn]] void refuse_film(const RunContext &run, const OilFilmQuestion &q, const std::string &why)
@@ -21,33 +20,6 @@ using bearing::OilFilmState;
                                    ? "none does at any speed: give less load, tilt or pressure_viscosity, or a "
                                      "thicker oil"
                                    : "a film carries from " + speed_text(q, least) + " on"));
-}
-
-// Along the load, with the bearing free to move across: the slope of the load over the axis' way.
-double slope_between_loads(const OilFilmQuestion &q, const OilFilmState &state)
-{
-  constexpr double part = 5e-3;
-  OilFilmBearing b      = q.bearing;
-  b.viscosity           = {{state.temperature, state.viscosity}};  // a slope at one temperature
-  b.heat_share          = 0;
-  const auto place      = [&](const double factor) {
-    OilFilmLoad load = q.load;
-    load.load *= factor;
-    const OilFilmState s = bearing::solve_oil_film(b, load).at;
-    return b.clearance * s.eccentricity * std::cos(s.attitude);
-  };
-  return 2 * part * q.load.load / (place(1 + part) - place(1 - part));
-}
-
-std::optional<OilFilmState> state_or_none(const OilFilmBearing &b, const OilFilmLoad &load)
-{
-  try {
-    const OilFilmState s = bearing::solve_oil_film(b, load).at;
-    if (bearing::carries(b, s))
-      return s;
-  } catch (const SolverError &) {  // the curve has a gap there
-  }
-  return {};
 }
 }  // namespace
 
@@ -67,22 +39,21 @@ OilFilmStudy study_oil_film(RunContext &run, const OilFilmQuestion &q)
   StageTimer timer(run, "bearing " + q.bearing.name);
   OilFilmStudy s;
   s.question = q;
+  bearing::OilFilmSolution solution;
   if (!(q.load.speed > 0))
     refuse_film(run, q, "a sleeve at rest drags no oil into it");
   try {
-    s.solution = bearing::solve_oil_film(q.bearing, q.load);
+    solution = bearing::solve_oil_film(q.bearing, q.load);
   } catch (const SolverError &e) {
     refuse_film(run, q, e.report.cause);
   }
-  if (!bearing::carries(q.bearing, s.solution.at))
+  if (!bearing::carries(q.bearing, solution.at))
     refuse_film(
         run, q,
         fmt::format("it would be {:.3g} um thin, {:.3g} um are needed (three times bearing.{}.roughness, and "
                     "2 % of the clearance)",
-                    1e6 * s.solution.at.least_film, 1e6 * bearing::least_carrying_film(q.bearing),
-                    q.bearing.name));
-  s.least_speed  = bearing::least_speed(q.bearing, q.load);
-  s.static_slope = slope_between_loads(q, s.solution.at);
+                    1e6 * solution.at.least_film, 1e6 * bearing::least_carrying_film(q.bearing), q.bearing.name));
+  s.numbers = bearing::film_numbers(q.bearing, q.load, std::move(solution));
   s.by_load.resize(q.loads.size());
   s.by_speed.resize(q.speeds.size());
   share_tasks(long(q.loads.size() + q.speeds.size()), run.threads, [&](const long i) {
@@ -90,7 +61,7 @@ OilFilmStudy study_oil_film(RunContext &run, const OilFilmQuestion &q)
     const auto k                                             = std::size_t(i);
     const bool a_load                                        = k < q.loads.size();
     (a_load ? load.load : load.speed)                        = a_load ? q.loads[k] : q.speeds[k - q.loads.size()];
-    (a_load ? s.by_load[k] : s.by_speed[k - q.loads.size()]) = state_or_none(q.bearing, load);
+    (a_load ? s.by_load[k] : s.by_speed[k - q.loads.size()]) = bearing::carrying_state(q.bearing, load);
   });
   return s;
 }

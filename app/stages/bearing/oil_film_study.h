@@ -1,7 +1,7 @@
 #pragma once
 #include "app/run/run_context.h"
 #include "core/model/oil_film_bearing.h"
-#include "reduce/bearing/oil_film/oil_film_state.h"
+#include "reduce/bearing/oil_film/film_numbers.h"
 #include <optional>
 
 namespace mill {
@@ -17,9 +17,7 @@ struct OilFilmQuestion {
 /// One oil-film bearing at its working load and speed, and over both; a point of a curve without a film is empty.
 struct OilFilmStudy {
   OilFilmQuestion question;
-  bearing::OilFilmSolution solution;
-  double least_speed  = 0;  ///< rad/s, at which a film begins to carry the load
-  double static_slope = 0;  ///< N/m, load over the way along it, free to move across; from two loads
+  bearing::FilmNumbers numbers;
   std::vector<std::optional<bearing::OilFilmState>> by_load, by_speed;
 };
 

@@ -58,12 +58,12 @@ Texts texts_of(const FourHigh &stand)
     for (const auto &[roll, share] : {std::pair(&stand.work_roll, 0.05), std::pair(&stand.backup_roll, 0.5)}) {
       const auto &bearing = bearing_of(stand.bearings, roll->bearing);
       const double load   = std::isnan(roll->bearing_load) ? share * pass.load : roll->bearing_load;
-      texts["rollers"] += roller_inputs(bearing, roller_load_bound(bearing, load, 0));
+      texts["rollers"] += roller_inputs(bearing, bearing::roller_load_bound(bearing, load, 0));
       texts["rings"] += ring_inputs(bearing);
       BearingQuestion question;
       question.bearing = bearing;
       question.radial  = load;
-      texts["bearings"] += bearing_inputs_text(question, largest_roller_load(question));
+      texts["bearings"] += bearing_inputs_text(question, bearing::largest_roller_load(question.bearing, question));
     }
     BiteQuestion section;
     section.bite  = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
@@ -99,9 +99,9 @@ Texts texts_of(const BearingCase &spec)
   BearingQuestion q = question_of(spec);
   q.cage_angle      = 0;
   q.loads           = {spec.load.loads[0], spec.load.loads[1]};
-  return {{"rollers", roller_inputs(q.bearing, largest_roller_load(q))},
+  return {{"rollers", roller_inputs(q.bearing, bearing::largest_roller_load(q.bearing, q))},
           {"rings", ring_inputs(q.bearing)},
-          {"bearings", bearing_inputs_text(q, largest_roller_load(q))}};
+          {"bearings", bearing_inputs_text(q, bearing::largest_roller_load(q.bearing, q))}};
 }
 
 Texts texts_of(const BiteCase &spec)

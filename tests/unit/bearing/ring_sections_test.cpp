@@ -174,3 +174,16 @@ TEST(ChockSupports, AreAllThatTheCaseAllows)
   b.rings = RingBodies::rigid;
   EXPECT_EQ(names(b), "");
 }
+
+// The roller fills the gap between its raceways, and meets the rings at their depth and land.
+TEST(RingSections, OneRollerHasTheRacewaysOfTheRings)
+{
+  const RollerBearing b    = mill_bearing();
+  const RollerSetup s      = bearing::roller_setup(b, 1e5);
+  const RingSections rings = ring_sections(b, bearing::law_datum(b));
+  EXPECT_TRUE(near(s.outer_radius - s.inner_radius, b.roller_diameter, within(1e-12, "geometry")));
+  EXPECT_TRUE(near(s.outer_radius + s.inner_radius, pitch_diameter(b), within(1e-12, "geometry")));
+  EXPECT_EQ(s.inner_depth, rings.cone.depth);
+  EXPECT_EQ(s.outer_depth, rings.cup.depth);
+  EXPECT_EQ(s.land, rings.cup.land);
+}
