@@ -58,18 +58,6 @@ json geometry_of(const FourHigh &stand)
   return geometry;
 }
 
-// K3.* and contact.upper.*, or the same of the lower rolls.
-std::optional<KeyList> contact_inputs(MovingKeys &keys, const std::string &name, const std::size_t p)
-{
-  const bool upper = begins(name, "K3.") || begins(name, "contact.upper.");
-  if (!upper && !begins(name, "K5.") && !begins(name, "contact.lower."))
-    return {};
-  const ContactReading reading = ends(name, ".friction_tangent") ? ContactReading::friction
-                                 : ends(name, ".path_plateau")   ? ContactReading::path
-                                                                 : ContactReading::curve;
-  return contact_keys(keys, upper ? "upper" : "lower", p, reading);
-}
-
 // bearing.NAME.*: of the upper rolls' seats.
 std::optional<KeyList> rating_inputs_of(MovingKeys &keys, const FourHigh &stand, const std::string &name)
 {
@@ -97,8 +85,6 @@ std::optional<KeyList> inputs_of_stand(MovingKeys &keys, const std::string &full
         return list;
     const std::string prefix = p == 0 ? "" : pass.name + ".";
     const std::string name   = begins(full, prefix) ? full.substr(prefix.size()) : "";
-    if (const auto list = contact_inputs(keys, name, p))
-      return list;
     if (begins(name, "K4."))
       return bite_inputs(keys, p, stand.bite, name, pass.name);
     if (p == 0)

@@ -41,9 +41,6 @@ const RunKind &run_kind(const TwoCylinders &)
       if (!pair.lower.plane())
         manifest["geometry"]["lower_diameter"] = pair.lower.diameter;
     };
-    k.inputs = [](MovingKeys &keys, const std::string &name) -> std::optional<KeyList> {
-      return cylinder_keys(keys, name);
-    };
     k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
       return closed_form_cylinders(std::get<TwoCylinders>(the_case.spec),
                                    wanted_keys(memory, the_case.spec).get());

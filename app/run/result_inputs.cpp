@@ -1,10 +1,13 @@
 #include "app/run/result_inputs.h"
 #include "app/run/run_kind.h"
 #include "core/base/require.h"
+#include "core/case/contact_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/records/chain_number.h"
+#include "core/records/contact_name.h"
+#include "core/records/rows_of_contact.h"
 #include <optional>
 #include <utility>
 #include <variant>
@@ -24,13 +27,19 @@ std::vector<std::string> results_outside_the_chain(const Case &the_case, const s
 {
   MovingKeys keys(the_case.spec);
   std::vector<std::string> reached;
-  const auto add = [&](const char *name, const KeyList &inputs) {
+  const auto add = [&](const std::string &name, const KeyList &inputs) {
     if (holds(inputs, key))
       reached.push_back(name);
   };
+  if (std::holds_alternative<FourHigh>(the_case.spec))
+    for (const ContactName contact : {ContactName::upper, ContactName::lower}) {
+      const char *K = word_of(contact == ContactName::upper ? ChainNumber::K3 : ChainNumber::K5);
+      add(row::roll_contact::friction_tangent.of(K),
+          contact_keys(keys, word_of(contact), 0, ContactReading::friction));
+      add(row::roll_contact::path_plateau.of(K), contact_keys(keys, word_of(contact), 0, ContactReading::path));
+    }
   if (const auto of_kind = run_kind(the_case).inputs)
-    for (const char *name : {"K3.friction_tangent", "K3.path_plateau", "K5.friction_tangent", "K5.path_plateau",
-                             "K4.path_plateau", "Kzc.motion.frequency"})
+    for (const char *name : {"K4.path_plateau", "Kzc.motion.frequency"})
       add(name, of_kind(keys, name).value_or(KeyList()));
   if (std::holds_alternative<FourHigh>(the_case.spec) || std::holds_alternative<Lumped>(the_case.spec)) {
     add("frf.bite.upper_work_roll.peak", frequency_response_keys(keys));

@@ -21,22 +21,6 @@ KeyList load_keys(const Pass &pass, const std::size_t p)
   return rows.moving([&] { return record_text(inputs_of_load(changed)); });
 }
 
-// Contact
-
-KeyList contact_keys(MovingKeys &keys, const std::string &name, const std::size_t p, const ContactReading reading)
-{
-  return keys.of(fmt::format("contact {} {} {}", name, p, int(reading)), [&](const CaseSpec &spec) {
-    return record_text(inputs_of_contact(std::get<FourHigh>(spec), name, p, reading));
-  });
-}
-
-KeyList cylinder_keys(MovingKeys &keys, const std::string &result)
-{
-  return keys.of(result, [&](const CaseSpec &spec) {
-    return record_text(inputs_of_bodies(std::get<TwoCylinders>(spec), result));
-  });
-}
-
 // Bearings
 
 namespace {

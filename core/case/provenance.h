@@ -21,16 +21,6 @@ class MovingKeys;
 /// What the working load of a pass is made from: its own key, or the record whose mean it is.
 KeyList load_keys(const Pass &pass, std::size_t p);
 
-/// Contact of the rolls by finite elements: K3.*, K5.* and contact.NAME.* of a pass.  Both ways of holding the
-/// rolls are solved on one mesh, whose patch must hold the wider contact, so all results have one list.
-/// @param keys  of a stand
-/// @param name  "upper" or "lower"
-KeyList contact_keys(MovingKeys &keys, const std::string &name, std::size_t p,
-                     ContactReading reading = ContactReading::curve);
-/// The same of kind "two-cylinders".
-/// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
-KeyList cylinder_keys(MovingKeys &keys, const std::string &result);
-
 /// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
 KeyList bearing_keys(const RollerBearing &bearing);
 /// In addition, the keys that only ratings and life of a bearing read.
