@@ -58,23 +58,6 @@ json geometry_of(const FourHigh &stand)
   return geometry;
 }
 
-// bearing.NAME.*: of the upper rolls' seats.
-std::optional<KeyList> rating_inputs_of(MovingKeys &keys, const FourHigh &stand, const std::string &name)
-{
-  std::optional<KeyList> inputs;
-  for (const std::size_t i : {std::size_t(0), std::size_t(1)}) {
-    const Roll &roll = i == 0 ? stand.backup_roll : stand.work_roll;
-    if (!begins(name, "bearing." + roll.bearing + ".") || oil_film_of(stand.oil_films, roll.bearing) ||
-        stand.given.count(i == 0 ? "Kzc1" : "Kzc2"))
-      continue;
-    SeatReading reading;
-    reading.rating     = true;
-    const KeyList more = seat_keys(keys, i, 0, reading);
-    inputs             = inputs ? joined(*inputs, more) : more;
-  }
-  return inputs;
-}
-
 std::optional<KeyList> inputs_of_stand(MovingKeys &keys, const std::string &full)
 {
   const auto &stand = std::get<FourHigh>(keys.spec());
@@ -87,18 +70,6 @@ std::optional<KeyList> inputs_of_stand(MovingKeys &keys, const std::string &full
     const std::string name   = begins(full, prefix) ? full.substr(prefix.size()) : "";
     if (begins(name, "K4."))
       return bite_inputs(keys, p, stand.bite, name, pass.name);
-    if (p == 0)
-      if (const auto list = rating_inputs_of(keys, stand, name))
-        return list;
-    // Of no name where its stiffness is given.
-    if (begins(name, "bearing." + stand.backup_roll.bearing + ".film.")) {
-      SeatReading reading;
-      reading.least_speed = ends(name, ".least_speed");
-      return seat_keys(keys, stand.given.count("Kzc1") ? 3 : 0, p, reading);
-    }
-    for (std::size_t i = 0; i < 4; ++i)
-      if (begins(name, fmt::format("Kzc{}.", i + 1)))
-        return seat_keys(keys, i, p);
   }
   return {};
 }

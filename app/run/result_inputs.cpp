@@ -7,6 +7,7 @@
 #include "core/model/case.h"
 #include "core/records/chain_number.h"
 #include "core/records/contact_name.h"
+#include "core/records/rows_of_bearing.h"
 #include "core/records/rows_of_contact.h"
 #include <optional>
 #include <utility>
@@ -39,8 +40,10 @@ std::vector<std::string> results_outside_the_chain(const Case &the_case, const s
       add(row::roll_contact::path_plateau.of(K), contact_keys(keys, word_of(contact), 0, ContactReading::path));
     }
   if (const auto of_kind = run_kind(the_case).inputs)
-    for (const char *name : {"K4.path_plateau", "Kzc.motion.frequency"})
+    for (const char *name : {"K4.path_plateau"})
       add(name, of_kind(keys, name).value_or(KeyList()));
+  if (std::holds_alternative<BearingCase>(the_case.spec))
+    add(row::motion::frequency.of(), bearing_case_keys(keys, {false, false, true}));
   if (std::holds_alternative<FourHigh>(the_case.spec) || std::holds_alternative<Lumped>(the_case.spec)) {
     add("frf.bite.upper_work_roll.peak", frequency_response_keys(keys));
     add("campbell.gap_first_kind.speed", campbell_keys(keys));

@@ -21,18 +21,6 @@ class MovingKeys;
 /// What the working load of a pass is made from: its own key, or the record whose mean it is.
 KeyList load_keys(const Pass &pass, std::size_t p);
 
-/// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
-KeyList bearing_keys(const RollerBearing &bearing);
-/// In addition, the keys that only ratings and life of a bearing read.
-KeyList rating_keys(const RollerBearing &bearing);
-/// Radial load of one bearing in a stand, and which bearing it is.
-/// @param contact  "upper" or "lower"
-KeyList seat_load_keys(MovingKeys &keys, bool backup, const std::string &contact, std::size_t p);
-/// Kzc1 .. Kzc4 of a stand, i = 0 .. 3, under the load of a pass.
-KeyList seat_keys(MovingKeys &keys, std::size_t i, std::size_t p, const SeatReading &reading = {});
-/// Kzc.* of kind "bearing".
-KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading = {});
-
 /// A spring that the chain of a stand takes from elsewhere: K3, K4, K5, a bearing, or both of a backup roll.
 KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, std::size_t p);
 
