@@ -1,4 +1,3 @@
-#include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"
 #include "app/kinds/pipeline.h"
@@ -58,22 +57,6 @@ json geometry_of(const FourHigh &stand)
   return geometry;
 }
 
-std::optional<KeyList> inputs_of_stand(MovingKeys &keys, const std::string &full)
-{
-  const auto &stand = std::get<FourHigh>(keys.spec());
-  for (std::size_t p = 0; p < stand.passes.size(); ++p) {
-    const Pass &pass = stand.passes[p];
-    if (begins(full, "bite."))
-      if (const auto list = bite_inputs(keys, p, stand.bite, full, pass.name))
-        return list;
-    const std::string prefix = p == 0 ? "" : pass.name + ".";
-    const std::string name   = begins(full, prefix) ? full.substr(prefix.size()) : "";
-    if (begins(name, "K4."))
-      return bite_inputs(keys, p, stand.bite, name, pass.name);
-  }
-  return {};
-}
-
 std::optional<StandIn> four_high_stand_in(const Case &the_case, const TraceKey &key,
                                           const std::vector<ClosedFormResult> &closed)
 {
@@ -125,8 +108,7 @@ const RunKind &run_kind(const FourHigh &)
       add_bearings(manifest, stand.bearings);
       add_passes(manifest, stand.passes, stand.dynamics.force_meaning);
     };
-    k.inputs = inputs_of_stand;
-    k.trace  = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &factors) {
+    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &factors) {
       return closed_form_four_high(std::get<FourHigh>(the_case.spec), memory, factors);
     };
     k.stand_in = four_high_stand_in;

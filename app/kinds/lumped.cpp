@@ -1,5 +1,4 @@
 #include "core/model/lumped.h"
-#include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"
 #include "app/kinds/pipeline.h"

@@ -159,8 +159,7 @@ public:
     for (std::size_t p = 0; p < n_passes; ++p)
       add(first_bite + p, [&, goal, p, with_bites](RunContext &part_run) {
         if (with_bites && !stand.given.count("K4"))
-          parts.K4[p] =
-              solve_bite_spring(part_run, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
+          parts.K4[p] = solve_bite_spring(part_run, stand, p, loads[p], draws_bite_curves(goal));
       });
     all.work();
     for (const std::size_t part : {components, contacts, bearings})
@@ -468,7 +467,6 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
 void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
 {
   run_kind(run.the_case).run(run, goal, force_file);
-  set_inputs(run.results, run.the_case, *run.keys);
   mark_estimates(run);
 }
 }  // namespace mill

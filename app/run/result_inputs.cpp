@@ -1,5 +1,4 @@
 #include "app/run/result_inputs.h"
-#include "app/run/run_kind.h"
 #include "core/base/require.h"
 #include "core/case/contact_inputs.h"
 #include "core/case/moving_keys.h"
@@ -8,22 +7,13 @@
 #include "core/records/chain_number.h"
 #include "core/records/contact_name.h"
 #include "core/records/rows_of_bearing.h"
+#include "core/records/rows_of_bite.h"
 #include "core/records/rows_of_contact.h"
 #include <optional>
 #include <utility>
 #include <variant>
 
 namespace mill {
-void set_inputs(Results &results, const Case &the_case, MovingKeys &keys)
-{
-  const RunKind &kind = run_kind(the_case);
-  if (!kind.inputs)
-    return;
-  for (auto &[name, parameter] : results.values)
-    if (auto inputs = kind.inputs(keys, name))
-      parameter.inputs = std::move(*inputs);
-}
-
 std::vector<std::string> results_outside_the_chain(const Case &the_case, const std::string &key)
 {
   MovingKeys keys(the_case.spec);
@@ -32,19 +22,22 @@ std::vector<std::string> results_outside_the_chain(const Case &the_case, const s
     if (holds(inputs, key))
       reached.push_back(name);
   };
-  if (std::holds_alternative<FourHigh>(the_case.spec))
+  const bool stand = std::holds_alternative<FourHigh>(the_case.spec);
+  if (stand)
     for (const ContactName contact : {ContactName::upper, ContactName::lower}) {
       const char *K = word_of(contact == ContactName::upper ? ChainNumber::K3 : ChainNumber::K5);
       add(row::roll_contact::friction_tangent.of(K),
           contact_keys(keys, word_of(contact), 0, ContactReading::friction));
       add(row::roll_contact::path_plateau.of(K), contact_keys(keys, word_of(contact), 0, ContactReading::path));
     }
-  if (const auto of_kind = run_kind(the_case).inputs)
-    for (const char *name : {"K4.path_plateau"})
-      add(name, of_kind(keys, name).value_or(KeyList()));
+  if (stand || std::holds_alternative<BiteCase>(the_case.spec)) {
+    BiteReading path;
+    path.path_trim = true;
+    add(row::bite_spring::path_plateau.of(), bite_keys(keys, 0, path));
+  }
   if (std::holds_alternative<BearingCase>(the_case.spec))
     add(row::motion::frequency.of(), bearing_case_keys(keys, {false, false, true}));
-  if (std::holds_alternative<FourHigh>(the_case.spec) || std::holds_alternative<Lumped>(the_case.spec)) {
+  if (stand || std::holds_alternative<Lumped>(the_case.spec)) {
     add("frf.bite.upper_work_roll.peak", frequency_response_keys(keys));
     add("campbell.gap_first_kind.speed", campbell_keys(keys));
   }

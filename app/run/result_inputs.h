@@ -7,11 +7,6 @@ struct Case;
 struct FourHigh;
 class MovingKeys;
 
-/// Writes into contacts, bearings and bites of a run the keys that stand behind them, by the lists of
-/// core/case/provenance.h that a trace follows too.  All others carry theirs along from their stages.
-/// @param keys  of the case
-void set_inputs(Results &results, const Case &the_case, MovingKeys &keys);
-
 /// Results that a run adds to those of a trace and that state this key; they are not in the chain of springs and
 /// masses: "K3.friction_tangent" of "contact.upper.friction".
 std::vector<std::string> results_outside_the_chain(const Case &the_case, const std::string &key);

@@ -21,20 +21,6 @@ KeyList load_keys(const Pass &pass, const std::size_t p)
   return rows.moving([&] { return record_text(inputs_of_load(changed)); });
 }
 
-// Bite
-
-bool follows_width(const std::string &quantity)
-{
-  return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
-}
-
-KeyList bite_keys(MovingKeys &keys, const std::size_t p, const BiteReading &reading)
-{
-  const auto &[by, whole_width, fitted, path_trim, speed] = reading;
-  return keys.of(fmt::format("bite {} {} {} {} {} {}", p, int(by), whole_width, fitted, path_trim, speed),
-                 [&](const CaseSpec &spec) { return record_text(inputs_of_bite(spec, p, reading)); });
-}
-
 // Chain
 
 KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, const std::size_t p)

@@ -24,11 +24,6 @@ KeyList load_keys(const Pass &pass, std::size_t p);
 /// A spring that the chain of a stand takes from elsewhere: K3, K4, K5, a bearing, or both of a backup roll.
 KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, std::size_t p);
 
-/// The bite of a pass of a stand or of kind "bite".
-KeyList bite_keys(MovingKeys &keys, std::size_t p, const BiteReading &reading = {});
-/// Whether a quantity of the bite is one of the whole width.
-bool follows_width(const std::string &quantity);
-
 /// A mode or a response of the six-mass chain follows the whole chain; with the measured force the bite has no
 /// spring, and in an open frame nothing else joins the upper half to the lower one.
 enum class Half { upper, lower };

@@ -1,4 +1,3 @@
-#include "app/run/result_inputs.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace.h"
 #include "core/case/moving_keys.h"
@@ -14,15 +13,6 @@ using namespace mill;
 
 const std::string demo = "cases/four-high-1400.toml";
 
-KeyList inputs_in_a_run(const Case &the_case, const std::string &result)
-{
-  Results results;
-  results.append({{result, Parameter()}});
-  MovingKeys keys(the_case.spec);
-  set_inputs(results, the_case, keys);
-  return results.find(result)->inputs;
-}
-
 bool traced(const std::vector<std::string> &sets, const std::string &key, const std::string &result)
 {
   const Trace t = trace({demo, key, sets, "no such folder"});
@@ -32,15 +22,6 @@ bool traced(const std::vector<std::string> &sets, const std::string &key, const 
   return false;
 }
 }  // namespace
-
-TEST(ResultInputs, InputsOfARunAreThoseOfATrace)
-{
-  const Case the_case = read_case(demo);
-  ClosedFormMemory memory;
-  const auto closed = closed_form_chain(the_case, memory);
-  for (const auto &[run, name] : {std::pair("K4.combined", "K4"), std::pair("bite.pass 2.force", "pass 2.K4")})
-    EXPECT_EQ(inputs_in_a_run(the_case, run), find(closed, name)->parameter.inputs) << run;
-}
 
 TEST(ResultInputs, ProfilesTiltAndOilAreInputsOfTheirSprings)
 {
