@@ -237,4 +237,10 @@ KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading)
   return keys.of(fmt::format("bearing {} {} {}", reading.rating, reading.least_speed, reading.motion),
                  [&](const CaseSpec &spec) { return text_of_bearing_case(std::get<BearingCase>(spec), reading); });
 }
+
+KeyList chock_seat_keys(MovingKeys &keys, const RollPlace roll)
+{
+  return keys.of(std::string("chock seat of the ") + word_of(roll),
+                 [&](const CaseSpec &spec) { return text_of_chock_seat(spec, roll); });
+}
 }  // namespace mill

@@ -133,4 +133,7 @@ KeyList seat_load_keys(MovingKeys &keys, bool backup, const std::string &contact
 KeyList seat_keys(MovingKeys &keys, std::size_t i, std::size_t p, const SeatReading &reading = {});
 /// Kzc.* of kind "bearing".
 KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading = {});
+
+/// The keys behind the seat of the chocks of a roll.
+KeyList chock_seat_keys(MovingKeys &keys, RollPlace roll);
 }  // namespace mill

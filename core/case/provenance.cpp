@@ -1,6 +1,5 @@
 #include "core/case/provenance.h"
 #include "core/base/require.h"
-#include "core/case/modulus_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
@@ -90,49 +89,11 @@ KeyList chain_mode_keys(MovingKeys &keys, const LumpedModel &model, const Dynami
   return joined(chain_number_keys(model, dynamics, half), frame_form_keys(keys));
 }
 
-KeyList chock_seat_keys(MovingKeys &keys, const RollPlace roll)
-{
-  return keys.of(std::string("chock seat of the ") + word_of(roll),
-                 [&](const CaseSpec &spec) { return text_of_chock_seat(spec, roll); });
-}
-
 KeyList horizontal_mode_keys(const LumpedModel &model, const RollPlace roll)
 {
   const auto i           = std::size_t(roll);
   const Parameter across = model.Kzc_across[i];
   return joined(model.M[i + 1].inputs, std::isnan(across.value) ? model.Kzc[i].inputs : across.inputs);
-}
-
-// Responses
-
-KeyList response_keys(MovingKeys &keys, const std::size_t p, const ResponseReading reading)
-{
-  return keys.of(fmt::format("response {} {}", p, int(reading)),
-                 [&](const CaseSpec &spec) { return text_of_response(spec, p, reading); });
-}
-
-KeyList frequency_response_keys(MovingKeys &keys)
-{
-  return keys.of("frequency response", text_of_frequency_response);
-}
-
-KeyList campbell_keys(MovingKeys &keys)
-{
-  return keys.of("campbell", text_of_campbell);
-}
-
-// Mill modulus
-
-KeyList touching_roll_keys(MovingKeys &keys, const std::size_t p)
-{
-  return keys.of(fmt::format("touching rolls {}", p),
-                 [&](const CaseSpec &spec) { return text_of_touching_rolls(std::get<FourHigh>(spec), p); });
-}
-
-KeyList bent_work_roll_keys(MovingKeys &keys, const bool solid)
-{
-  return keys.of(solid ? "bent work rolls" : "work rolls as beams",
-                 [&](const CaseSpec &spec) { return text_of_bent_work_rolls(std::get<FourHigh>(spec), solid); });
 }
 
 void set_given_inputs(GivenValues &given)

@@ -33,20 +33,9 @@ std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, Half half
 KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
 /// And what joins them to modes.
 KeyList chain_mode_keys(MovingKeys &keys, const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
-/// Of a horizontal mode: mass and bearing of its roll, and the seat of its chocks where the stand is drawn.
+/// Of a horizontal mode: mass and bearing of its roll; the seat of its chocks comes on top where the stand is
+/// drawn.
 KeyList horizontal_mode_keys(const LumpedModel &model, RollPlace roll);
-KeyList chock_seat_keys(MovingKeys &keys, RollPlace roll);
-/// Keys of a response in addition to those of its masses, springs and damper.
-KeyList response_keys(MovingKeys &keys, std::size_t p, ResponseReading reading = ResponseReading::model);
-/// The same of frf.*.
-KeyList frequency_response_keys(MovingKeys &keys);
-/// Settings of campbell.* with the orders of the drive.
-KeyList campbell_keys(MovingKeys &keys);
-
-/// Work rolls that touch each other at the load of a pass, and their bending under the strip.
-/// @param solid  by finite elements where the case asks for them; false: beams
-KeyList touching_roll_keys(MovingKeys &keys, std::size_t p);
-KeyList bent_work_roll_keys(MovingKeys &keys, bool solid);
 
 /// A given value has its own key as its only input.
 void set_given_inputs(GivenValues &given);
