@@ -2,7 +2,6 @@
 #include "app/run/run_kind.h"
 #include "app/stages/bearing/bearing_stage.h"
 #include "app/trace/closed_form_chain.h"
-#include "core/case/moving_keys.h"
 #include <nlohmann/json.hpp>
 #include <utility>
 

@@ -4,7 +4,6 @@
 #include "app/stages/bite/bite_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace_key.h"
-#include "core/case/moving_keys.h"
 #include "core/model/bite_case.h"
 #include "core/model/case.h"
 #include <nlohmann/json.hpp>

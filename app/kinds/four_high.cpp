@@ -6,10 +6,7 @@
 #include "app/stages/bite/bite_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace_key.h"
-#include "core/case/moving_keys.h"
 #include "core/model/case.h"
-#include "core/records/result_names.h"
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
 

@@ -5,7 +5,6 @@
 #include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
-#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -3,7 +3,6 @@
 #include "app/stages/contact/body_pair.h"
 #include "app/stages/contact/contact_stage.h"
 #include "app/trace/closed_form_chain.h"
-#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include <nlohmann/json.hpp>
 

@@ -6,8 +6,7 @@
 #include "tests/support/changed_rows.h"
 #include <gtest/gtest.h>
 
-// A run and a trace read the same lists: what a run writes as inputs of a spring are those of the closed-form
-// model.
+// The lists that a run states and a trace follows.
 namespace {
 using namespace mill;
 
