@@ -184,6 +184,12 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
   q.inputs = joined(stand_search_keys(keys, p), detailed_model_keys(keys),
                     chain_mode_keys(keys, chain.model, settings, Half::upper),
                     chain_mode_keys(keys, chain.model, settings, Half::lower));
+  BiteReading bite, slopes;
+  bite.speed                         = true;
+  slopes.by                          = BiteAnswers::compared;
+  slopes.whole_width                 = false;
+  q.narrower[ChatterReading::bite]   = bite_keys(keys, p, bite);
+  q.narrower[ChatterReading::slopes] = bite_keys(keys, p, slopes);
   return asked;
 }
 }  // namespace mill

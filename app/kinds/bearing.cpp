@@ -1,24 +1,11 @@
-#include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/run/run_kind.h"
 #include "app/stages/bearing/bearing_stage.h"
 #include "app/trace/closed_form_chain.h"
-#include "core/case/moving_keys.h"
 #include <nlohmann/json.hpp>
 #include <utility>
 
 namespace mill {
-namespace {
-std::optional<KeyList> inputs_of_bearing_case(MovingKeys &keys, const std::string &name)
-{
-  BearingCaseReading reading;
-  reading.rating      = begins(name, "bearing.");
-  reading.least_speed = ends(name, ".film.least_speed");
-  reading.motion      = begins(name, "Kzc.motion.");
-  return bearing_case_keys(keys, reading);
-}
-}  // namespace
-
 const RunKind &run_kind(const BearingCase &)
 {
   static const RunKind kind = [] {
@@ -36,10 +23,9 @@ const RunKind &run_kind(const BearingCase &)
     k.describe = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       add_bearings(manifest, all_bearings(the_case));
     };
-    k.inputs = inputs_of_bearing_case;
-    k.trace  = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
+    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
       return closed_form_bearing_case(std::get<BearingCase>(the_case.spec),
-                                       wanted_keys(memory, the_case.spec).get());
+                                      wanted_keys(memory, the_case.spec).get());
     };
     return k;
   }();

@@ -1,26 +1,15 @@
-#include "app/kinds/kind_inputs.h"
 #include "app/kinds/mark_sources.h"
 #include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/stages/bite/bite_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace_key.h"
-#include "core/case/moving_keys.h"
 #include "core/model/bite_case.h"
 #include "core/model/case.h"
 #include <nlohmann/json.hpp>
 
 namespace mill {
 namespace {
-std::optional<KeyList> inputs_of_bite_case(MovingKeys &keys, const std::string &name)
-{
-  const auto &spec = std::get<BiteCase>(keys.spec());
-  for (std::size_t p = 0; p < spec.passes.size(); ++p)
-    if (const auto list = bite_inputs(keys, p, spec.bite, name, spec.passes[p].name))
-      return list;
-  return {};
-}
-
 std::optional<StandIn> bite_stand_in(const Case &the_case, const TraceKey &key,
                                      const std::vector<ClosedFormResult> &)
 {
@@ -53,8 +42,7 @@ const RunKind &run_kind(const BiteCase &)
     k.describe     = [](const Case &the_case, nlohmann::ordered_json &manifest) {
       manifest["geometry"]["work_roll_diameter"] = std::get<BiteCase>(the_case.spec).roll_diameter;
     };
-    k.inputs = inputs_of_bite_case;
-    k.trace  = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
+    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
       return closed_form_bite_case(std::get<BiteCase>(the_case.spec), wanted_keys(memory, the_case.spec).get());
     };
     k.stand_in = bite_stand_in;

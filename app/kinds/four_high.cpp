@@ -1,4 +1,3 @@
-#include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"
 #include "app/kinds/pipeline.h"
@@ -7,10 +6,7 @@
 #include "app/stages/bite/bite_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace_key.h"
-#include "core/case/moving_keys.h"
 #include "core/model/case.h"
-#include "core/records/result_names.h"
-#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 #include <utility>
 
@@ -56,65 +52,6 @@ json geometry_of(const FourHigh &stand)
   add("load_cell_diameter", s.load_cell_diameter);
   add("load_cell_height", s.load_cell_height);
   return geometry;
-}
-
-// K3.* and contact.upper.*, or the same of the lower rolls.
-std::optional<KeyList> contact_inputs(MovingKeys &keys, const std::string &name, const std::size_t p)
-{
-  const bool upper = begins(name, "K3.") || begins(name, "contact.upper.");
-  if (!upper && !begins(name, "K5.") && !begins(name, "contact.lower."))
-    return {};
-  const ContactReading reading = ends(name, ".friction_tangent") ? ContactReading::friction
-                                 : ends(name, ".path_plateau")   ? ContactReading::path
-                                                                 : ContactReading::curve;
-  return contact_keys(keys, upper ? "upper" : "lower", p, reading);
-}
-
-// bearing.NAME.*: of the upper rolls' seats.
-std::optional<KeyList> rating_inputs_of(MovingKeys &keys, const FourHigh &stand, const std::string &name)
-{
-  std::optional<KeyList> inputs;
-  for (const std::size_t i : {std::size_t(0), std::size_t(1)}) {
-    const Roll &roll = i == 0 ? stand.backup_roll : stand.work_roll;
-    if (!begins(name, "bearing." + roll.bearing + ".") || oil_film_of(stand.oil_films, roll.bearing) ||
-        stand.given.count(i == 0 ? "Kzc1" : "Kzc2"))
-      continue;
-    SeatReading reading;
-    reading.rating     = true;
-    const KeyList more = seat_keys(keys, i, 0, reading);
-    inputs             = inputs ? joined(*inputs, more) : more;
-  }
-  return inputs;
-}
-
-std::optional<KeyList> inputs_of_stand(MovingKeys &keys, const std::string &full)
-{
-  const auto &stand = std::get<FourHigh>(keys.spec());
-  for (std::size_t p = 0; p < stand.passes.size(); ++p) {
-    const Pass &pass = stand.passes[p];
-    if (begins(full, "bite."))
-      if (const auto list = bite_inputs(keys, p, stand.bite, full, pass.name))
-        return list;
-    const std::string prefix = p == 0 ? "" : pass.name + ".";
-    const std::string name   = begins(full, prefix) ? full.substr(prefix.size()) : "";
-    if (const auto list = contact_inputs(keys, name, p))
-      return list;
-    if (begins(name, "K4."))
-      return bite_inputs(keys, p, stand.bite, name, pass.name);
-    if (p == 0)
-      if (const auto list = rating_inputs_of(keys, stand, name))
-        return list;
-    // Of no name where its stiffness is given.
-    if (begins(name, "bearing." + stand.backup_roll.bearing + ".film.")) {
-      SeatReading reading;
-      reading.least_speed = ends(name, ".least_speed");
-      return seat_keys(keys, stand.given.count("Kzc1") ? 3 : 0, p, reading);
-    }
-    for (std::size_t i = 0; i < 4; ++i)
-      if (begins(name, fmt::format("Kzc{}.", i + 1)))
-        return seat_keys(keys, i, p);
-  }
-  return {};
 }
 
 std::optional<StandIn> four_high_stand_in(const Case &the_case, const TraceKey &key,
@@ -168,8 +105,7 @@ const RunKind &run_kind(const FourHigh &)
       add_bearings(manifest, stand.bearings);
       add_passes(manifest, stand.passes, stand.dynamics.force_meaning);
     };
-    k.inputs = inputs_of_stand;
-    k.trace  = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &factors) {
+    k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &factors) {
       return closed_form_four_high(std::get<FourHigh>(the_case.spec), memory, factors);
     };
     k.stand_in = four_high_stand_in;

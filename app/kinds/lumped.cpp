@@ -1,12 +1,10 @@
 #include "core/model/lumped.h"
-#include "app/kinds/kind_inputs.h"
 #include "app/kinds/manifest_parts.h"
 #include "app/kinds/mark_sources.h"
 #include "app/kinds/pipeline.h"
 #include "app/review/case_review.h"
 #include "app/run/run_kind.h"
 #include "app/trace/closed_form_chain.h"
-#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include <filesystem>
 #include <nlohmann/json.hpp>

@@ -2,7 +2,6 @@
 #include "app/command/linked_subjects.h"
 #include "app/review/estimate_review.h"
 #include "app/run/curve_files.h"
-#include "app/run/result_inputs.h"
 #include "app/run/run_kind.h"
 #include "app/stages/bearing/bearing_stage.h"
 #include "app/stages/bite/bite_stage.h"
@@ -159,8 +158,7 @@ public:
     for (std::size_t p = 0; p < n_passes; ++p)
       add(first_bite + p, [&, goal, p, with_bites](RunContext &part_run) {
         if (with_bites && !stand.given.count("K4"))
-          parts.K4[p] =
-              solve_bite_spring(part_run, stand, stand.passes[p], loads[p], p == 0, draws_bite_curves(goal));
+          parts.K4[p] = solve_bite_spring(part_run, stand, p, loads[p], draws_bite_curves(goal));
       });
     all.work();
     for (const std::size_t part : {components, contacts, bearings})
@@ -188,8 +186,8 @@ private:
   std::size_t n_passes, n_added = 0;
 };
 
-reduce::ChainInputs chain_inputs(RunContext &run, const FourHigh &stand, const StandParts &parts,
-                                 const std::size_t p, const double load)
+reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts, const std::size_t p,
+                                 const double load)
 {
   reduce::ChainInputs in;
   if (parts.contacts.count("upper"))
@@ -204,7 +202,6 @@ reduce::ChainInputs chain_inputs(RunContext &run, const FourHigh &stand, const S
   in.K_ww       = touching_work_rolls(stand, load, parts.contacts.count("upper") ? &in.K3 : nullptr);
   in.solid      = solid_rolls(parts.components);
   in.at         = at_force(load);
-  set_inputs(in, stand, p, *run.keys);
   return in;
 }
 
@@ -306,7 +303,7 @@ void run_pass(RunContext &run, const FourHigh &drawn, const StandParts &parts, c
               const std::size_t p, const Goal goal, std::vector<Check> &gaps)
 {
   const bool first = p == 0;
-  const auto in    = chain_inputs(run, drawn, parts, p, forces.loads[p]);
+  const auto in    = chain_inputs(drawn, parts, p, forces.loads[p]);
   auto chain       = reduce::lumped_stand(drawn, in, reduce::StatedErrors::propagated, run.keys.get());
   add_films(chain.model, drawn, parts.bearings[p].film_damper, in);
   FourHigh stand   = drawn;
@@ -385,7 +382,7 @@ void run_four_high(RunContext &run, FourHigh stand, const Goal goal, const std::
   resolve_frame(run, stand);
   stand.strip = fitted_strip(run, fit_question(stand, forces.loads));
   PartsOfStand made(run, stand, forces.loads, goal);
-  close_frame(run, stand, chain_inputs(run, stand, made.parts, 0, forces.loads[0]));
+  close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
   SideBySide passes(run);
   std::vector<std::vector<Check>> gaps(stand.passes.size());
   for (std::size_t p = 0; p < stand.passes.size(); ++p)
@@ -431,9 +428,9 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
   const bool gap_springs = stand.dynamics.force_meaning != ForceMeaning::measured;
   PartsOfStand made(run, stand, forces.loads, Goal::simulate, gap_springs);
   made.take_bite(p);
-  close_frame(run, stand, chain_inputs(run, stand, made.parts, 0, forces.loads[0]));
+  close_frame(run, stand, chain_inputs(stand, made.parts, 0, forces.loads[0]));
   DrivenStand driven_stand;
-  const auto in = chain_inputs(run, stand, made.parts, p, forces.loads[p]);
+  const auto in = chain_inputs(stand, made.parts, p, forces.loads[p]);
   auto chain    = reduce::lumped_stand(stand, in);
   add_films(chain.model, stand, made.parts.bearings[p].film_damper, in);
   std::optional<StandModels> models;
@@ -468,7 +465,6 @@ DrivenStand driven_four_high(RunContext &run, FourHigh stand, const std::string 
 void run_stages(RunContext &run, const Goal goal, const std::string &force_file)
 {
   run_kind(run.the_case).run(run, goal, force_file);
-  set_inputs(run.results, run.the_case, *run.keys);
   mark_estimates(run);
 }
 }  // namespace mill

@@ -3,7 +3,6 @@
 #include "app/stages/contact/body_pair.h"
 #include "app/stages/contact/contact_stage.h"
 #include "app/trace/closed_form_chain.h"
-#include "core/case/moving_keys.h"
 #include "core/model/case.h"
 #include <nlohmann/json.hpp>
 
@@ -40,9 +39,6 @@ const RunKind &run_kind(const TwoCylinders &)
         manifest["geometry"]["upper_diameter"] = pair.upper.diameter;
       if (!pair.lower.plane())
         manifest["geometry"]["lower_diameter"] = pair.lower.diameter;
-    };
-    k.inputs = [](MovingKeys &keys, const std::string &name) -> std::optional<KeyList> {
-      return cylinder_keys(keys, name);
     };
     k.trace = [](const Case &the_case, ClosedFormMemory &memory, const std::map<std::string, double> &) {
       return closed_form_cylinders(std::get<TwoCylinders>(the_case.spec),

@@ -2,7 +2,6 @@
 #include "app/command/verb.h"
 #include "app/run/driven_stand.h"
 #include "app/run/run_context.h"
-#include "core/case/provenance.h"
 #include <functional>
 #include <map>
 #include <nlohmann/json_fwd.hpp>
@@ -56,9 +55,6 @@ struct RunKind {
   void (*describe)(const Case &the_case, nlohmann::ordered_json &manifest) = nullptr;
   /// Files that a run reads in addition to the case, except the records of its passes.
   std::vector<std::string> (*files)(const Case &the_case) = nullptr;
-  /// Keys behind a contact, a bearing or a bite of a run; nothing: the result carries its own.
-  /// @param keys  of the case
-  std::optional<KeyList> (*inputs)(MovingKeys &keys, const std::string &name) = nullptr;
   /// Every result by closed forms, for a trace.
   std::vector<ClosedFormResult> (*trace)(const Case &the_case, ClosedFormMemory &memory,
                                          const std::map<std::string, double> &factors) = nullptr;

@@ -1,5 +1,6 @@
 #include "app/trace/closed_form_parts.h"
 #include "app/stages/contact/contact_stage.h"
+#include "core/case/contact_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/model/two_cylinders.h"
 #include "core/records/result_names.h"
@@ -99,7 +100,8 @@ struct ClosedFormContact {
   OperatingPoint at;
   std::string method, file;
   std::vector<ClosedFormResult> all = {};
-  void add(const char *name, const char *unit, const double value, const char *equation)
+  void add(const char *name, const char *unit, const double value, const char *equation,
+           const BodyReading reading = BodyReading::pressed)
   {
     ClosedFormResult r;
     r.name             = prefix + name;
@@ -109,7 +111,7 @@ struct ClosedFormContact {
     r.parameter.at     = at;
     r.closed           = closed;
     if (keys)
-      r.parameter.inputs = cylinder_keys(*keys, r.name);
+      r.parameter.inputs = cylinder_keys(*keys, reading);
     r.relation   = "contact of the two cylinders";
     r.file       = file;
     r.equation   = equation;
@@ -172,11 +174,11 @@ std::vector<ClosedFormResult> closed_form_cylinders(const TwoCylinders &pair, Mo
                       "fem/roll/contact_study"};
   c.add("half_width", "m", line.half_width, "(3.2)");
   c.add("peak_pressure", "Pa", line.peak_pressure, "(3.3)");
-  if (keys && holds(cylinder_keys(*keys, "contact.line.approach"), "contact.line.plane_depth"))
+  if (keys && holds(cylinder_keys(*keys, BodyReading::pressed), "contact.line.plane_depth"))
     c.closed = joined(std::move(c.closed), keys_in("contact.line", "plane_depth"));
   c.add("approach", "m", line.approach, "(3.4)");
   c.add("secant", "N/m2", line.secant, "(3.5a)");
-  c.add("tangent", "N/m2", line.tangent, "(3.5b)");
+  c.add("tangent", "N/m2", line.tangent, "(3.5b)", BodyReading::slope);
   return c.all;
 }
 }  // namespace mill

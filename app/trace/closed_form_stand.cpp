@@ -2,6 +2,7 @@
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/stand/mode_results.h"
 #include "core/base/force_text.h"
+#include "core/case/modulus_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/four_high.h"

@@ -1,12 +1,18 @@
 #include "app/trace/trace.h"
-#include "app/run/result_inputs.h"
 #include "app/trace/stored_run.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/base/units.h"
 #include "core/case/kinds.h"
+#include "core/case/moving_keys.h"
+#include "core/case/provenance.h"
+#include "core/model/case.h"
 #include "core/model/material.h"
+#include "core/records/contact_name.h"
 #include "core/records/result_folder.h"
+#include "core/records/rows_of_bearing.h"
+#include "core/records/rows_of_bite.h"
+#include "core/records/rows_of_contact.h"
 #include "core/records/run_identity.h"
 #include <algorithm>
 #include <cmath>
@@ -271,6 +277,38 @@ const ClosedFormResults &remembered_chain(const TraceOptions &options, const Cas
   return known != memory.cases.end()
              ? known->second
              : memory.cases.emplace(name, closed_form_chain(the_case, memory)).first->second;
+}
+
+// Results that a run adds to those of a trace and that state this key; they are not in the chain of springs and
+// masses: "K3.friction_tangent" of "contact.upper.friction".
+std::vector<std::string> results_outside_the_chain(const Case &the_case, const std::string &key)
+{
+  MovingKeys keys(the_case.spec);
+  std::vector<std::string> reached;
+  const auto add = [&](const std::string &name, const KeyList &inputs) {
+    if (holds(inputs, key))
+      reached.push_back(name);
+  };
+  const bool stand = std::holds_alternative<FourHigh>(the_case.spec);
+  if (stand)
+    for (const ContactName contact : {ContactName::upper, ContactName::lower}) {
+      const char *K = word_of(contact == ContactName::upper ? ChainNumber::K3 : ChainNumber::K5);
+      add(row::roll_contact::friction_tangent.of(K),
+          contact_keys(keys, word_of(contact), 0, ContactReading::friction));
+      add(row::roll_contact::path_plateau.of(K), contact_keys(keys, word_of(contact), 0, ContactReading::path));
+    }
+  if (stand || std::holds_alternative<BiteCase>(the_case.spec)) {
+    BiteReading path;
+    path.path_trim = true;
+    add(row::bite_spring::path_plateau.of(), bite_keys(keys, 0, path));
+  }
+  if (std::holds_alternative<BearingCase>(the_case.spec))
+    add(row::motion::frequency.of(), bearing_case_keys(keys, {false, false, true}));
+  if (stand || std::holds_alternative<Lumped>(the_case.spec)) {
+    add("frf.bite.upper_work_roll.peak", frequency_response_keys(keys));
+    add("campbell.gap_first_kind.speed", campbell_keys(keys));
+  }
+  return reached;
 }
 }  // namespace
 

@@ -1,8 +1,11 @@
 #include "core/case/bearing_inputs.h"
+#include "core/case/moving_keys.h"
+#include "core/case/stand_rows.h"
 #include "core/records/contact_name.h"
 #include "core/records/record_text.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <optional>
 
 namespace mill {
@@ -189,5 +192,55 @@ std::string text_of_bearing_case(const BearingCase &spec, const BearingCaseReadi
   if (reading.motion)
     text += record_text(spec.load.loads, spec.load.samples, spec.motion);
   return text;
+}
+
+namespace {
+// Of one bearing, whatever case it belongs to.
+template <class Inputs> KeyList keys_of_bearing(const RollerBearing &bearing, const Inputs &inputs)
+{
+  RollerBearing changed = bearing;
+  CaseRows rows;
+  rows.add("bearing." + bearing.name, bearing_rows(), changed);
+  return rows.moving([&] { return record_text(inputs(changed)); });
+}
+}  // namespace
+
+KeyList bearing_keys(const RollerBearing &bearing)
+{
+  return keys_of_bearing(bearing, [](const RollerBearing &b) { return inputs_of_bearing(b); });
+}
+
+KeyList rating_keys(const RollerBearing &bearing)
+{
+  return keys_of_bearing(bearing, inputs_of_rating);
+}
+
+KeyList seat_load_keys(MovingKeys &keys, const bool backup, const std::string &contact, const std::size_t p)
+{
+  return keys.of(fmt::format("load of seat {} {} {}", backup, contact, p), [&](const CaseSpec &spec) {
+    return record_text(inputs_of_seat_load(std::get<FourHigh>(spec), backup, contact, p));
+  });
+}
+
+KeyList seat_keys(MovingKeys &keys, const std::size_t i, const std::size_t p, const SeatReading &reading)
+{
+  const auto &stand = std::get<FourHigh>(keys.spec());
+  const bool backup = i == 0 || i == 3;
+  if ((backup ? stand.backup_roll : stand.work_roll).bearing.empty())  // all of its stiffnesses are given
+    return keys_in("given", backup && stand.given.count("K_Zy") ? "K_Zy" : fmt::format("Kzc{}", i + 1));
+  return keys.of(fmt::format("seat {} {} {} {} {}", i, p, reading.across, reading.least_speed, reading.rating),
+                 [&](const CaseSpec &spec) { return text_of_seat(std::get<FourHigh>(spec), i, p, reading); });
+}
+
+KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading)
+{
+  return keys.of(fmt::format("bearing {} {} {}", reading.rating, reading.least_speed, reading.motion),
+                 [&](const CaseSpec &spec) { return text_of_bearing_case(std::get<BearingCase>(spec), reading); });
+}
+
+KeyList chock_seat_keys(MovingKeys &keys, const RollPlace roll)
+{
+  return keys.of(std::string("chock seat of the ") + word_of(roll),
+                 [&](const CaseSpec &spec) { return text_of_chock_seat(spec, roll); });
 }
 }  // namespace mill

@@ -6,12 +6,15 @@
 #include "core/model/oil_film_bearing.h"
 #include "core/model/roll_kind.h"
 #include "core/model/roller_bearing.h"
+#include "core/records/key_list.h"
 #include <array>
 #include <string>
 #include <vector>
 
 // What the bearing stages read of a case; as core/case/contact_inputs.h.
 namespace mill {
+class MovingKeys;
+
 /// A roller bearing in equilibrium.
 struct BearingInputs {
   std::string type;                                        ///< which angles are read
@@ -118,4 +121,19 @@ struct BearingCaseReading {
   bool motion = false;  ///< the mass that swings on the curve of the bearing
 };
 std::string text_of_bearing_case(const BearingCase &spec, const BearingCaseReading &reading);
+
+/// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
+KeyList bearing_keys(const RollerBearing &bearing);
+/// In addition, the keys that only ratings and life of a bearing read.
+KeyList rating_keys(const RollerBearing &bearing);
+/// Radial load of one bearing in a stand, and which bearing it is.
+/// @param contact  "upper" or "lower"
+KeyList seat_load_keys(MovingKeys &keys, bool backup, const std::string &contact, std::size_t p);
+/// Kzc1 .. Kzc4 of a stand, i = 0 .. 3, under the load of a pass.
+KeyList seat_keys(MovingKeys &keys, std::size_t i, std::size_t p, const SeatReading &reading = {});
+/// Kzc.* of kind "bearing".
+KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading = {});
+
+/// The keys behind the seat of the chocks of a roll.
+KeyList chock_seat_keys(MovingKeys &keys, RollPlace roll);
 }  // namespace mill

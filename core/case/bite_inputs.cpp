@@ -1,6 +1,9 @@
 #include "core/case/bite_inputs.h"
+#include "core/case/moving_keys.h"
+#include "core/records/record_text.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 
 namespace mill {
 Strip with_laws_as_read(Strip strip)
@@ -123,5 +126,17 @@ BiteInputs inputs_of_bite(const CaseSpec &spec, const std::size_t p, const BiteR
   for (const Pass &one : parts.passes)
     inputs.measured.push_back(inputs_of_measured(parts, one));
   return inputs;
+}
+
+bool follows_width(const std::string &quantity)
+{
+  return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
+}
+
+KeyList bite_keys(MovingKeys &keys, const std::size_t p, const BiteReading &reading)
+{
+  const auto &[by, whole_width, fitted, path_trim, speed] = reading;
+  return keys.of(fmt::format("bite {} {} {} {} {} {}", p, int(by), whole_width, fitted, path_trim, speed),
+                 [&](const CaseSpec &spec) { return record_text(inputs_of_bite(spec, p, reading)); });
 }
 }  // namespace mill

@@ -3,11 +3,14 @@
 #include "core/case/pass_inputs.h"
 #include "core/model/bite_setup.h"
 #include "core/model/strip.h"
+#include "core/records/key_list.h"
 #include <string>
 #include <vector>
 
 // What the bite of a pass reads of a case; as core/case/contact_inputs.h.
 namespace mill {
+class MovingKeys;
+
 /// A pass as a fit of friction and flow stress reads it; what it is not fitted to is absent.
 struct MeasuredInputs {
   double entry_thickness = 0, exit_thickness = 0;  ///< m
@@ -90,4 +93,9 @@ Strip with_laws_as_read(Strip strip);
 
 /// @param spec  a stand or a bite
 BiteInputs inputs_of_bite(const CaseSpec &spec, std::size_t pass, const BiteReading &reading);
+
+/// The bite of a pass of a stand or of kind "bite".
+KeyList bite_keys(MovingKeys &keys, std::size_t p, const BiteReading &reading = {});
+/// Whether a quantity of the bite is one of the whole width.
+bool follows_width(const std::string &quantity);
 }  // namespace mill

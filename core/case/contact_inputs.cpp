@@ -1,6 +1,9 @@
 #include "core/case/contact_inputs.h"
+#include "core/case/moving_keys.h"
 #include "core/records/contact_name.h"
+#include "core/records/record_text.h"
 #include <cmath>
+#include <fmt/format.h>
 
 namespace mill {
 namespace {
@@ -36,11 +39,6 @@ RoundBody body_as_read(RoundBody body, const bool in_space)
     body.profile_table.clear();
   return body;
 }
-
-bool begins_with(const std::string &text, const char *start)
-{
-  return text.rfind(start, 0) == 0;
-}
 }  // namespace
 
 ContactInputs inputs_of_pair(const FourHigh &stand, const ContactSettings &settings)
@@ -72,10 +70,17 @@ ContactInputs inputs_of_contact(const FourHigh &stand, const std::string &name, 
   return inputs;
 }
 
-BodyPairInputs inputs_of_bodies(const TwoCylinders &pair, const std::string &result)
+KeyList contact_keys(MovingKeys &keys, const std::string &name, const std::size_t pass,
+                     const ContactReading reading)
 {
-  const std::string quantity = result.substr(result.rfind('.') + 1);
-  const bool slips           = begins_with(quantity, "tangential") || begins_with(quantity, "stick");
+  return keys.of(fmt::format("contact {} {} {}", name, pass, int(reading)), [&](const CaseSpec &spec) {
+    return record_text(inputs_of_contact(std::get<FourHigh>(spec), name, pass, reading));
+  });
+}
+
+BodyPairInputs inputs_of_bodies(const TwoCylinders &pair, const BodyReading reading)
+{
+  const bool slips = reading == BodyReading::slip;
   BodyPairInputs inputs;
   inputs.upper                    = body_as_read(pair.upper, pair.in_space);
   inputs.lower                    = body_as_read(pair.lower, pair.in_space);
@@ -109,11 +114,18 @@ BodyPairInputs inputs_of_bodies(const TwoCylinders &pair, const std::string &res
     inputs.line.loads                   = pair.contact.loads;
     inputs.line.elements_per_half_width = pair.contact.elements_per_half_width;
   }
-  if (meshed && quantity == "tangent")
+  if (meshed && reading == BodyReading::slope)
     inputs.line.samples = pair.contact.samples;
   for (const RoundBody *body : bodies)
     if (body->plane() && !body->rigid)
       inputs.line.plane_depth = pair.contact.plane_depth;
   return inputs;
+}
+
+KeyList cylinder_keys(MovingKeys &keys, const BodyReading reading)
+{
+  return keys.of(fmt::format("bodies {}", int(reading)), [&](const CaseSpec &spec) {
+    return record_text(inputs_of_bodies(std::get<TwoCylinders>(spec), reading));
+  });
 }
 }  // namespace mill

@@ -5,6 +5,7 @@
 #include "core/model/four_high.h"
 #include "core/model/roll.h"
 #include "core/model/two_cylinders.h"
+#include "core/records/key_list.h"
 #include <string>
 #include <vector>
 
@@ -12,6 +13,8 @@
 // replaces, have the value of a record that was not given.  As text (record_text) they are keys of kept results,
 // and the inputs of a result are the rows that move that text.
 namespace mill {
+class MovingKeys;
+
 /// One pair of rolls.
 struct ContactInputs {
   ElasticConstants steel;
@@ -42,6 +45,11 @@ enum class ContactReading { curve, friction, path };
 /// @param name  "upper" or "lower"
 ContactInputs inputs_of_contact(const FourHigh &stand, const std::string &name, std::size_t pass,
                                 ContactReading reading);
+/// Keys behind such results: K3.*, K5.* and contact.NAME.*.  Both ways of holding the rolls are solved on one
+/// mesh, whose patch must hold the wider contact, so all results of a reading have one list.
+/// @param keys  of a stand
+KeyList contact_keys(MovingKeys &keys, const std::string &name, std::size_t pass,
+                     ContactReading reading = ContactReading::curve);
 
 /// Two bodies at their working load.
 struct BodyPairInputs {
@@ -63,6 +71,10 @@ template <class Io> void each_member(Io &&io, const BodyPairInputs &record)
   io("space", space);
 }
 
-/// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
-BodyPairInputs inputs_of_bodies(const TwoCylinders &pair, const std::string &result);
+/// What is read off two bodies: what the load does, the slope of its curve, which knows how that was sampled, and
+/// stick and slip under a tangential load.
+enum class BodyReading { pressed, slope, slip };
+BodyPairInputs inputs_of_bodies(const TwoCylinders &pair, BodyReading reading);
+/// Keys behind such results, of kind "two-cylinders".
+KeyList cylinder_keys(MovingKeys &keys, BodyReading reading);
 }  // namespace mill

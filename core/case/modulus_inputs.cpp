@@ -1,6 +1,8 @@
 #include "core/case/modulus_inputs.h"
+#include "core/case/moving_keys.h"
 #include "core/case/pass_inputs.h"
 #include "core/records/record_text.h"
+#include <fmt/format.h>
 
 namespace mill {
 std::string text_of_touching_rolls(const FourHigh &stand, const std::size_t pass)
@@ -20,5 +22,17 @@ std::string text_of_bent_work_rolls(const FourHigh &stand, const bool solid)
                               dynamics.elements_per_radius);
   return text +
          record_text(stand.work_roll.barrel_diameter, stand.work_roll.barrel_length, stand.steel.youngs_modulus);
+}
+
+KeyList touching_roll_keys(MovingKeys &keys, const std::size_t p)
+{
+  return keys.of(fmt::format("touching rolls {}", p),
+                 [&](const CaseSpec &spec) { return text_of_touching_rolls(std::get<FourHigh>(spec), p); });
+}
+
+KeyList bent_work_roll_keys(MovingKeys &keys, const bool solid)
+{
+  return keys.of(solid ? "bent work rolls" : "work rolls as beams",
+                 [&](const CaseSpec &spec) { return text_of_bent_work_rolls(std::get<FourHigh>(spec), solid); });
 }
 }  // namespace mill

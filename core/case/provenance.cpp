@@ -1,6 +1,5 @@
 #include "core/case/provenance.h"
 #include "core/base/require.h"
-#include "core/case/modulus_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/stand_rows.h"
 #include "core/model/case.h"
@@ -19,82 +18,6 @@ KeyList load_keys(const Pass &pass, const std::size_t p)
   CaseRows rows;
   add_pass_rows(rows, p, pass_rows(), changed);
   return rows.moving([&] { return record_text(inputs_of_load(changed)); });
-}
-
-// Contact
-
-KeyList contact_keys(MovingKeys &keys, const std::string &name, const std::size_t p, const ContactReading reading)
-{
-  return keys.of(fmt::format("contact {} {} {}", name, p, int(reading)), [&](const CaseSpec &spec) {
-    return record_text(inputs_of_contact(std::get<FourHigh>(spec), name, p, reading));
-  });
-}
-
-KeyList cylinder_keys(MovingKeys &keys, const std::string &result)
-{
-  return keys.of(result, [&](const CaseSpec &spec) {
-    return record_text(inputs_of_bodies(std::get<TwoCylinders>(spec), result));
-  });
-}
-
-// Bearings
-
-namespace {
-// Of one bearing, whatever case it belongs to.
-template <class Inputs> KeyList keys_of_bearing(const RollerBearing &bearing, const Inputs &inputs)
-{
-  RollerBearing changed = bearing;
-  CaseRows rows;
-  rows.add("bearing." + bearing.name, bearing_rows(), changed);
-  return rows.moving([&] { return record_text(inputs(changed)); });
-}
-}  // namespace
-
-KeyList bearing_keys(const RollerBearing &bearing)
-{
-  return keys_of_bearing(bearing, [](const RollerBearing &b) { return inputs_of_bearing(b); });
-}
-
-KeyList rating_keys(const RollerBearing &bearing)
-{
-  return keys_of_bearing(bearing, inputs_of_rating);
-}
-
-KeyList seat_load_keys(MovingKeys &keys, const bool backup, const std::string &contact, const std::size_t p)
-{
-  return keys.of(fmt::format("load of seat {} {} {}", backup, contact, p), [&](const CaseSpec &spec) {
-    return record_text(inputs_of_seat_load(std::get<FourHigh>(spec), backup, contact, p));
-  });
-}
-
-KeyList seat_keys(MovingKeys &keys, const std::size_t i, const std::size_t p, const SeatReading &reading)
-{
-  const auto &stand = std::get<FourHigh>(keys.spec());
-  const bool backup = i == 0 || i == 3;
-  if ((backup ? stand.backup_roll : stand.work_roll).bearing.empty())  // all of its stiffnesses are given
-    return keys_in("given", backup && stand.given.count("K_Zy") ? "K_Zy" : fmt::format("Kzc{}", i + 1));
-  return keys.of(fmt::format("seat {} {} {} {} {}", i, p, reading.across, reading.least_speed, reading.rating),
-                 [&](const CaseSpec &spec) { return text_of_seat(std::get<FourHigh>(spec), i, p, reading); });
-}
-
-KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading)
-{
-  return keys.of(fmt::format("bearing {} {} {}", reading.rating, reading.least_speed, reading.motion),
-                 [&](const CaseSpec &spec) { return text_of_bearing_case(std::get<BearingCase>(spec), reading); });
-}
-
-// Bite
-
-bool follows_width(const std::string &quantity)
-{
-  return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
-}
-
-KeyList bite_keys(MovingKeys &keys, const std::size_t p, const BiteReading &reading)
-{
-  const auto &[by, whole_width, fitted, path_trim, speed] = reading;
-  return keys.of(fmt::format("bite {} {} {} {} {} {}", p, int(by), whole_width, fitted, path_trim, speed),
-                 [&](const CaseSpec &spec) { return record_text(inputs_of_bite(spec, p, reading)); });
 }
 
 // Chain
@@ -166,49 +89,11 @@ KeyList chain_mode_keys(MovingKeys &keys, const LumpedModel &model, const Dynami
   return joined(chain_number_keys(model, dynamics, half), frame_form_keys(keys));
 }
 
-KeyList chock_seat_keys(MovingKeys &keys, const RollPlace roll)
-{
-  return keys.of(std::string("chock seat of the ") + word_of(roll),
-                 [&](const CaseSpec &spec) { return text_of_chock_seat(spec, roll); });
-}
-
 KeyList horizontal_mode_keys(const LumpedModel &model, const RollPlace roll)
 {
   const auto i           = std::size_t(roll);
   const Parameter across = model.Kzc_across[i];
   return joined(model.M[i + 1].inputs, std::isnan(across.value) ? model.Kzc[i].inputs : across.inputs);
-}
-
-// Responses
-
-KeyList response_keys(MovingKeys &keys, const std::size_t p, const ResponseReading reading)
-{
-  return keys.of(fmt::format("response {} {}", p, int(reading)),
-                 [&](const CaseSpec &spec) { return text_of_response(spec, p, reading); });
-}
-
-KeyList frequency_response_keys(MovingKeys &keys)
-{
-  return keys.of("frequency response", text_of_frequency_response);
-}
-
-KeyList campbell_keys(MovingKeys &keys)
-{
-  return keys.of("campbell", text_of_campbell);
-}
-
-// Mill modulus
-
-KeyList touching_roll_keys(MovingKeys &keys, const std::size_t p)
-{
-  return keys.of(fmt::format("touching rolls {}", p),
-                 [&](const CaseSpec &spec) { return text_of_touching_rolls(std::get<FourHigh>(spec), p); });
-}
-
-KeyList bent_work_roll_keys(MovingKeys &keys, const bool solid)
-{
-  return keys.of(solid ? "bent work rolls" : "work rolls as beams",
-                 [&](const CaseSpec &spec) { return text_of_bent_work_rolls(std::get<FourHigh>(spec), solid); });
 }
 
 void set_given_inputs(GivenValues &given)

@@ -21,35 +21,8 @@ class MovingKeys;
 /// What the working load of a pass is made from: its own key, or the record whose mean it is.
 KeyList load_keys(const Pass &pass, std::size_t p);
 
-/// Contact of the rolls by finite elements: K3.*, K5.* and contact.NAME.* of a pass.  Both ways of holding the
-/// rolls are solved on one mesh, whose patch must hold the wider contact, so all results have one list.
-/// @param keys  of a stand
-/// @param name  "upper" or "lower"
-KeyList contact_keys(MovingKeys &keys, const std::string &name, std::size_t p,
-                     ContactReading reading = ContactReading::curve);
-/// The same of kind "two-cylinders".
-/// @param result  "contact.line.tangent": the slope of a curve knows how it was sampled
-KeyList cylinder_keys(MovingKeys &keys, const std::string &result);
-
-/// A bearing by the model of its case: FE law or a formula, elastic or rigid rings.
-KeyList bearing_keys(const RollerBearing &bearing);
-/// In addition, the keys that only ratings and life of a bearing read.
-KeyList rating_keys(const RollerBearing &bearing);
-/// Radial load of one bearing in a stand, and which bearing it is.
-/// @param contact  "upper" or "lower"
-KeyList seat_load_keys(MovingKeys &keys, bool backup, const std::string &contact, std::size_t p);
-/// Kzc1 .. Kzc4 of a stand, i = 0 .. 3, under the load of a pass.
-KeyList seat_keys(MovingKeys &keys, std::size_t i, std::size_t p, const SeatReading &reading = {});
-/// Kzc.* of kind "bearing".
-KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading = {});
-
 /// A spring that the chain of a stand takes from elsewhere: K3, K4, K5, a bearing, or both of a backup roll.
 KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, std::size_t p);
-
-/// The bite of a pass of a stand or of kind "bite".
-KeyList bite_keys(MovingKeys &keys, std::size_t p, const BiteReading &reading = {});
-/// Whether a quantity of the bite is one of the whole width.
-bool follows_width(const std::string &quantity);
 
 /// A mode or a response of the six-mass chain follows the whole chain; with the measured force the bite has no
 /// spring, and in an open frame nothing else joins the upper half to the lower one.
@@ -60,20 +33,9 @@ std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, Half half
 KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
 /// And what joins them to modes.
 KeyList chain_mode_keys(MovingKeys &keys, const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
-/// Of a horizontal mode: mass and bearing of its roll, and the seat of its chocks where the stand is drawn.
+/// Of a horizontal mode: mass and bearing of its roll; the seat of its chocks comes on top where the stand is
+/// drawn.
 KeyList horizontal_mode_keys(const LumpedModel &model, RollPlace roll);
-KeyList chock_seat_keys(MovingKeys &keys, RollPlace roll);
-/// Keys of a response in addition to those of its masses, springs and damper.
-KeyList response_keys(MovingKeys &keys, std::size_t p, ResponseReading reading = ResponseReading::model);
-/// The same of frf.*.
-KeyList frequency_response_keys(MovingKeys &keys);
-/// Settings of campbell.* with the orders of the drive.
-KeyList campbell_keys(MovingKeys &keys);
-
-/// Work rolls that touch each other at the load of a pass, and their bending under the strip.
-/// @param solid  by finite elements where the case asks for them; false: beams
-KeyList touching_roll_keys(MovingKeys &keys, std::size_t p);
-KeyList bent_work_roll_keys(MovingKeys &keys, bool solid);
 
 /// A given value has its own key as its only input.
 void set_given_inputs(GivenValues &given);

@@ -1,10 +1,12 @@
 #include "core/case/response_inputs.h"
 #include "core/base/require.h"
+#include "core/case/moving_keys.h"
 #include "core/case/pass_inputs.h"
 #include "core/model/case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
 #include "core/records/record_text.h"
+#include <fmt/format.h>
 #include <type_traits>
 
 namespace mill {
@@ -104,5 +106,21 @@ std::string text_of_campbell(const CaseSpec &spec)
       text += record_text(order.per_turn_of, order.count);
     return text;
   });
+}
+
+KeyList response_keys(MovingKeys &keys, const std::size_t p, const ResponseReading reading)
+{
+  return keys.of(fmt::format("response {} {}", p, int(reading)),
+                 [&](const CaseSpec &spec) { return text_of_response(spec, p, reading); });
+}
+
+KeyList frequency_response_keys(MovingKeys &keys)
+{
+  return keys.of("frequency response", text_of_frequency_response);
+}
+
+KeyList campbell_keys(MovingKeys &keys)
+{
+  return keys.of("campbell", text_of_campbell);
 }
 }  // namespace mill

@@ -64,7 +64,7 @@ Eigen::VectorXd all_across(RunContext &run, const BearingStudy &s)
 }
 }  // namespace
 
-Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vector<std::string> &inputs)
+Parameter bearing_across(RunContext &run, const BearingStudy &s)
 {
   const BearingQuestion &q  = s.question;
   const bool liner          = on_block(q.bearing);
@@ -74,7 +74,6 @@ Parameter bearing_across(RunContext &run, const BearingStudy &s, const std::vect
   p.unit           = "N/m";
   p.method         = model_name(q.bearing) + ", across the load" + (liner ? ", chock on its liner" : "");
   p.at             = {"{} on one bearing", {{q.radial, "kN"}}};
-  p.inputs         = inputs;
   const double iso = all[1], palmgren = all[2];
   p.error_estimate = s.parts.roller ? std::abs(s.slice_deviation) : std::abs(iso / palmgren - 1);
   for (const double companion : all.tail(all.size() - 3))

@@ -6,6 +6,7 @@
 #include "app/stages/bearing/bearing_results.h"
 #include "app/stages/bearing/bearing_stage.h"
 #include "app/stages/bearing/oil_film_results.h"
+#include "core/case/bearing_inputs.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
 #include "core/records/rows_of_bearing.h"
@@ -61,8 +62,7 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
     p.at     = {"{}, {} at {}",
                 {{spec.load.radial, "kN", ".4g"}, {e.amplitude, "kN", ".4g"}, {e.frequency, "Hz", ".4g"}}};
     p.checks = std::move(checks);
-    p.inputs = {"dynamics.mass",      "dynamics.damping",   "dynamics.amplitude",
-                "dynamics.frequency", "dynamics.direction", "load.radial"};
+    p.inputs = bearing_case_keys(*run.keys, {false, false, true});
     run.results.add(row.of(), p);
   };
   const double linear = std::sqrt(study.numbers.tangent.value / e.mass) / (2 * M_PI);
@@ -94,12 +94,10 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
   q.published_total = "Kzc";
   const auto parts  = bearing_parts(run, q.bearing, bearing::largest_roller_load(q.bearing, q));
   const auto study  = study_bearing(run, parts, q);
-  auto inputs       = bearing_inputs(q.bearing);
-  for (const char *key : {"radial", "axial", "tilt", "cage_angle", "axial_displacement", "moment", "speed"})
-    inputs.push_back(std::string("load.") + key);
+  const auto inputs = bearing_case_keys(*run.keys);
   add_bearing_results(run, "Kzc", study, inputs);
   add_published_results(run, "Kzc", study, inputs);
-  add_rating_results(run, study, inputs);
+  add_rating_results(run, study, bearing_case_keys(*run.keys, {true}));
   note_bearing(run, "Kzc", study);
   write_bearing(run, study);
   study.readings->keep(run);

@@ -1,8 +1,8 @@
 #include "app/stages/bearing/bearing_ratings.h"
 #include "app/stages/bearing/bearing_results.h"
-#include "core/case/provenance.h"
 #include "core/model/bearing_ratings.h"
 #include "core/model/case.h"
+#include "core/records/key_list.h"
 #include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/geometry.h"
 #include "reduce/bearing/rating_numbers.h"
@@ -205,7 +205,7 @@ void add_rating_results(RunContext &run, const BearingStudy &s, const std::vecto
                     b.name));
     return;
   }
-  RatingResults out{run, s, joined(inputs, rating_keys(b))};
+  RatingResults out{run, s, inputs};
   const RatingNumbers numbers = bearing::rating_numbers(b, s);
   add_estimates(out, b);
   add_basic_ratings(out, b, numbers);

@@ -1,5 +1,4 @@
 #include "app/stages/bearing/bearing_results.h"
-#include "core/case/provenance.h"
 #include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/chock_supports.h"
 #include "reduce/bearing/geometry.h"
@@ -65,11 +64,6 @@ std::vector<Check> other_models(const BearingStudy &s, const ComparedNumber &num
 }
 }  // namespace
 
-std::vector<std::string> bearing_inputs(const RollerBearing &b)
-{
-  return bearing_keys(b);
-}
-
 Parameter tangent_of(const BearingStudy &s, const std::vector<std::string> &inputs)
 {
   Parameter p = stated(s, s.numbers.tangent, inputs);
@@ -86,7 +80,8 @@ Parameter across_of(const BearingStudy &s, const std::vector<std::string> &input
 }
 
 namespace {
-void add_closing_angle(RunContext &run, const std::string &prefix, const RollerBearing &b)
+void add_closing_angle(RunContext &run, const std::string &prefix, const RollerBearing &b,
+                       const std::vector<std::string> &inputs)
 {
   Parameter p;
   p.value = closing_cup_angle(b);
@@ -95,8 +90,7 @@ void add_closing_angle(RunContext &run, const std::string &prefix, const RollerB
   p.unit   = "rad";
   p.method = "cup angle at which roller, cup and cone share one apex, (5.1)";
   p.checks = {{"cup_angle of the case", b.cup_angle, "up to 0.5 deg apart are accepted"}};
-  for (const char *key : {"pitch_diameter", "roller_diameter", "roller_cone_angle"})
-    p.inputs.push_back("bearing." + b.name + "." + key);
+  p.inputs = inputs;
   run.results.add(row::bearing::closing_cup_angle.of(prefix), p);
 }
 
@@ -179,7 +173,7 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
         fmt::format(", in the fullest row; {} of {} in all rows", s.at.loaded_rollers.sum(),
                     s.at.roller_load.size()),
         {{"ISO/TS 16281, rigid rings", double(s.standard.loaded_rollers.maxCoeff()), ""}});
-  add_closing_angle(run, prefix, s.question.bearing);
+  add_closing_angle(run, prefix, s.question.bearing, inputs);
 }
 
 namespace {

@@ -2,9 +2,6 @@
 #include "app/stages/bearing/bearing_study.h"
 
 namespace mill {
-/// Keys of the case file that a bearing's stiffness depends on, without those of its load.
-std::vector<std::string> bearing_inputs(const RollerBearing &bearing);
-
 /// The radial tangent with error, checks and load.
 Parameter tangent_of(const BearingStudy &study, const std::vector<std::string> &inputs);
 

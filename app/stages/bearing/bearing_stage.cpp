@@ -6,8 +6,7 @@
 #include "app/stages/bearing/bearing_ratings.h"
 #include "app/stages/bearing/bearing_results.h"
 #include "app/stages/bearing/oil_film_results.h"
-#include "core/case/moving_keys.h"
-#include "core/case/provenance.h"
+#include "core/case/bearing_inputs.h"
 #include "core/model/case.h"
 #include "core/model/contact_settings.h"
 #include "core/model/four_high.h"
@@ -119,10 +118,9 @@ public:
     if (!done.count(key))
       done[key] = study_oil_film(run, film_question(stand, seat, load.value, pass));
     const OilFilmStudy &study = done.at(key);
-    MovingKeys keys(stand);
-    const KeyList inputs = seat_keys(keys, i, pass);
-    out.Kzc[i]           = film_stiffness(study, inputs);
-    out.Kzc_across[i]    = film_stiffness(study, inputs, true);
+    const KeyList inputs      = seat_keys(*run.keys, i, pass);
+    out.Kzc[i]                = film_stiffness(study, inputs);
+    out.Kzc_across[i]         = film_stiffness(study, inputs, true);
     if (seat.backup)
       out.film_damper[i == 0 ? 0 : 1] = 2 * study.numbers.solution.at.damping(0, 0);
     if (pass > 0)
@@ -132,7 +130,7 @@ public:
     if (warned)
       return;
     warned = true;
-    add_oil_film_results(run, study, inputs);
+    add_oil_film_results(run, study, inputs, seat_keys(*run.keys, i, pass, {false, true}));
     write_oil_film(run, study);
     note_oil_film(run, study, true);
   }
@@ -153,14 +151,25 @@ Parameter both(Parameter bearing)
   return bearing;
 }
 
-void report_seat(RunContext &run, const Seat &seat, const SeatLoad &load, const BearingStudy &study,
-                 const std::vector<std::string> &inputs)
+// Ratings and life are added once for a bearing that both rolls have, so that they state the keys of both seats.
+KeyList rating_inputs(const RunContext &run, const FourHigh &stand, const std::string &bearing)
+{
+  KeyList inputs;
+  const auto seats = seats_of(stand);
+  for (const std::size_t i : {0u, 1u})
+    if (seats[i].roll->bearing == bearing && !stand.given.count(seats[i].name))
+      inputs = joined(std::move(inputs), seat_keys(*run.keys, i, 0, {false, false, true}));
+  return inputs;
+}
+
+void report_seat(RunContext &run, const FourHigh &stand, const Seat &seat, const SeatLoad &load,
+                 const BearingStudy &study, const KeyList &inputs)
 {
   add_bearing_results(run, seat.name, study, inputs);
   if (seat.lower)
     return;  // it has the same bearings as the upper half
   add_published_results(run, seat.name, study, inputs);
-  add_rating_results(run, study, inputs);
+  add_rating_results(run, study, rating_inputs(run, stand, seat.roll->bearing));
   write_bearing(run, study);
   note_bearing(run, seat.name, study);
   const auto &bending = seat.roll->bending_force;
@@ -269,15 +278,14 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       if (!done.count(key))
         done[key] = study_bearing(run, parts.at(seat.roll->bearing), question(seat, load.value, p == 0));
       const BearingStudy &study = done.at(key);
-      auto inputs               = bearing_inputs(study.question.bearing);
-      inputs.insert(inputs.begin(),
-                    {std::string(seat.section) + ".bearing", std::string(seat.section) + ".bearing_load"});
-      out[p].Kzc[i] = tangent_of(study, inputs);
+      const KeyList inputs      = seat_keys(*run.keys, i, p);
+      out[p].Kzc[i]             = tangent_of(study, inputs);
       if (!across.count(key))
-        across[key] = bearing_across(run, study, inputs);
-      out[p].Kzc_across[i] = across.at(key);
+        across[key] = bearing_across(run, study);
+      out[p].Kzc_across[i]        = across.at(key);
+      out[p].Kzc_across[i].inputs = seat_keys(*run.keys, i, p, {true});
       if (p == 0)
-        report_seat(run, seat, load, study, inputs);
+        report_seat(run, stand, seat, load, study, inputs);
       if (p == 0 && seat.backup && follows_half_the_force(stand, seat))
         out[p].backup_deflection[i == 0 ? 0 : 1] = over_the_force(study);
     }

@@ -2,6 +2,7 @@
 #include "app/run/scratch_folder.h"
 #include "app/stages/bearing/bearing_ratings.h"
 #include "app/stages/bearing/bearing_results.h"
+#include "core/case/bearing_inputs.h"
 #include "core/case/kinds.h"
 #include "core/model/case.h"
 #include "core/records/result_names.h"
@@ -62,9 +63,9 @@ LoadedState LoadedBearing::solve(const BearingLoading &load, const Progress &pro
   run.progress             = progress;
   const BearingParts parts = bearing_parts(run, drawn, bearing::largest_roller_load(question.bearing, question));
   const BearingStudy study = study_bearing(run, parts, question);
-  const auto inputs        = bearing_inputs(drawn);
+  const KeyList inputs     = bearing_keys(drawn);
   add_bearing_results(run, family::bearing, study, inputs);
-  add_rating_results(run, study, inputs);
+  add_rating_results(run, study, joined(inputs, rating_keys(drawn)));
   return {study.at, std::move(run.results), drawn.name};
 }
 }  // namespace mill

@@ -1,8 +1,7 @@
 #include "app/run/curve_files.h"
 #include "app/stages/bearing/oil_film_results.h"
 #include "core/base/files.h"
-#include "core/case/moving_keys.h"
-#include "core/case/provenance.h"
+#include "core/case/bearing_inputs.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_bearing.h"
@@ -133,14 +132,13 @@ void solve_oil_film_case(RunContext &run, const BearingCase &spec, const OilFilm
   auto speeds = spec.load.speeds;
   if (std::isnan(speeds[0]))
     speeds = {spec.load.speed / 4, spec.load.speed * 4};
-  q.speeds         = evenly({2 * M_PI * speeds[0], 2 * M_PI * speeds[1]}, spec.load.samples);
-  q.speed_key      = "load.speed";
-  const auto study = study_oil_film(run, q);
-  MovingKeys keys(spec);
-  const auto inputs = bearing_case_keys(keys);
+  q.speeds          = evenly({2 * M_PI * speeds[0], 2 * M_PI * speeds[1]}, spec.load.samples);
+  q.speed_key       = "load.speed";
+  const auto study  = study_oil_film(run, q);
+  const auto inputs = bearing_case_keys(*run.keys);
   run.results.add(row::bearing::tangent.of(family::bearing), film_stiffness(study, inputs));
   run.results.add(row::bearing::tangent_across.of(family::bearing), film_stiffness(study, inputs, true));
-  add_oil_film_results(run, study, inputs);
+  add_oil_film_results(run, study, inputs, bearing_case_keys(*run.keys, {false, true}));
   write_oil_film(run, study);
   note_oil_film(run, study, false);
 }

@@ -1,7 +1,6 @@
 #include "app/stages/bearing/oil_film_results.h"
 #include "app/run/curve_files.h"
 #include "core/base/files.h"
-#include "core/case/provenance.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_bearing.h"
@@ -111,7 +110,8 @@ Parameter film_stiffness(const OilFilmStudy &s, const std::vector<std::string> &
   return p;
 }
 
-void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs)
+void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vector<std::string> &inputs,
+                          const std::vector<std::string> &of_least_speed)
 {
   const std::string &name            = s.question.bearing.name;
   const OilFilmState &state          = s.numbers.solution.at;
@@ -153,7 +153,7 @@ void add_oil_film_results(RunContext &run, const OilFilmStudy &s, const std::vec
   still.method += ", along the load, free to move across";
   still.checks = {{"difference of two loads", s.numbers.free.by_loads, ""}};
   run.results.add(row::film::k_static.of(name), still);
-  Parameter least = plain_film(s, inputs);
+  Parameter least = plain_film(s, of_least_speed);
   least.unit      = "Hz";
   least.value     = s.numbers.least_speed / (2 * M_PI);
   least.method += ", least speed of the sleeve at which a film carries this load";

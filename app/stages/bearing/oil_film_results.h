@@ -7,7 +7,10 @@ namespace mill {
 Parameter film_stiffness(const OilFilmStudy &study, const std::vector<std::string> &inputs, bool across = false);
 
 /// bearing.NAME.film.*: eccentricity, attitude, films, pressure, temperature, losses, flow, k and b.
-void add_oil_film_results(RunContext &run, const OilFilmStudy &study, const std::vector<std::string> &inputs);
+/// @param inputs         keys behind all of them but the least speed
+/// @param of_least_speed  keys behind that
+void add_oil_film_results(RunContext &run, const OilFilmStudy &study, const std::vector<std::string> &inputs,
+                          const std::vector<std::string> &of_least_speed);
 
 /// curves/bearing-NAME*.csv: over load, over speed, pressure.
 void write_oil_film(RunContext &run, const OilFilmStudy &study);

@@ -1,6 +1,7 @@
 #include "app/stages/bite/bite_results.h"
 #include "app/stages/contact/contact_stage.h"
 #include "core/base/force_text.h"
+#include "core/base/text.h"
 #include "core/records/bite_model.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_bite.h"
@@ -66,6 +67,7 @@ double combined_in(const BiteAnswer &a)
 struct Adder {
   RunContext &run;
   const BiteStudy &study;
+  const BiteKeys &keys;
   void operator()(const RowOf<1> &row, const double value, const double error, std::vector<Check> checks = {},
                   const std::string &more = "") const
   {
@@ -76,18 +78,21 @@ struct Adder {
     p.value          = value;
     p.error_estimate = error;
     p.checks         = std::move(checks);
+    p.inputs         = keys(reading_of(row, BiteAnswers::model));
     p.method += more;
     run.results.add(row.of(study.question.pass), p);
   }
 };
 
-void add_every_model(RunContext &run, const BiteStudy &s)
+void add_every_model(RunContext &run, const BiteStudy &s, const BiteKeys &keys)
 {
   for (const BiteAnswer &answer : s.answers) {
     if (!answer.refused.empty())
       continue;
+    const auto by  = answer.key == word_of(BiteModel::fe) ? BiteAnswers::model : BiteAnswers::compared;
     const auto add = [&](const RowOf<2> &row, const double value) {
       Parameter p = plain(s, answer);
+      p.inputs    = keys(reading_of(row, by));
       p.unit      = row.unit;
       p.value     = value;
       run.results.add(row.of(s.question.pass, answer.key), p);
@@ -101,13 +106,14 @@ void add_every_model(RunContext &run, const BiteStudy &s)
   }
 }
 
-void add_balances(RunContext &run, const BiteStudy &s)
+void add_balances(RunContext &run, const BiteStudy &s, const BiteKeys &keys)
 {
   if (!s.flow)
     return;
   const fem::StripFlow &f = s.flow->fine;
   const auto add          = [&](const RowOf<2> &row, const double value, const char *how) {
     Parameter p = plain(s, *s.find("fe"));
+    p.inputs    = keys(reading_of(row, BiteAnswers::model));
     p.unit      = row.unit;
     p.value     = value;
     p.method += how;
@@ -155,10 +161,25 @@ void add_regime(const BiteStudy &s, const Adder &add)
 }
 }  // namespace
 
-void add_bite_results(RunContext &run, const BiteStudy &s)
+BiteKeys keys_of_bite(const RunContext &run, const std::size_t pass)
+{
+  return [keys = run.keys, pass](const BiteReading &reading) { return bite_keys(*keys, pass, reading); };
+}
+
+BiteReading reading_of(const ResultRow &row, const BiteAnswers by)
+{
+  const std::string name = row.name, quantity = name.substr(name.rfind('.') + 1);
+  BiteReading reading;
+  reading.by          = by;
+  reading.whole_width = follows_width(quantity);
+  reading.speed       = text_ends_with(quantity, "_speed");
+  return reading;
+}
+
+void add_bite_results(RunContext &run, const BiteStudy &s, const BiteKeys &keys)
 {
   const bite::BiteState &state = s.chosen().state;
-  const Adder add{run, s};
+  const Adder add{run, s, keys};
   const double coarse_force  = s.flow ? s.flow->coarse_force : not_given;
   const double coarse_torque = s.flow ? s.flow->coarse_torque : not_given;
   auto checks                = comparisons(s, force_in);
@@ -204,8 +225,8 @@ void add_bite_results(RunContext &run, const BiteStudy &s)
     add(*row, by(state.force_by, input), not_given,
         comparisons(s, [input = input](const BiteAnswer &a) { return by(a.state.force_by, input); }),
         ", exact derivative, arc held");
-  add_every_model(run, s);
-  add_balances(run, s);
+  add_every_model(run, s, keys);
+  add_balances(run, s, keys);
   add_regime(s, add);
 }
 
@@ -227,7 +248,7 @@ void add_path_plateau(const BiteStudy &s, const bite::PathStiffness &path, BiteS
 }
 }  // namespace
 
-BiteSpring bite_spring(const BiteStudy &s)
+BiteSpring bite_spring(const BiteStudy &s, const BiteKeys &keys)
 {
   const BiteAnswer &chosen = s.chosen();
   const auto numbers       = fem::spring_numbers(s);
@@ -260,6 +281,11 @@ BiteSpring bite_spring(const BiteStudy &s)
   spring.combined.method = model_text(chosen) + ", plastic slope in series with the flattening of both rolls";
   spring.combined.checks = comparisons(s, combined_in);
   spring.combined.error_estimate = numbers.combined_error;
+  for (Parameter *number : {&spring.plastic_slope, &spring.flattening, &spring.combined})
+    number->inputs = keys({});
+  BiteReading path;
+  path.path_trim             = true;
+  spring.path_plateau.inputs = keys(path);
   return spring;
 }
 

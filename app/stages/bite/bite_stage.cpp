@@ -95,9 +95,9 @@ void add_measured(BiteQuestion &q, const Pass &pass)
 }
 
 // What the slab theories say is kept also where the finite elements fail.
-void add_study(RunContext &run, const BiteStudy &study)
+void add_study(RunContext &run, const BiteStudy &study, const BiteKeys &keys)
 {
-  add_bite_results(run, study);
+  add_bite_results(run, study, keys);
   note_bite(run, study);
   write_bite(run, study);
 }
@@ -180,9 +180,10 @@ std::optional<Warning> bite_without_theory(const bite::RollBite &bite, const Bit
   return {};
 }
 
-BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass &pass, const double force,
-                             const bool first, const bool curves)
+BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const std::size_t p, const double force,
+                             const bool curves)
 {
+  const Pass &pass = stand.passes[p];
   BiteQuestion q;
   q.bite              = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
   q.setup             = stand.bite;
@@ -193,9 +194,10 @@ BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass 
   q.backup_half_width = backup_half_width(stand, force);
   add_measured(q, pass);
   const BiteStudy study = study_bite(run, q);
-  add_study(run, study);
-  const BiteSpring spring = bite_spring(study);
-  if (first) {
+  const BiteKeys keys   = keys_of_bite(run, p);
+  add_study(run, study, keys);
+  const BiteSpring spring = bite_spring(study, keys);
+  if (p == 0) {
     add_bite_spring(run, spring);
     if (curves)
       write_bite_curves(run, study);
@@ -217,8 +219,9 @@ void solve_bite_case(RunContext &run, const BiteCase &spec)
     q.curves     = p == 0;
     add_measured(q, spec.passes[p]);
     const BiteStudy study = study_bite(run, q);
-    add_study(run, study);
-    const BiteSpring spring = bite_spring(study);
+    const BiteKeys keys   = keys_of_bite(run, p);
+    add_study(run, study, keys);
+    const BiteSpring spring = bite_spring(study, keys);
     if (p == 0) {
       add_bite_spring(run, spring);
       write_bite_curves(run, study);

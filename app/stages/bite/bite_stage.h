@@ -22,10 +22,10 @@ std::optional<Warning> bite_without_theory(const bite::RollBite &bite, const Bit
 
 /// K4 of one pass of a stand, by the model of [bite]; its combined stiffness (plastic slope in series with both
 /// arcs) is that of the chain.
-/// @param first   true: add K4.* to the results
-/// @param curves  and write its curves, where that
-/// @param force  N, recorded, for comparison with the computed one
-BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const Pass &pass, double force, bool first,
+/// @param pass    its place in the case; of the first one K4.* are results
+/// @param curves  of the first one: write its curves
+/// @param force   N, recorded, for comparison with the computed one
+BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, std::size_t pass, double force,
                              bool curves = true);
 
 /// kind = "bite": every pass, K4 of the first.

@@ -96,6 +96,7 @@ Parameter plain(const StripFit &fit, const std::string &unit, const double value
   p.value  = value;
   p.method = method;
   p.at     = data_text(fit.answer);
+  p.inputs = fit.inputs;
   return p;
 }
 

@@ -3,6 +3,7 @@
 #include "app/stages/bite/bite_study.h"
 #include "app/stages/bite/fit_results.h"
 #include "core/base/errors.h"
+#include "core/case/bite_inputs.h"
 #include "core/model/bite_case.h"
 #include "core/model/four_high.h"
 #include "reduce/bite/fit/fit_to_model.h"
@@ -140,6 +141,7 @@ StripFit solved_fit(RunContext &run, const FitQuestion &question)
   StageTimer timer(run, "fit of friction and flow stress");
   StripFit fit;
   fit.question = question;
+  fit.inputs   = bite_keys(*run.keys, 0);
   fit.slab     = bite::identify(fit_problem(question), one_number_only(question.setup));
   fit.answer   = fit.slab;
   if (!is_the_slab(question.setup))

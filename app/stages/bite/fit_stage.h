@@ -3,6 +3,7 @@
 #include "core/model/bite_setup.h"
 #include "core/model/pass.h"
 #include "core/model/strip.h"
+#include "core/records/key_list.h"
 #include "reduce/bite/fit/identify.h"
 #include <vector>
 
@@ -35,6 +36,7 @@ struct StripFit {
   std::vector<std::string> models;  ///< of the run, by pass; empty: the slab itself
   std::string uncorrected;          ///< why the model of the run was not used; empty: it was used
   Strip strip;                      ///< fitted
+  KeyList inputs;                   ///< keys behind all of it
 };
 
 /// Friction and flow stress of [strip] by bite.fit, with results bite.fit.* and sentences on what the data do not

@@ -6,7 +6,6 @@
 #include "core/base/errors.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
-#include "core/records/rows_of_bite.h"
 #include "reduce/bite/schedule/large_flattening.h"
 #include <algorithm>
 #include <cmath>
@@ -15,13 +14,6 @@
 
 namespace mill {
 namespace {
-bool is_of_bite(const std::string &name, const std::string &pass)
-{
-  const auto id = result_id(name);
-  return id && pass == id->place("pass") &&
-         (id->is_of(row::bite::all) || id->is_of(row::bite_model::all) || id->is_of(row::bite_slope::all));
-}
-
 bite::Theory closed_theory(const bite::RollBite &bite)
 {
   return slides(bite.strip.friction) ? bite::Theory::bland_ford : bite::Theory::hu_ehmann;
@@ -112,12 +104,9 @@ void study_pass(RunContext &run, const ScheduleQuestion &q, const std::size_t p,
   question.curves                 = false;
   try {
     const BiteStudy study = study_bite(run, question);
-    add_bite_results(run, study);
+    add_bite_results(run, study, [&](const BiteReading &) { return q.keys[p]; });
     note_bite(run, study);
     write_bite(run, study);
-    for (auto &[name, parameter] : run.results.values)
-      if (parameter.inputs.empty() && is_of_bite(name, force.name))
-        parameter.inputs = q.keys[p];
     add_models(force, study);
   } catch (const InputError &e) {
     run.warn(no_further_models(force.name, e.problems.front().message, ""));

@@ -1,7 +1,7 @@
 #pragma once
 #include "app/run/run_context.h"
-#include "core/case/provenance.h"
 #include "core/model/bite_setup.h"
+#include "core/records/key_list.h"
 #include "reduce/bite/schedule/schedule.h"
 #include <string>
 #include <vector>

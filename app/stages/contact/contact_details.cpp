@@ -1,6 +1,7 @@
 #include "app/stages/contact/contact_details.h"
 #include "app/run/curve_files.h"
 #include "app/stages/contact/contact_stage.h"
+#include "core/case/contact_inputs.h"
 #include "core/model/four_high.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
@@ -16,10 +17,12 @@ Warning of_contact(const WarningId id, const std::string &name, std::string fact
 }
 
 namespace {
-Parameter computed(const std::string &unit, const double value, const double error, const double load,
-                   const std::string &method)
+// @param inputs  keys behind it
+Parameter computed(const KeyList &inputs, const std::string &unit, const double value, const double error,
+                   const double load, const std::string &method)
 {
   Parameter p;
+  p.inputs         = inputs;
   p.value          = value;
   p.unit           = unit;
   p.method         = method;
@@ -28,13 +31,20 @@ Parameter computed(const std::string &unit, const double value, const double err
   return p;
 }
 
+// Keys behind a result at the load of the first pass.
+KeyList keys_of(const RunContext &run, const std::string &name,
+                const ContactReading reading = ContactReading::curve)
+{
+  return contact_keys(*run.keys, name, 0, reading);
+}
+
 // Length over which the rolls touch, and a word about it where it is not the whole barrel.
 void add_contact_length(RunContext &run, const ContactModel &m, const std::string &name, const double load)
 {
   const auto [touch, middle] = fem::contact_length(m, load);
   const double length = touch.value, whole = m.closed_form.length;
-  Parameter p =
-      computed("m", length, touch.error, load, "contact FEM, stations that carry load, held as in the stand");
+  Parameter p = computed(keys_of(run, name), "m", length, touch.error, load,
+                         "contact FEM, stations that carry load, held as in the stand");
   p.checks.push_back({"length over which the barrels face each other", whole, ""});
   run.results.add(row::contact::contact_length.of(name), p);
   if (!middle)
@@ -50,7 +60,7 @@ void add_contact_length(RunContext &run, const ContactModel &m, const std::strin
         "profile, tilt or bending keeps the rest open"));
 }
 
-void add_path_plateau(RunContext &run, const ContactModel &m, const std::string &K,
+void add_path_plateau(RunContext &run, const ContactModel &m, const std::string &name, const std::string &K,
                       const ContactSettings &settings, const double load)
 {
   const auto plateau = fem::plateau_at(m, load, settings.path_trim);
@@ -58,7 +68,7 @@ void add_path_plateau(RunContext &run, const ContactModel &m, const std::string 
     return;
   const auto &path = plateau->path;
   Parameter p =
-      computed("N/m", path.mean, plateau->error, load,
+      computed(keys_of(run, name, ContactReading::path), "N/m", path.mean, plateau->error, load,
                fmt::format("mean of nodal force (summed over the width) over nodal relative "
                            "displacement, {} stations of {:.1f} mm on average, {:.0f} % of the path left "
                            "out at each end",
@@ -77,7 +87,8 @@ void add_joint(RunContext &run, const ContactModel &m, const std::string &name, 
       "contact FEM, slope over the load fitted, frictionless, " + m.whole.reference + ", theory.md (2.14)";
   const auto add = [&](const RowOf<1> &made, const int row, const int column, const char *check,
                        const double reference) {
-    Parameter p = computed(made.unit, joint.value(row, column), joint.error(row, column), load, method);
+    Parameter p =
+        computed(keys_of(run, name), made.unit, joint.value(row, column), joint.error(row, column), load, method);
     p.checks.push_back({check, reference, "uniform load, no barrel ends"});
     p.checks.push_back({"mesh twice as coarse", joint.coarse(row, column), ""});
     run.results.add(made.of(name), p);
@@ -112,7 +123,7 @@ void add_friction(RunContext &run, const FourHigh &stand, const ContactModel &m,
   };
   const auto effect = fem::friction_at(m, settings.friction, load, steps, tangent, solved);
   Parameter p =
-      computed("N/m", effect.tangent, effect.error, load,
+      computed(keys_of(run, name, ContactReading::friction), "N/m", effect.tangent, effect.error, load,
                fmt::format("contact FEM, {}.tangent times {:.5f}, the tangent with Coulomb friction {:g} "
                            "over that without on the same mesh, loaded from zero in {} equal steps, "
                            "{:.0f} % of the touching nodes slip",
@@ -131,7 +142,8 @@ void add_one_sidedness(RunContext &run, const ContactModel &m, const std::string
   if (!sides)
     return;
   const auto add = [&](const RowOf<1> &row, const fem::Compared &number, const double reference) {
-    Parameter p = computed(row.unit, number.value, number.error, load, "contact FEM, held as in the stand");
+    Parameter p = computed(keys_of(run, name), row.unit, number.value, number.error, load,
+                           "contact FEM, held as in the stand");
     p.checks.push_back({"squeezed between mirrored contacts", reference, "another way of holding the rolls"});
     p.checks.push_back({"mesh twice as coarse", number.coarse, ""});
     run.results.add(row.of(name), p);
@@ -145,7 +157,7 @@ void add_largest_pressure(RunContext &run, const ContactModel &m, const FourHigh
 {
   const auto [pressure, mirrored] = fem::largest_pressure(m, load);
   const double peak               = pressure.value;
-  Parameter p                     = computed("Pa", peak, pressure.error, load,
+  Parameter p                     = computed(keys_of(run, name), "Pa", peak, pressure.error, load,
                                              "contact FEM, largest nodal pressure of the patch, held as in the stand; at a sharp end "
                                                                  "it grows with the mesh");
   p.checks.push_back({"squeezed between mirrored contacts", mirrored, "another way of holding the rolls"});
@@ -209,7 +221,7 @@ void add_contact_details(RunContext &run, const ContactModel &model, const std::
                          const double largest, const fem::Compared &tangent)
 {
   add_contact_length(run, model, name, load);
-  add_path_plateau(run, model, K, settings, load);
+  add_path_plateau(run, model, name, K, settings, load);
   add_joint(run, model, name, load, largest);
   if (!std::isnan(settings.friction)) {
     if (model.extent == fem::Extent::whole)

@@ -8,6 +8,7 @@
 #include "app/stages/contact/fourier_stage.h"
 #include "core/base/files.h"
 #include "core/base/force_text.h"
+#include "core/case/contact_inputs.h"
 #include "core/model/four_high.h"
 #include "core/process/parallel.h"
 #include "core/records/contact_name.h"
@@ -33,6 +34,13 @@ struct Study {
   std::string key;                  // of what is solved, in the cache
   bool kept = false;                // all of it was there
   std::vector<std::string> fields;  // VTU files of backup roll and work roll, once they are made
+};
+
+// The load of one pass.
+struct WorkingLoad {
+  std::string pass;  // empty: the first one
+  double force;      // N
+  KeyList inputs;    // keys behind the results at this load
 };
 
 }  // namespace
@@ -61,55 +69,53 @@ void add_check(Parameter &p, const std::string &who, const double value)
     p.checks.push_back({who, value, ""});
 }
 
-Parameter measured(const std::string &unit, const fem::Compared &number, const double load,
+Parameter measured(const std::string &unit, const fem::Compared &number, const WorkingLoad &load,
                    const std::string &reference)
 {
   Parameter p;
   p.value          = number.value;
   p.unit           = unit;
   p.method         = "contact FEM, " + reference;
-  p.at             = at_force(load);
+  p.at             = at_force(load.force);
   p.error_estimate = number.error;
+  p.inputs         = load.inputs;
   return p;
 }
 
 const char *const fourier_solver = "Fourier solver";
 const char *const coarse_mesh    = "mesh twice as coarse";
 
-void add_curvature(RunContext &run, const Study &s, const std::string &pass, const double F,
-                   const fem::StiffnessAtLoad &k)
+void add_curvature(RunContext &run, const Study &s, const WorkingLoad &load, const fem::StiffnessAtLoad &k)
 {
   if (std::isnan(k.curvature.value))
     return;
-  Parameter curvature = measured("N/m2", k.curvature, F, s.curves.mirrored.reference);
+  Parameter curvature = measured("N/m2", k.curvature, load, s.curves.mirrored.reference);
   curvature.checks.push_back({"Hertz line contact, K^3 A/(F L)", k.hertz_curvature, "no barrel ends"});
   add_check(curvature, coarse_mesh, k.curvature.coarse);
   add_check(curvature, fourier_solver, k.curvature.second);
-  run.results.add(row::roll_contact::curvature.of(pass, s.K), curvature);
+  run.results.add(row::roll_contact::curvature.of(load.pass, s.K), curvature);
 }
 
 // Tangent and secant with the rolls held as in the stand: by the same comparisons as those between mirrored
 // contacts, each for its own quantity.
-void add_held(RunContext &run, const Study &s, const std::string &pass, const double F,
-              const fem::StiffnessAtLoad &k)
+void add_held(RunContext &run, const Study &s, const WorkingLoad &load, const fem::StiffnessAtLoad &k)
 {
   const auto add = [&](const RowOf<2> &row, const fem::Compared &number, const fem::Compared &mirrored) {
-    Parameter h = measured("N/m", number, F, s.curves.in_stand.reference);
+    Parameter h = measured("N/m", number, load, s.curves.in_stand.reference);
     h.checks.push_back(
         {"rolls squeezed between mirrored contacts", mirrored.value, "another datum and no bending"});
     h.checks.push_back({coarse_mesh, number.coarse, ""});
     add_check(h, fourier_solver, number.second);
-    h.inputs.insert(h.inputs.end(), {"strip.width", "backup_roll.bearing_span"});
-    run.results.add(row.of(pass, s.K), h);
+    run.results.add(row.of(load.pass, s.K), h);
   };
   add(row::roll_contact::in_stand_tangent, k.in_stand_tangent, k.tangent);
   add(row::roll_contact::in_stand_secant, k.in_stand_secant, k.secant);
 }
 
-void warn_of_stiffness(RunContext &run, const Study &s, const std::string &pass, const double F,
-                       const fem::StiffnessAtLoad &k)
+void warn_of_stiffness(RunContext &run, const Study &s, const WorkingLoad &load, const fem::StiffnessAtLoad &k)
 {
-  const double effect = k.in_stand_tangent.value / k.tangent.value - 1;
+  const std::string &pass = load.pass;
+  const double effect     = k.in_stand_tangent.value / k.tangent.value - 1;
   const Warning warning{
       WarningId::contact_held,
       "",
@@ -126,16 +132,16 @@ void warn_of_stiffness(RunContext &run, const Study &s, const std::string &pass,
     run.assume(text_of(warning));
   if (k.open_at_middle)
     run.warn(of_contact(WarningId::contact_partly_open, s.name,
-                        fmt::format("at {} the rolls do not touch at mid-length", in_kN(F)), ""));
+                        fmt::format("at {} the rolls do not touch at mid-length", in_kN(load.force)), ""));
 }
 
 // K.tangent, K.secant and their values with the rolls held as in the stand, at one working load.
-std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const std::string &pass, const double F,
+std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const WorkingLoad &load,
                                        const fem::StiffnessAtLoad &k)
 {
   const std::string held_note = "bending, strip width, backup roll balanced by shear";
-  Parameter tangent           = measured("N/m", k.tangent, F, s.curves.mirrored.reference);
-  Parameter secant            = measured("N/m", k.secant, F, s.curves.mirrored.reference);
+  Parameter tangent           = measured("N/m", k.tangent, load, s.curves.mirrored.reference);
+  Parameter secant            = measured("N/m", k.secant, load, s.curves.mirrored.reference);
   tangent.checks.push_back({"Hertz line contact, infinitely long (3.5b)", k.hertz.tangent, "no barrel ends"});
   tangent.checks.push_back({"active set of this one load (2.8)", k.exact, "steps as nodes come into contact"});
   tangent.checks.push_back({coarse_mesh, k.tangent.coarse, ""});
@@ -150,11 +156,11 @@ std::array<Parameter, 2> add_stiffness(RunContext &run, const Study &s, const st
   secant.checks.push_back(check(CheckId::held_as_in_stand, k.in_stand_secant.value, held_note));
   add_check(tangent, fourier_solver, k.tangent.second);
   add_check(secant, fourier_solver, k.secant.second);
-  run.results.add(row::roll_contact::tangent.of(pass, s.K), tangent);
-  run.results.add(row::roll_contact::secant.of(pass, s.K), secant);
-  add_curvature(run, s, pass, F, k);
-  add_held(run, s, pass, F, k);
-  warn_of_stiffness(run, s, pass, F, k);
+  run.results.add(row::roll_contact::tangent.of(load.pass, s.K), tangent);
+  run.results.add(row::roll_contact::secant.of(load.pass, s.K), secant);
+  add_curvature(run, s, load, k);
+  add_held(run, s, load, k);
+  warn_of_stiffness(run, s, load, k);
   return {tangent, secant};
 }
 
@@ -178,12 +184,12 @@ void write_study_fields(RunContext &run, Study &s, const FourHigh &stand, const 
 }
 
 // Half width, peak pressure and approach at mid-length, and the files of one working load.
-void add_section(RunContext &run, Study &s, const FourHigh &stand, const double F)
+void add_section(RunContext &run, Study &s, const FourHigh &stand, const WorkingLoad &load)
 {
-  const auto section = fem::section_at(*s.model, s.curves, F);
+  const auto section = fem::section_at(*s.model, s.curves, load.force);
   const auto add     = [&](const RowOf<1> &row, const fem::Compared &number, const double closed,
                        const std::string &reference) {
-    Parameter p = measured(row.unit, number, F, reference);
+    Parameter p = measured(row.unit, number, load, reference);
     p.checks.push_back({"Hertz line contact", closed, ""});
     p.checks.push_back({coarse_mesh, number.coarse, ""});
     add_check(p, fourier_solver, number.second);
@@ -354,16 +360,20 @@ SolvedContact report_study(RunContext &run, const FourHigh &stand, Study &s, con
   for (const double load : loads)
     require_resolved(run, *s.model, name, settings, load);
   SolvedContact out;
-  out.curve = s.curves.mirrored;
+  out.curve          = s.curves.mirrored;
+  const auto working = [&](const std::size_t p) {
+    return WorkingLoad{p == 0 ? "" : stand.passes[p].name, loads[p],
+                       contact_keys(*run.keys, name, p, ContactReading::curve)};
+  };
   std::vector<fem::Compared> tangents;
   for (std::size_t p = 0; p < loads.size(); ++p) {
     const auto k                 = fem::stiffness_at(*s.model, s.curves, loads[p]);
-    const auto [tangent, secant] = add_stiffness(run, s, p == 0 ? "" : stand.passes[p].name, loads[p], k);
+    const auto [tangent, secant] = add_stiffness(run, s, working(p), k);
     tangents.push_back(k.tangent);
     out.tangent.push_back(tangent);
     out.secant.push_back(secant);
   }
-  add_section(run, s, stand, loads[0]);
+  add_section(run, s, stand, working(0));
   add_contact_details(run, *s.model, name, K, stand, settings, loads[0], range[range.size() - 1], tangents[0]);
   write_curve(run, curve::contact, name, curve_table(s.curves.mirrored, "N", "N/m"));
   write_curve(run, curve::contact_in_stand, name, curve_table(s.curves.in_stand, "N", "N/m"));

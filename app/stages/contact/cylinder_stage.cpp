@@ -5,6 +5,7 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/contact/half_plane_stage.h"
 #include "app/stages/contact/space_stage.h"
+#include "core/case/contact_inputs.h"
 #include "core/records/rows_of_contact.h"
 #include "fem/contact/half_plane_numbers.h"
 #include "fem/contact/two_bodies.h"
@@ -133,7 +134,8 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
   const LineValues error   = contact::line_errors(a.value, a.second, c.at, a.exact);
   const bool by_elements   = engine != PlaneEngine::half_planes;
   const LineValues other   = by_elements ? contact::half_plane_values(spec, c.at, true) : LineValues{};
-  const auto scalar        = [&](const RowOf<0> &row, double LineValues::*member, std::vector<Check> checks) {
+  const auto scalar        = [&](const RowOf<0> &row, double LineValues::*member, std::vector<Check> checks,
+                          const BodyReading reading = BodyReading::pressed) {
     Parameter s;
     s.value          = a.value.*member;
     s.unit           = row.unit;
@@ -141,6 +143,7 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
     s.at             = {"{}", {{c.at, "N/mm"}}};
     s.error_estimate = error.*member;
     s.checks         = std::move(checks);
+    s.inputs         = cylinder_keys(*run.keys, reading);
     if (by_elements)
       s.checks.push_back({"half planes, boundary elements (sec. 33.2)", other.*member, ""});
     s.checks.push_back({a.coarser, a.second.*member, ""});
@@ -153,7 +156,7 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
   std::vector<Check> slopes{{johnson + std::string("(3.5b)"), closed.tangent, ""}};
   if (std::isfinite(a.exact))
     slopes.push_back({"active set of this one load (2.8)", a.exact, "steps as nodes come into contact"});
-  scalar(row::line::tangent, &LineValues::tangent, std::move(slopes));
+  scalar(row::line::tangent, &LineValues::tangent, std::move(slopes), BodyReading::slope);
   std::vector<Check> secants{check(CheckId::johnson_secant, closed.secant)};
   if (const auto steel = one_steel(spec))
     secants.push_back({"Foeppl (3.8)", reduce::secant_laws(*steel, c.at).foeppl, "another datum"});

@@ -2,6 +2,7 @@
 #include "app/run/kept_part.h"
 #include "app/stages/contact/contact_stage.h"
 #include "core/base/files.h"
+#include "core/case/contact_inputs.h"
 #include "core/model/four_high.h"
 #include "core/records/contact_name.h"
 #include "core/records/record_text.h"
@@ -136,6 +137,7 @@ void add_line_load_spread(RunContext &run, const std::string &name, const double
   p.method = "largest difference of the line load between the two engines over the largest line load, held as in "
              "the stand, nine half widths at each end of the contact left out";
   p.at     = at_force(load);
+  p.inputs = contact_keys(*run.keys, name, 0, ContactReading::curve);
   p.checks.push_back({"two engines that agree", 0, "meshes, elements and treatment of the contact differ"});
   run.results.add(row::contact::line_load_spread.of(name), p);
 }

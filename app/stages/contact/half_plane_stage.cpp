@@ -1,5 +1,6 @@
 #include "app/stages/contact/half_plane_stage.h"
 #include "app/run/curve_files.h"
+#include "core/case/contact_inputs.h"
 #include "core/records/rows_of_contact.h"
 #include "fem/contact/half_plane_numbers.h"
 #include <cmath>
@@ -16,6 +17,7 @@ void add_slip(RunContext &run, const TwoCylinders &pair, const contact::LineSlip
     p.method = "half planes with stick and slip (sec. 33.4), displacements with the datum of the normal approach";
     p.at     = {"{}, {} across", {{pair.contact.at, "N/mm"}, {pair.contact.tangential_load, "N/mm"}}};
     p.error_estimate = s.error.*member;
+    p.inputs         = cylinder_keys(*run.keys, BodyReading::slip);
     p.checks         = {{form, s.closed.*member, s.coupled ? "equal materials: pressure and shear apart" : ""},
                         {"strips twice as wide", s.coarse.*member, ""}};
     run.results.add(row.of(), p);

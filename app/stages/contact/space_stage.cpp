@@ -1,6 +1,7 @@
 #include "app/stages/contact/space_stage.h"
 #include "app/run/curve_files.h"
 #include "app/stages/contact/contact_files.h"
+#include "core/case/contact_inputs.h"
 #include "core/records/rows_of_contact.h"
 #include "fem/contact/space_numbers.h"
 #include "fem/roll/contact_study.h"
@@ -42,6 +43,7 @@ void add_pressed(RunContext &run, const RowOf<0> &row, const double load, const 
   Parameter p;
   p.method = "half spaces, boundary elements (sec. 33.3), between points far from the contact";
   p.at     = {"{}", {{load, "N"}}};
+  p.inputs = cylinder_keys(*run.keys, BodyReading::pressed);
   add(run, row, p, number, std::move(checks), "grid twice as coarse");
 }
 
@@ -162,6 +164,7 @@ void solve_slip(RunContext &run, const TwoCylinders &pair, const SpaceNumbers &p
     p.method = "half spaces with stick and slip (sec. 33.4), between points far from the contact";
     p.at     = {std::string("{}, {} ") + word_of(c.tangential_direction) + " the axes",
                 {{c.at, "N"}, {c.tangential_load, "N"}}};
+    p.inputs = cylinder_keys(*run.keys, BodyReading::slip);
     add(run, row, p, number, std::move(checks), "coarser grid");
   };
   put(row::space::stick_half_width, s.stick,

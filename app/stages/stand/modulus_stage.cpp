@@ -3,6 +3,7 @@
 #include "app/stages/contact/contact_model.h"
 #include "app/stages/stand/gauge_results.h"
 #include "app/stages/stand/mode_results.h"
+#include "core/case/modulus_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/numerics/difference.h"

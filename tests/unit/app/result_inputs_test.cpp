@@ -1,4 +1,3 @@
-#include "app/run/result_inputs.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace.h"
 #include "core/case/moving_keys.h"
@@ -7,21 +6,11 @@
 #include "tests/support/changed_rows.h"
 #include <gtest/gtest.h>
 
-// A run and a trace read the same lists: what a run writes as inputs of a spring are those of the closed-form
-// model.
+// The lists that a run states and a trace follows.
 namespace {
 using namespace mill;
 
 const std::string demo = "cases/four-high-1400.toml";
-
-KeyList inputs_in_a_run(const Case &the_case, const std::string &result)
-{
-  Results results;
-  results.append({{result, Parameter()}});
-  MovingKeys keys(the_case.spec);
-  set_inputs(results, the_case, keys);
-  return results.find(result)->inputs;
-}
 
 bool traced(const std::vector<std::string> &sets, const std::string &key, const std::string &result)
 {
@@ -33,49 +22,34 @@ bool traced(const std::vector<std::string> &sets, const std::string &key, const 
 }
 }  // namespace
 
-TEST(ResultInputs, InputsOfARunAreThoseOfATrace)
-{
-  const Case the_case = read_case(demo);
-  ClosedFormMemory memory;
-  const auto closed = closed_form_chain(the_case, memory);
-  for (const auto &[run, name] : {std::pair("K3.tangent", "K3"), std::pair("K5.in_stand_secant", "K5"),
-                                  std::pair("pass 2.K3.tangent", "pass 2.K3"), std::pair("Kzc1.tangent", "Kzc1"),
-                                  std::pair("Kzc3.secant", "Kzc3"), std::pair("K4.combined", "K4"),
-                                  std::pair("bite.pass 2.force", "pass 2.K4")})
-    EXPECT_EQ(inputs_in_a_run(the_case, run), find(closed, name)->parameter.inputs) << run;
-}
-
 TEST(ResultInputs, ProfilesTiltAndOilAreInputsOfTheirSprings)
 {
   struct Wanted {
     std::vector<std::string> sets;
-    std::string key, result, run;
+    std::string key, result;
   };
   const std::string table = R"(=[["-700 mm", "0 um"], ["0 mm", "30 um"], ["700 mm", "0 um"]])";
   const std::string film  = R"(strip.friction={law = "film", mu0 = 0.012, mu1 = 0.142, decay = "2.43 1/um", )"
                             R"(viscosity = "0.005 Pa s", pressure_viscosity = "2e-8 1/Pa"})";
   const std::vector<std::string> oiled{film, "pass.0.speed=2 m/s", "pass.1.speed=2 m/s"};
   const std::vector<Wanted> all{
-      {{"backup_roll.crown_table" + table}, "backup_roll.crown_table", "K3", "K3.tangent"},
-      {{"work_roll.thermal_crown_table" + table}, "work_roll.thermal_crown_table", "K5", "K5.tangent"},
-      {{"contact.upper.tilt=0.02 mrad"}, "contact.upper.tilt", "K3", "K3.tangent"},
+      {{"backup_roll.crown_table" + table}, "backup_roll.crown_table", "K3"},
+      {{"work_roll.thermal_crown_table" + table}, "work_roll.thermal_crown_table", "K5"},
+      {{"contact.upper.tilt=0.02 mrad"}, "contact.upper.tilt", "K3"},
       {{"work_roll.end_chamfer_length=50 mm", "work_roll.end_chamfer_depth=20 um"},
        "work_roll.end_chamfer_depth",
-       "K3",
-       "K3.secant"},
-      {{"work_roll.axial_shift=100 mm"}, "work_roll.axial_shift", "K5", "K5.tangent"},
-      {{R"(strip.friction={law = "coulomb", coefficient = 0.2})"},
-       "strip.friction.coefficient",
-       "K4",
-       "K4.combined"},
-      {oiled, "strip.friction.viscosity", "K4", "K4.combined"},
-      {oiled, "strip.friction.mu1", "K4", "K4.combined"},
+       "K3"},
+      {{"work_roll.axial_shift=100 mm"}, "work_roll.axial_shift", "K5"},
+      {{R"(strip.friction={law = "coulomb", coefficient = 0.2})"}, "strip.friction.coefficient", "K4"},
+      {oiled, "strip.friction.viscosity", "K4"},
+      {oiled, "strip.friction.mu1", "K4"},
   };
   for (const Wanted &w : all) {
     SCOPED_TRACE(w.key);
     Case the_case;
     ASSERT_NO_THROW(the_case = read_case(demo, w.sets)) << "as millstand check reads it";
-    EXPECT_TRUE(holds(inputs_in_a_run(the_case, w.run), w.key));
+    MovingKeys keys(the_case.spec);
+    EXPECT_TRUE(holds(spring_keys(keys, *spring_named(w.result), 0), w.key));
     EXPECT_TRUE(traced(w.sets, w.key, w.result));
   }
 }
@@ -83,12 +57,12 @@ TEST(ResultInputs, ProfilesTiltAndOilAreInputsOfTheirSprings)
 TEST(ResultInputs, KeysOfOneSideAreNotInputsOfTheOther)
 {
   const Case the_case = read_case(demo);
-  EXPECT_FALSE(holds(inputs_in_a_run(the_case, "K3.tangent"), "contact.lower.tilt"));
   MovingKeys keys(the_case.spec);
+  EXPECT_FALSE(holds(contact_keys(keys, "upper", 0), "contact.lower.tilt"));
   EXPECT_FALSE(holds(response_keys(keys, 0), "pass.1.force"));
   EXPECT_TRUE(holds(response_keys(keys, 1), "pass.1.force"));
-  EXPECT_TRUE(holds(inputs_in_a_run(the_case, "K3.friction_tangent"), "contact.upper.friction"));
-  EXPECT_FALSE(holds(inputs_in_a_run(the_case, "K3.tangent"), "contact.upper.friction"));
+  EXPECT_TRUE(holds(contact_keys(keys, "upper", 0, ContactReading::friction), "contact.upper.friction"));
+  EXPECT_FALSE(holds(contact_keys(keys, "upper", 0), "contact.upper.friction"));
   const Trace t = trace({demo, "contact.upper.friction", {}, "no such folder"});
   EXPECT_EQ(t.only_in_a_run, std::vector<std::string>{"K3.friction_tangent"});
 }

@@ -83,7 +83,7 @@ TEST(MovingKeys, SteelDoesNotMoveABodyWithItsOwn)
 {
   const auto list = [](const std::vector<std::string> &sets) {
     MovingKeys keys(read_case("cases/two-cylinders.toml", sets).spec);
-    return cylinder_keys(keys, "contact.line.secant");
+    return cylinder_keys(keys, BodyReading::pressed);
   };
   EXPECT_TRUE(holds(list({"upper.youngs_modulus=200 GPa"}), "steel.youngs_modulus"));
   const std::vector<std::string> both{"upper.youngs_modulus=200 GPa", "lower.youngs_modulus=200 GPa"};

@@ -10,6 +10,7 @@
 #include "core/base/units.h"
 #include "core/records/record_text.h"
 #include "tests/support/changed_rows.h"
+#include "tests/support/run_results.h"
 #include "tests/support/short_records.h"
 #include <cmath>
 #include <filesystem>
@@ -311,4 +312,40 @@ TEST(Provenance, ResultsOfBitesByEveryLawStateTheirInputs)
                         "bite.arc=hitchcock", "bite.strip=rigid-plastic", "strip.initial_thickness=0.3 mm"}},
                       {{"strip.friction", "strip.friction.shear_limit"}, {}});
     }
+}
+
+TEST(Provenance, ARunStatesTheListsThatATraceFollows)
+{
+  const std::vector<std::string> coarse{"contact.upper.elements_per_half_width=2",
+                                        "contact.lower.elements_per_half_width=2",
+                                        "contact.upper.samples=7",
+                                        "contact.lower.samples=7",
+                                        "bite.method=slab",
+                                        "bite.arc=rigid",
+                                        "bearing.trb.roller_law=iso",
+                                        "bearing.trb.rings=rigid"};
+  const std::vector<BaseCase> bases{{"cases/four-high-1400.toml", coarse},
+                                    {"cases/elliptic-contact.toml", {}},
+                                    {"cases/bearing-266.toml", {"model.roller_law=iso", "model.rings=rigid"}},
+                                    {"cases/oil-film.toml", {}},
+                                    {"cases/cold-fit.toml", {}}};
+  for (const BaseCase &base : bases) {
+    SCOPED_TRACE(base.file);
+    std::string sets;
+    for (const std::string &set : base.sets)
+      sets += " --set " + set;
+    const auto outcome =
+        millstand("stiffness " + base.file + " -q -o " + scratch("lists") + " --cache " + shared_cache() + sets);
+    ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+    const auto values = results_of("lists").at("values");
+    ClosedFormMemory memory;
+    int n_compared = 0;
+    for (const ClosedFormResult &r : closed_form_chain(read(base), memory))
+      for (const char *ending : {"", ".tangent", ".combined"})
+        if (const auto made = values.find(r.name + ending); made != values.end()) {
+          EXPECT_EQ(made->at("inputs").get<KeyList>(), r.parameter.inputs) << r.name << ending;
+          ++n_compared;
+        }
+    EXPECT_GE(n_compared, 2);
+  }
 }
