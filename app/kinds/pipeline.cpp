@@ -21,7 +21,6 @@
 #include "app/stages/stand/model_stage.h"
 #include "app/stages/stand/modulus_stage.h"
 #include "core/base/name_part.h"
-#include "core/base/text.h"
 #include "core/case/chain_curves.h"
 #include "core/case/given_instead.h"
 #include "core/case/lumped_model_toml.h"
@@ -37,7 +36,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
-#include <iterator>
 #include <map>
 #include <memory>
 #include <stdexcept>
@@ -49,16 +47,11 @@ namespace {
 // The result of a number of the chain by its name in the model: "M1", "C", "Kzc1_across".
 ResultName chain_result(const std::string &pass, const std::string &number)
 {
-  std::vector<const RowOf<1> *> rows{&row::chain::C};
-  rows.insert(rows.end(), std::begin(row::chain::M), std::end(row::chain::M));
-  rows.insert(rows.end(), std::begin(row::chain::K), std::end(row::chain::K));
-  for (const RowOf<1> *row : rows)
-    if (row->of("").text() == number)
-      return row->of(pass);
-  const std::string across = "_across";
-  return text_ends_with(number, across)
-             ? row::chain::Kzc_across.of(pass, number.substr(0, number.size() - across.size()))
-             : row::chain::Kzc.of(pass, number);
+  const ResultId id = result_id(number).value();
+  std::vector<std::string> parts{pass};
+  for (const auto &[place, part] : id.places)  // the seat of a bearing
+    parts.push_back(part);
+  return {*id.row, parts};
 }
 }  // namespace
 

@@ -77,8 +77,7 @@ bool may_give(const Case &the_case, const Work &work, const std::vector<std::str
   // Chatter of a stand is asked for by its names; without names modes are enough.
   const bool of_chatter = std::any_of(names.begin(), names.end(), [](const std::string &name) {
     const auto id = result_id_or_open(name);
-    return (id && (id->is_of(row::chatter::all) || id->is_of(row::open::chatter))) ||
-           name.rfind("critical_speed", 0) == 0;  // of the closed forms
+    return id && (id->is_of(row::chatter::all) || id->is_of(row::open::chatter));
   });
   if (work.goal == Goal::chatter)
     return of_chatter;

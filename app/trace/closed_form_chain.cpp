@@ -10,7 +10,6 @@
 #include "app/trace/closed_form_stand.h"
 #include "core/base/force_text.h"
 #include "core/base/require.h"
-#include "core/base/text.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
@@ -46,6 +45,15 @@ ClosedFormResult given_result(const std::string &name, const Parameter &paramete
   return r;
 }
 
+// @param prefix  "pass 2." of a later pass, whose table has the symbol; empty for the first
+void put_in_pass(ClosedFormResult &r, const std::string &prefix)
+{
+  if (prefix.empty())
+    return;
+  r.symbol = r.name;
+  r.name   = prefix + r.name;
+}
+
 // Names of the chain's numbers with the prefix of a pass.
 std::vector<std::string> with_prefix(std::vector<std::string> parts, const std::string &prefix)
 {
@@ -57,7 +65,8 @@ std::vector<std::string> with_prefix(std::vector<std::string> parts, const std::
 // M1, K7, not the bearings that hold the rolls along the pass line, nor a damper.
 bool of_the_chain(const std::string &name)
 {
-  return name.size() == 2 && (name[0] == 'M' || name[0] == 'K');
+  const auto number = choice_named<ChainNumber>(name);
+  return number && *number <= ChainNumber::K7;
 }
 
 // @param named  state whose names the results have
@@ -167,23 +176,23 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
 // A bearing that is given is known along its load only.
 bool is_across_given_bearing(const std::string &name, const GivenValues &given)
 {
-  return text_ends_with(name, "_across") && is_given(given, name.substr(0, 4));
+  const auto spring = spring_named(name);
+  return spring && spring->across && is_given(given, word_of(spring->number));
 }
 
 // Both bearings of a backup roll are twice the given one.
 void follow_given_bearing(ClosedFormResult &r, const FourHigh &stand)
 {
-  const std::string seat = r.name == word_of(ChainNumber::K_Zy)         ? "Kzc1"
-                           : r.name == word_of(ChainNumber::K_Zy_lower) ? "Kzc4"
-                                                                        : r.name.substr(0, 4);
-  if (seat == r.name || !is_bearing(seat) || !is_given(stand.given, seat))
+  const auto number = choice_named<ChainNumber>(r.name);
+  if (number != ChainNumber::K_Zy && number != ChainNumber::K_Zy_lower)
     return;
-  if (r.name.substr(0, 4) == word_of(ChainNumber::K_Zy)) {
-    const std::string name = r.name;
-    r                      = given_result(seat, stand.given.at(seat).parameter);
-    r.name                 = name;
-    r.parameter.value *= 2;
-  }
+  const std::string seat = word_of(number == ChainNumber::K_Zy ? ChainNumber::Kzc1 : ChainNumber::Kzc4);
+  if (!is_given(stand.given, seat))
+    return;
+  const std::string name = r.name;
+  r                      = given_result(seat, stand.given.at(seat).parameter);
+  r.name                 = name;
+  r.parameter.value *= 2;
 }
 
 // Springs that finite elements would give, in closed form or given.
@@ -213,7 +222,7 @@ void add_springs(ClosedFormResults &all, const FourHigh &stand, const std::size_
       r.name                 = name;
       r.load                 = load;
     }
-    r.name = prefix + r.name;
+    put_in_pass(r, prefix);
     for (std::string &part : r.from)
       part = prefix + part;
     all.push_back(r);
@@ -303,7 +312,8 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
         r.from.push_back(prefix + part);
       all.push_back(r);
     }
-    all.back().name = prefix + name;
+    all.back().name = name;
+    put_in_pass(all.back(), prefix);
   };
   add("K_ZW", chain.K_ZW, closed_bending, bending);
   if (solid && !is_given(stand.given, "K_ZW"))
@@ -391,7 +401,7 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
   const auto keys = wanted_keys(memory, the_case.spec);
   reduce::each_number(
       [&](const std::string &name, const Parameter &number) {
-        if (of_the_chain(name) || (name.size() == 4 && name.rfind("Kzc", 0) == 0))
+        if (of_the_chain(name) || is_bearing(name))
           all.push_back(given_result(name, number));
       },
       model);

@@ -33,6 +33,7 @@ struct ClosedFormResult {
   std::string file;                ///< that computes it in a run, "reduce/chain/spring_chain"
   std::string equation;            ///< of docs/theory.md, "(4.1b)"
   std::string stands_for;          ///< what a run does instead of parameter.method; empty: the same
+  std::string symbol;              ///< of a spring or mass, where it is not its name: "K3" of "pass 2.K3"
 };
 
 /// K3 ("upper") or K5 ("lower"): Hertz line contact over the length on which the barrels face each other.  (3.5b)

@@ -129,6 +129,7 @@ void ClosedFormModulus::add_with_strip() const
     ClosedFormResult r =
         made(name_of(row::stand::K_bend), "N/m", factor(factors, name_of(row::stand::K_bend)) / bend,
              "Euler beam on its contact line", at);
+    r.symbol = "K_bend";
     if (stand.backup_roll.bending_model == BendingModel::solid)
       r.stands_for = "the work rolls by finite elements, backup_roll.bending_model = \"solid\"";
     add(std::move(r), {"K3", "K5"}, keys ? bent_work_roll_keys(*keys, false) : KeyList(),

@@ -157,16 +157,12 @@ void add_slopes(TraceLine &line, const Sides &s, const bool from_zero)
 
 // Springs and masses of later passes belong to a trace of a key of that pass only: "pass 2.K3" in addition to
 // "K3".
-bool is_of_later_pass(const Case &the_case, const ClosedFormResults &all, const std::string &result)
+bool is_of_later_pass(const ClosedFormResults &all, const ClosedFormResult &result)
 {
-  const auto &passes = all_passes(the_case);
-  for (std::size_t p = 1; p < passes.size(); ++p)
-    if (const std::string prefix = passes[p].name + "."; result.rfind(prefix, 0) == 0)
-      return find(all, result.substr(prefix.size())) != nullptr;
-  return false;
+  return !result.symbol.empty() && find(all, result.symbol);
 }
 
-void keep_reached(Trace &trace, const Case &the_case, std::vector<TraceLine> lines)
+void keep_reached(Trace &trace, std::vector<TraceLine> lines)
 {
   const std::string &key = trace.key.name;
   std::vector<std::string> reached;
@@ -183,7 +179,7 @@ void keep_reached(Trace &trace, const Case &the_case, std::vector<TraceLine> lin
     line.direct = line.through.empty() || holds(line.result.own_keys, key);
     reached.push_back(line.result.name);
     const bool own_pass = key.rfind("pass.", 0) == 0 && key.rfind("pass.0.", 0) != 0;
-    if (own_pass || !is_of_later_pass(the_case, trace.base, line.result.name))
+    if (own_pass || !is_of_later_pass(trace.base, line.result))
       trace.lines.push_back(std::move(line));
   }
 }
@@ -373,7 +369,7 @@ Trace trace(const TraceOptions &options, ClosedFormMemory &memory)
       for (TraceLine &line : lines)
         line.moves = holds(line.result.closed, key.name);
   }
-  keep_reached(trace, the_case, std::move(lines));
+  keep_reached(trace, std::move(lines));
   if (trace.lines.empty())
     trace.only_in_a_run = results_outside_the_chain(the_case, key.name);
   if (run) {

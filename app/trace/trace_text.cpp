@@ -63,20 +63,16 @@ std::string elasticity_text(const Trace &trace, const TraceLine &line)
   return slope_text(line.slope, trace.per);
 }
 
-// "pass 2.K3" -> "K3": springs and masses of the chain are one letter and what follows.
-std::string without_pass(const std::string &name)
+const std::string &short_name(const ClosedFormResult &r)
 {
-  const auto dot = name.rfind('.');
-  const bool spring_or_mass =
-      dot != std::string::npos && dot + 1 < name.size() && (name[dot + 1] == 'K' || name[dot + 1] == 'M');
-  return spring_or_mass ? name.substr(dot + 1) : name;
+  return r.symbol.empty() ? r.name : r.symbol;
 }
 
 std::string relation_text(const Trace &trace, const TraceLine &line)
 {
   std::vector<std::string> from;
   for (const std::string &part : line.through)
-    from.push_back(without_pass(part));
+    from.push_back(short_name(*find(trace.base, part)));
   if (line.direct && !from.empty())
     from.insert(from.begin(), trace.key.row.key);
   return line.result.relation + (from.empty() ? "" : ", from " + listed(from));
@@ -107,7 +103,7 @@ std::string stand_in_notes(const Trace &trace)
     const std::string method = r.parameter.method + ", for " + r.stands_for;
     const auto known =
         std::find_if(groups.begin(), groups.end(), [&](const auto &g) { return g.first == method; });
-    const std::string name = without_pass(r.name);
+    const std::string name = short_name(r);
     if (known == groups.end())
       groups.push_back({method, {name}});
     else if (std::find(known->second.begin(), known->second.end(), name) == known->second.end())

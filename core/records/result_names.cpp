@@ -15,12 +15,6 @@ std::string result_name(const std::vector<std::string> &parts)
   return name;
 }
 
-bool is_of(const std::string &name, const std::string &subject)
-{
-  return name.compare(0, subject.size(), subject) == 0 &&
-         (name.size() == subject.size() || name[subject.size()] == '.');
-}
-
 std::string spring_of_contact(const std::string &contact)
 {
   const auto name = choice_named<ContactName>(contact);

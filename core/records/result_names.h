@@ -28,10 +28,6 @@ constexpr const char *bite_fit = "fit";
 /// out.
 std::string result_name(const std::vector<std::string> &parts);
 
-/// "contact.upper.half_width" is of "contact" and of "contact.upper"; "K4" and "K4.secant" are of "K4".  Only lists
-/// of inputs ask; all else asks result_id().
-bool is_of(const std::string &name, const std::string &subject);
-
 /// The spring of the chain that a roll contact is: "upper" -> "K3", "lower" -> "K5", else "contact.<name>".
 std::string spring_of_contact(const std::string &contact);
 

@@ -9,10 +9,11 @@
 namespace mill::contact {
 /// A number by two grids.  The member that is one states its unit; NaN: it is not known.
 struct SpaceNumber {
-  double value  = not_given;
-  double coarse = not_given;  ///< of a grid twice as coarse
+  double value  = not_given;  ///< unit of the quantity
+  double coarse = not_given;  ///< the same unit, of a grid twice as coarse
   double error  = not_given;  ///< -, relative
-  double closed = not_given;  ///< of a closed form, which of a point contact is exact; NaN: none holds
+  double closed =
+      not_given;  ///< the same unit, of a closed form, which of a point contact is exact; NaN: none holds
 };
 
 /// How a contact is known in closed form.

@@ -22,11 +22,10 @@ double bite_error(const BiteStudy &study, double value, double coarse,
 bool agrees_with_force(const BiteStudy &study);
 bool is_fitted(const BiteStudy &study);
 
-/// m, thickness of the strip that leaves the stand, and under the rolls; the second is NaN where the chosen model
-/// does not tell them apart.
+/// Thickness of the strip.
 struct StripThickness {
-  double leaving;
-  double smallest;
+  double leaving;   ///< m, of the strip that leaves the stand
+  double smallest;  ///< m, under the rolls; NaN where the chosen model does not tell it from the former
 };
 StripThickness strip_thickness(const BiteStudy &study);
 
@@ -36,9 +35,9 @@ bool on_free_arc(const BiteStudy &study);
 
 /// The four quantities called K4 of the chosen answer, N/m; errors are relative, NaN: not known.
 struct SpringNumbers {
-  double plastic_slope_error;
-  double flattening_error;                  ///< the closed form against the section of the roll
-  double combined_error;                    ///< with that of the flattening in series
+  double plastic_slope_error;               ///< -, relative
+  double flattening_error;                  ///< -, the closed form against the section of the roll
+  double combined_error;                    ///< -, with that of the flattening in series
   std::optional<bite::PathStiffness> path;  ///< nodal forces over how far the roll deflects; none: a rigid roll,
                                             ///< or no finite elements
 };
