@@ -1,4 +1,5 @@
 #include "core/case/chain_inputs.h"
+#include "core/case/modulus_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/case/stand_rows.h"
