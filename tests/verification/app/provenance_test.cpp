@@ -9,6 +9,7 @@
 #include "core/base/files.h"
 #include "core/base/units.h"
 #include "core/records/record_text.h"
+#include "core/records/rows_of_stand.h"
 #include "tests/support/changed_rows.h"
 #include "tests/support/run_results.h"
 #include "tests/support/short_records.h"
@@ -334,18 +335,22 @@ TEST(Provenance, ARunStatesTheListsThatATraceFollows)
     std::string sets;
     for (const std::string &set : base.sets)
       sets += " --set " + set;
+    const std::string folder = "lists-" + read(base).name;
     const auto outcome =
-        millstand("stiffness " + base.file + " -q -o " + scratch("lists") + " --cache " + shared_cache() + sets);
+        millstand("stiffness " + base.file + " -q -o " + scratch(folder) + " --cache " + shared_cache() + sets);
     ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-    const auto values = results_of("lists").at("values");
+    const auto values = results_of(folder).at("values");
     ClosedFormMemory memory;
     int n_compared = 0;
-    for (const ClosedFormResult &r : closed_form_chain(read(base), memory))
+    for (const ClosedFormResult &r : closed_form_chain(read(base), memory)) {
+      if (r.name == row::stand::K_bend.of("").text())  // the trace bends beams, whose list has no key of a mesh
+        continue;
       for (const char *ending : {"", ".tangent", ".combined"})
         if (const auto made = values.find(r.name + ending); made != values.end()) {
           EXPECT_EQ(made->at("inputs").get<KeyList>(), r.parameter.inputs) << r.name << ending;
           ++n_compared;
         }
+    }
     EXPECT_GE(n_compared, 2);
   }
 }
