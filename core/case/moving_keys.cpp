@@ -1,5 +1,6 @@
 #include "core/case/moving_keys.h"
 #include "core/case/chain_curves.h"
+#include "core/case/estimates.h"
 #include "core/case/stand_rows.h"
 #include <algorithm>
 #include <cmath>
@@ -149,12 +150,30 @@ void add_motion(CaseRows &all, Stand &stand, const std::vector<Field<CampbellSet
     all.add(fmt::format("drive.order.{}", i), drive_order_rows(), stand.drive[i]);
 }
 
+// A measured mill modulus; it is not a row of the frame that follows it.
+void add_modulus(CaseRows &all, Frame &frame)
+{
+  if (std::isnan(frame.modulus))
+    return;
+  all.add(
+      "frame", estimate_rows(), frame,
+      [](const Frame &kept) {
+        return EstimateInput{true, kept.modulus, kept.modulus_error};
+      },
+      [](const EstimateInput &input, Frame &kept) {
+        kept.modulus       = input.modulus;
+        kept.modulus_error = input.modulus_tolerance;
+        return input.estimate;
+      });
+}
+
 void add_rows(CaseRows &all, FourHigh &stand)
 {
   all.add("steel", steel_rows(), stand.steel);
   add_rolls(all, stand);
   add_bearings(all, stand);
   all.add("frame", frame_rows(), stand.frame);
+  add_modulus(all, stand.frame);
   add_drawn(all, "housing", housing_rows(), stand.housing, {&MillHousing::thickness});
   add_drawn(all, "screwdown", screwdown_rows(), stand.screwdown,
             {&Screwdown::stroke, &Screwdown::piston_length, &Screwdown::screw_length, &Screwdown::nut_height,

@@ -134,3 +134,13 @@ TEST(MovingKeys, ADrawnPartOfTheFrameHasTheKeysOfItsDrawing)
   EXPECT_EQ(list("four-high-drawn", &Frame::oil_column_stiffness),
             (KeyList{"screwdown.piston_diameter", "screwdown.stroke", "screwdown.oil_modulus"}));
 }
+
+// A measured modulus is a key of its own, where there is one.
+TEST(MovingKeys, AFrameOnAMeasuredModulusHasItsKey)
+{
+  auto stand = std::get<FourHigh>(changed_demo().spec);
+  EXPECT_FALSE(holds(MovingKeys(stand).all(), "frame.modulus"));
+  stand.frame.modulus = 5e9;
+  MovingKeys keys(stand);
+  EXPECT_EQ(closure_keys(keys).front(), "frame.modulus");
+}
