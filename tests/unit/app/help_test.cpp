@@ -77,9 +77,10 @@ TEST(Help, ATermAResultAndAKeyAreExplained)
   EXPECT_EQ(help_of("K3").find("result KN"), std::string::npos) << "its name is there as such";
   EXPECT_NE(help_of("Kzc2.tilting").find("result Kzc2.tilting [N m/rad]\n"), std::string::npos)
       << help_of("Kzc2.tilting");
-  EXPECT_EQ(help_of("contact.upper.half_width"),
-            "result contact.upper.half_width [m]\n    Contact of the rolls in detail: upper contact (K3), half width "
-            "of the contact at\n    mid-length; theory 1.4\n");
+  EXPECT_EQ(
+      help_of("contact.upper.half_width"),
+      "result contact.upper.half_width [m]\n    Contact of the rolls in detail: upper contact (K3), half width "
+      "of the contact at\n    mid-length; theory 1.4\n");
   EXPECT_NE(help_of("contact.lower").find("result contact.lower.joint.yy [N/m]"), std::string::npos);
   EXPECT_EQ(help_of("finish.K3.tangent").rfind("result finish.K3.tangent [N/m]\n", 0), 0u);
   const std::string key = help_of("work_roll.barrel_diameter");
