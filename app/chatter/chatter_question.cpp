@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <memory>
 
 namespace mill {
 namespace {
@@ -118,10 +119,10 @@ ChatterQuestion chatter_question(const ChatterCase &spec, const std::size_t cond
   q.numbers    = numbers_of(spec);
   if (!keys)
     return q;
-  q.inputs = chatter_keys(*keys, condition, ChatterReading::all);
-  for (const ChatterReading reading :
-       {ChatterReading::bite, ChatterReading::slopes, ChatterReading::growth, ChatterReading::search})
-    q.narrower[reading] = chatter_keys(*keys, condition, reading);
+  q.inputs    = chatter_keys(*keys, condition, ChatterReading::all);
+  q.inputs_of = [keys, condition](const ChatterReading reading, const ResultRow &) {
+    return chatter_keys(*keys, condition, reading);
+  };
   for (std::size_t v = 0; v < q.variants.size(); ++v)
     q.variants[v].inputs = variant_keys(*keys, condition, v);
   return q;
@@ -176,20 +177,20 @@ StandQuestion chatter_question(const FourHigh &stand, const Pass &pass, const re
       {"beam", around(dynamics::structure_of(beam)), dynamics::modal_numbers(beam)},
       {"six-mass", around(chain_structure(chain.model, settings)),
        dynamics::chain_numbers(chain.model, settings)}};
-  q.structure  = fmt::format("modal damping {:g} %", 100 * stand.dynamics.modal_damping);
-  const auto p = std::size_t(std::find_if(stand.passes.begin(), stand.passes.end(),
-                                          [&](const Pass &one) { return one.name == pass.name; }) -
-                             stand.passes.begin());
-  MovingKeys keys(stand);
-  q.inputs = joined(stand_search_keys(keys, p), detailed_model_keys(keys),
-                    chain_mode_keys(keys, chain.model, settings, Half::upper),
-                    chain_mode_keys(keys, chain.model, settings, Half::lower));
-  BiteReading bite, slopes;
-  bite.speed                         = true;
-  slopes.by                          = BiteAnswers::compared;
-  slopes.whole_width                 = false;
-  q.narrower[ChatterReading::bite]   = bite_keys(keys, p, bite);
-  q.narrower[ChatterReading::slopes] = bite_keys(keys, p, slopes);
+  q.structure     = fmt::format("modal damping {:g} %", 100 * stand.dynamics.modal_damping);
+  const auto p    = std::size_t(std::find_if(stand.passes.begin(), stand.passes.end(),
+                                             [&](const Pass &one) { return one.name == pass.name; }) -
+                                stand.passes.begin());
+  const auto keys = std::make_shared<MovingKeys>(stand);
+  const KeyList vibrates =
+      joined(detailed_model_keys(*keys), chain_mode_keys(*keys, chain.model, settings, Half::upper),
+             chain_mode_keys(*keys, chain.model, settings, Half::lower));
+  q.inputs    = joined(stand_search_keys(*keys, p, ChatterReading::all), vibrates);
+  q.inputs_of = [keys, p, vibrates](const ChatterReading reading, const ResultRow &row) {
+    if (reading == ChatterReading::bite || reading == ChatterReading::slopes)
+      return pass_bite_keys(*keys, p, reading, row);
+    return joined(stand_search_keys(*keys, p, reading), vibrates);
+  };
   return asked;
 }
 }  // namespace mill

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <complex>
 #include <fmt/format.h>
+#include <functional>
 #include <variant>
 
 namespace mill {
@@ -40,17 +41,23 @@ double spread(const ChatterStudy &s, double dynamics::StandSpeed::*value)
   return widest > 1e-9 ? widest : not_given;
 }
 
-const KeyList &inputs_for(const ChatterQuestion &question, const ChatterReading reading)
+// The keys behind the result of a row.
+using InputsOf = std::function<KeyList(const ResultRow &)>;
+
+InputsOf inputs_for(const ChatterQuestion &question, const ChatterReading reading)
 {
-  const auto narrower = question.narrower.find(reading);
-  return narrower == question.narrower.end() ? question.inputs : narrower->second;
+  return [&question, reading](const ResultRow &row) {
+    return question.inputs_of ? question.inputs_of(reading, row) : question.inputs;
+  };
 }
 
-const KeyList &inputs_on(const ChatterQuestion &question, const std::string &variant)
+InputsOf inputs_on(const ChatterQuestion &question, const std::string &variant)
 {
   const auto named = std::find_if(question.variants.begin(), question.variants.end(),
                                   [&](const NamedStand &one) { return one.name == variant; });
-  return named == question.variants.end() || named->inputs.empty() ? question.inputs : named->inputs;
+  if (named == question.variants.end() || named->inputs.empty())
+    return inputs_for(question, ChatterReading::all);
+  return [&inputs = named->inputs](const ResultRow &) { return inputs; };
 }
 
 struct ChatterAdder {
@@ -58,7 +65,7 @@ struct ChatterAdder {
   const ChatterStudy &study;
   std::string method;
   OperatingPoint operating_point;
-  const KeyList &inputs;
+  InputsOf inputs;
   void operator()(const ResultName &name, const double value, const double error = not_given,
                   std::vector<Check> checks = {}) const
   {
@@ -71,7 +78,7 @@ struct ChatterAdder {
     p.at             = operating_point;
     p.error_estimate = error;
     p.checks         = std::move(checks);
-    p.inputs         = inputs;
+    p.inputs         = inputs(name.row());
     run.results.add(name, p);
   }
   void operator()(const RowOf<1> &row, const double value, const double error = not_given,
@@ -145,7 +152,8 @@ void add_searches(RunContext &run, const ChatterStudy &s, const std::string &gro
     const std::string scheme = schemes ? other.name : word_of(s.question.analysis.linearisation);
     const ChatterAdder add{
         run, s, "eigenvalues of stand, bite and strip; " + stand + ", " + scheme + " linearisation",
-        at_speed(other.found.speed), schemes ? s.question.inputs : inputs_on(s.question, other.name)};
+        at_speed(other.found.speed),
+        schemes ? inputs_for(s.question, ChatterReading::all) : inputs_on(s.question, other.name)};
     const std::string &name = s.question.condition.name;
     add(rows.critical_speed->of(name, other.name), other.found.speed);
     add(rows.frequency->of(name, other.name), other.found.frequency);
@@ -226,7 +234,8 @@ void add_stability(RunContext &run, const ChatterStudy &s)
     add_growth(run, s, critical.method);
   if (s.mode) {
     const ChatterAdder shape{run, s, "eigenvector of the least stable mode; " + system,
-                             at_speed(s.found.at ? s.found.speed : c.speed), s.question.inputs};
+                             at_speed(s.found.at ? s.found.speed : c.speed),
+                             inputs_for(s.question, ChatterReading::all)};
     shape(row::chatter::work_roll_ratio, s.mode->work_roll_ratio);
     shape(row::chatter::force_phase, s.mode->force_phase);
     shape(row::chatter::entry_tension_phase, s.mode->entry_tension_phase);
@@ -239,7 +248,7 @@ void add_stability(RunContext &run, const ChatterStudy &s)
   }
   if (s.run && s.cycle.settled && s.cycle.amplitude > 0) {
     const ChatterAdder cycle{run, s, "time simulation with the whole bite; " + system, at_speed(s.run_speed),
-                             s.question.inputs};
+                             inputs_for(s.question, ChatterReading::all)};
     cycle(row::chatter::limit_cycle_amplitude, s.cycle.amplitude);
     cycle(row::chatter::limit_cycle_frequency, s.cycle.frequency);
   }
@@ -255,10 +264,10 @@ void add_sensitivities(RunContext &run, const ChatterStudy &s)
   if (!s.sensitivities)
     return;
   const ChatterAdder working{run, s, "exact derivative d ln / d ln", at_speed(s.question.condition.speed),
-                             s.question.inputs};
+                             inputs_for(s.question, ChatterReading::all)};
   const ChatterAdder critical{run, s, "exact derivative d ln / d ln",
                               s.found.verdict == Verdict::crossing ? at_speed(s.found.speed) : OperatingPoint(),
-                              s.question.inputs};
+                              inputs_for(s.question, ChatterReading::all)};
   const std::string &name = s.question.condition.name;
   for (const ChatterSensitivity &one : s.sensitivities->inputs) {
     const auto halves = [&](double FiniteChange::*member) {

@@ -8,7 +8,7 @@
 #include "dynamics/chatter/run.h"
 #include "dynamics/chatter/sensitivity.h"
 #include "dynamics/chatter/speed.h"
-#include <map>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,6 +21,9 @@ struct NamedStand {
   std::vector<dynamics::StructureNumber> numbers = {};  ///< of its structure, for what moves the limit
   KeyList inputs = {};  ///< keys behind the results on it; empty: those of the question
 };
+
+/// The keys behind a result.
+using ChatterInputs = std::function<KeyList(ChatterReading reading, const ResultRow &row)>;
 
 /// What is asked of one working condition.
 struct ChatterQuestion {
@@ -38,8 +41,8 @@ struct ChatterQuestion {
   /// Models of the same stand.  With more than one the first, the most detailed one, becomes `stand` in
   /// study_chatter().
   std::vector<NamedStand> structures;
-  KeyList inputs;                              ///< keys behind the results
-  std::map<ChatterReading, KeyList> narrower;  ///< behind those that read less, where the case tells them apart
+  KeyList inputs;           ///< keys behind the results
+  ChatterInputs inputs_of;  ///< behind one that reads less; empty: all have those above
 };
 
 /// The search by another scheme or on another stand.

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <string_view>
 
 namespace mill {
 Strip with_laws_as_read(Strip strip)
@@ -128,9 +129,28 @@ BiteInputs inputs_of_bite(const CaseSpec &spec, const std::size_t p, const BiteR
   return inputs;
 }
 
-bool follows_width(const std::string &quantity)
+namespace {
+// Whether a unit has a symbol with its power as one of its parts: "N s/m" has "N", "s" and "m", "m2" only "m2".
+bool has_in_it(const std::string_view unit, const std::string_view symbol)
 {
-  return quantity.rfind("force", 0) == 0 || quantity == "torque" || quantity == "plastic_slope";
+  constexpr const char *between = " /()";
+  for (std::size_t begin = unit.find_first_not_of(between); begin != unit.npos;) {
+    const std::size_t end = std::min(unit.find_first_of(between, begin), unit.size());
+    if (unit.substr(begin, end - begin) == symbol)
+      return true;
+    begin = unit.find_first_not_of(between, end);
+  }
+  return false;
+}
+}  // namespace
+
+BiteReading reading_of(const ResultRow &row, const BiteAnswers by)
+{
+  BiteReading reading;
+  reading.by          = by;
+  reading.whole_width = has_in_it(row.unit, "N") || has_in_it(row.unit, "m2");  // m2: force per stress
+  reading.speed       = has_in_it(row.unit, "s");
+  return reading;
 }
 
 KeyList bite_keys(MovingKeys &keys, const std::size_t p, const BiteReading &reading)

@@ -4,6 +4,7 @@
 #include "core/model/bite_setup.h"
 #include "core/model/strip.h"
 #include "core/records/key_list.h"
+#include "core/records/result_row.h"
 #include <string>
 #include <vector>
 
@@ -96,6 +97,7 @@ BiteInputs inputs_of_bite(const CaseSpec &spec, std::size_t pass, const BiteRead
 
 /// The bite of a pass of a stand or of kind "bite".
 KeyList bite_keys(MovingKeys &keys, std::size_t p, const BiteReading &reading = {});
-/// Whether a quantity of the bite is one of the whole width.
-bool follows_width(const std::string &quantity);
+/// What a result of the bite reads, from its unit: the width where it is a force of the whole strip, the speed of
+/// the rolls where the second is in it.
+BiteReading reading_of(const ResultRow &row, BiteAnswers by);
 }  // namespace mill

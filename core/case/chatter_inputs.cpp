@@ -2,6 +2,7 @@
 #include "core/case/bite_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
+#include "core/laws/friction_law.h"
 #include "core/records/record_text.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -49,18 +50,48 @@ KeyList variant_keys(MovingKeys &keys, const std::size_t condition, const std::s
   });
 }
 
-KeyList stand_search_keys(MovingKeys &keys, const std::size_t pass)
+namespace {
+// The bite of a pass as the search solves it: always by one slab theory with Hitchcock's arc, without a fit.
+std::string text_of_slab(const FourHigh &stand, const std::size_t pass, const ChatterReading reading,
+                         BiteReading slab)
+{
+  slab.by                     = BiteAnswers::compared;
+  slab.fitted                 = false;
+  BiteInputs inputs           = inputs_of_bite(stand, pass, slab);
+  inputs.arc                  = BiteArc::hitchcock;
+  inputs.strip.youngs_modulus = inputs.strip.poisson_ratio = not_given;
+  if (reading == ChatterReading::search)
+    inputs.speed = not_given;
+  else if (std::isnan(stand.passes[pass].speed) && (slab.speed || needs_speed(stand.strip.friction)))
+    return record_text(inputs, stand.analysis.speeds);  // the middle of the range is assumed
+  return record_text(inputs);
+}
+}  // namespace
+
+KeyList pass_bite_keys(MovingKeys &keys, const std::size_t pass, const ChatterReading reading,
+                       const ResultRow &row)
+{
+  const BiteReading slab = reading_of(row, BiteAnswers::compared);
+  const auto what        = fmt::format("slab bite {} {} {} {}", pass, int(reading), slab.whole_width, slab.speed);
+  return keys.of(what, [&](const CaseSpec &spec) {
+    const auto &stand = std::get<FourHigh>(spec);
+    return text_of_slab(stand, pass, reading, slab) +
+           (reading == ChatterReading::slopes ? record_text(stand.analysis.linearisation) : "");
+  });
+}
+
+KeyList stand_search_keys(MovingKeys &keys, const std::size_t pass, const ChatterReading reading)
 {
   BiteReading slab;
-  slab.by            = BiteAnswers::compared;
-  slab.fitted        = false;
-  const KeyList bite = bite_keys(keys, pass, slab);
-  return joined(bite, keys.of(fmt::format("search {}", pass), [&](const CaseSpec &spec) {
+  slab.speed = reading != ChatterReading::search;
+  return keys.of(fmt::format("search {} {}", pass, int(reading)), [&](const CaseSpec &spec) {
     const auto &stand = std::get<FourHigh>(spec);
-    return record_text(stand.passes[pass].speed, stand.strip.youngs_modulus, stand.span.entry_distance,
-                       stand.span.exit_distance, stand.analysis.linearisation, stand.analysis.speeds,
-                       stand.dynamics.modal_damping);
-  }));
+    std::string text  = text_of_slab(stand, pass, reading, slab);
+    if (reading != ChatterReading::growth)
+      text += record_text(stand.analysis.speeds);
+    return text + record_text(stand.strip.youngs_modulus, stand.span.entry_distance, stand.span.exit_distance,
+                              stand.analysis.linearisation, stand.dynamics.modal_damping);
+  });
 }
 
 ChatterStand completed(const ChatterVariant &variant, const ChatterStand &stand)

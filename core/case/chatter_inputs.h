@@ -1,6 +1,7 @@
 #pragma once
 #include "core/model/chatter.h"
 #include "core/records/key_list.h"
+#include "core/records/result_row.h"
 #include <cstddef>
 
 // What stands behind the results of a condition of kind chatter; as core/case/contact_inputs.h.
@@ -19,9 +20,14 @@ KeyList chatter_keys(MovingKeys &keys, std::size_t condition, ChatterReading rea
 /// @param variant  its place in the case
 KeyList variant_keys(MovingKeys &keys, std::size_t condition, std::size_t variant);
 
-/// The search on a pass of a four-high stand, but for the chain and its bearings: the bite by its slab theory, the
-/// strip between the stands and the settings of the search.
-KeyList stand_search_keys(MovingKeys &keys, std::size_t pass);
+/// The bite of a pass of a four-high stand by the slab theory of the search, or its derivatives.
+/// @param reading  bite or slopes;  @param row  of the result
+KeyList pass_bite_keys(MovingKeys &keys, std::size_t pass, ChatterReading reading, const ResultRow &row);
+
+/// The stability of a pass of a four-high stand, but for the chain and its bearings: the bite by its slab theory,
+/// the strip between the stands and the settings of the search.
+/// @param reading  growth, search or all
+KeyList stand_search_keys(MovingKeys &keys, std::size_t pass, ChatterReading reading);
 
 /// The stand that a variant describes: what it leaves open is that of [stand].
 ChatterStand completed(const ChatterVariant &variant, const ChatterStand &stand);

@@ -166,16 +166,6 @@ BiteKeys keys_of_bite(const RunContext &run, const std::size_t pass)
   return [keys = run.keys, pass](const BiteReading &reading) { return bite_keys(*keys, pass, reading); };
 }
 
-BiteReading reading_of(const ResultRow &row, const BiteAnswers by)
-{
-  const std::string name = row.name, quantity = name.substr(name.rfind('.') + 1);
-  BiteReading reading;
-  reading.by          = by;
-  reading.whole_width = follows_width(quantity);
-  reading.speed       = text_ends_with(quantity, "_speed");
-  return reading;
-}
-
 void add_bite_results(RunContext &run, const BiteStudy &s, const BiteKeys &keys)
 {
   const bite::BiteState &state = s.chosen().state;

@@ -9,8 +9,6 @@ namespace mill {
 using BiteKeys = std::function<KeyList(const BiteReading &reading)>;
 /// Those of a pass of the case.
 BiteKeys keys_of_bite(const RunContext &run, std::size_t pass);
-/// What a result of a bite reads.
-BiteReading reading_of(const ResultRow &row, BiteAnswers by);
 
 /// bite.<pass>.* of the chosen model and bite.<pass>.<model>.* of all.
 void add_bite_results(RunContext &run, const BiteStudy &study, const BiteKeys &keys);

@@ -31,8 +31,8 @@ bool holds_strip(const FourHigh &stand)
 KeyList keys_of_search(const FourHigh &stand, const std::size_t p, const reduce::LumpedStand &chain)
 {
   MovingKeys keys(stand);
-  return joined(stand_search_keys(keys, p), keys_of_models(keys, chain), chain.model.Kzc[1].inputs,
-                chain.model.Kzc[2].inputs);
+  return joined(stand_search_keys(keys, p, ChatterReading::all), keys_of_models(keys, chain),
+                chain.model.Kzc[1].inputs, chain.model.Kzc[2].inputs);
 }
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include "twin/live/compare/stored_object.h"
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 namespace mill {
 namespace {
@@ -72,17 +73,26 @@ void LiveAlarms::show_all()
 
 bool LiveAlarms::acknowledge(const std::int64_t id)
 {
-  live::PageAlarm alarm;
+  const std::lock_guard lock(lock_);
+  const auto shown = shown_.find(id);
+  if (shown == shown_.end())
+    return false;
+  shown->second.acknowledged = true;
+  acknowledged_.insert(id);
+  return true;
+}
+
+void LiveAlarms::publish_acknowledged()
+{
+  std::vector<live::PageAlarm> news;
   {
     const std::lock_guard lock(lock_);
-    const auto shown = shown_.find(id);
-    if (shown == shown_.end())
-      return false;
-    alarm = shown->second;
+    for (const std::int64_t id : std::exchange(acknowledged_, {}))
+      if (const auto shown = shown_.find(id); shown != shown_.end())
+        news.push_back(shown->second);
   }
-  alarm.acknowledged = true;
-  show(std::move(alarm));
-  return true;
+  for (const live::PageAlarm &alarm : news)
+    publish_(live::event_names::alarm, live::alarm_text(alarm));
 }
 
 void LiveAlarms::store(nlohmann::json &run) const

@@ -5,6 +5,7 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json_fwd.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -13,10 +14,10 @@ namespace live {
 class StoredObject;
 }
 
-/// Alarms of a run: those of source and recording, and all as the page last had them.  From any thread.
+/// Alarms of a run: those of source and recording, and all as the page last had them.  Raised, ended and
+/// acknowledged in any thread, published in that of the engine.
 class LiveAlarms {
 public:
-  /// @param publish  from the thread that shows or acknowledges
   explicit LiveAlarms(live::Publish publish);
 
   /// An alarm of source or recording, published with the next publish_changes().  Arguments as of live::AlarmBook.
@@ -28,7 +29,8 @@ public:
   /// Publishes an alarm; one that was seen stays seen when it changes or ends.
   void show(live::PageAlarm alarm);
   void show_all();                    ///< as the page last had them, after a restart
-  bool acknowledge(std::int64_t id);  ///< false: not shown
+  bool acknowledge(std::int64_t id);  ///< false: not shown; published with the next publish_acknowledged()
+  void publish_acknowledged();
 
   /// Members "own" and "alarms" of the stored state; of those that are over the last 50.
   void store(nlohmann::json &run) const;
@@ -40,5 +42,6 @@ private:
   mutable std::mutex lock_;
   live::AlarmBook own_{1'000'000};  // those of the comparison have numbers of their own
   std::map<std::int64_t, live::PageAlarm> shown_;
+  std::set<std::int64_t> acknowledged_;  // not yet published
 };
 }  // namespace mill

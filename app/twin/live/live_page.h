@@ -27,7 +27,7 @@ public:
   /// @param token  empty: the server makes one
   /// @throws InputError  an address that cannot be had
   void open(const CommandLine &command, const std::string &token, LiveConsole &console);
-  void publish(const std::string &event, const std::string &json);  ///< from any thread
+  void publish(const std::string &event, const std::string &json);
   void set_metrics(std::string text);
   live::CommandQueue &commands()
   {

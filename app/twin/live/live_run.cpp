@@ -173,6 +173,7 @@ void LiveRun::tick(const double now)
   if (recording_)
     recording_->recorder().tick(now);
   page_.tick(now);
+  alarms_.publish_acknowledged();
   const bool has_state = has_state_ || sources_.next();
   if (now - last_second_ < 1 && has_state == has_state_)
     return;

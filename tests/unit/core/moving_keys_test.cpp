@@ -5,6 +5,7 @@
 #include "core/case/provenance.h"
 #include "core/case/stand_rows.h"
 #include "core/records/record_text.h"
+#include "core/records/rows_of_bite.h"
 #include <cmath>
 #include <gtest/gtest.h>
 
@@ -143,4 +144,48 @@ TEST(MovingKeys, AFrameOnAMeasuredModulusHasItsKey)
   stand.frame.modulus = 5e9;
   MovingKeys keys(stand);
   EXPECT_EQ(closure_keys(keys).front(), "frame.modulus");
+}
+
+// Force and torque grow with the width, speeds of the strip with that of the rolls; a derivative is that of the
+// disturbed bite.
+TEST(MovingKeys, AResultOfTheBiteReadsWidthAndSpeedByItsUnit)
+{
+  MovingKeys keys(changed_demo().spec);
+  struct {
+    const ResultRow &row;
+    ChatterReading reading;
+    bool width, speed;
+  } const expected[] = {
+      {row::bite::force, ChatterReading::bite, true, false},
+      {row::bite::torque, ChatterReading::bite, true, false},
+      {row::bite::friction, ChatterReading::bite, false, false},
+      {row::bite::exit_speed, ChatterReading::bite, false, true},
+      {row::bite_slope::force_by_gap, ChatterReading::slopes, true, false},
+      {row::bite_slope::force_by_exit_tension, ChatterReading::slopes, true, false},
+      {row::bite_slope::force_by_gap_rate, ChatterReading::slopes, true, true},
+      {row::bite_slope::speed_by_gap, ChatterReading::slopes, false, true},
+      {row::bite_slope::speed_by_gap_rate, ChatterReading::slopes, false, false},
+  };
+  for (const auto &[row, reading, width, speed] : expected) {
+    const KeyList list = pass_bite_keys(keys, 0, reading, row);
+    EXPECT_EQ(holds(list, "strip.width"), width) << row.name;
+    EXPECT_EQ(holds(list, "pass.0.speed"), speed) << row.name;
+    EXPECT_EQ(holds(list, "analysis.linearisation"), reading == ChatterReading::slopes) << row.name;
+    EXPECT_TRUE(holds(list, "strip.entry_thickness")) << row.name;
+    // The range of the search gives the speed where the case does not.
+    EXPECT_EQ(holds(list, "analysis.speeds"), speed) << row.name;
+    for (const char *idle : {"bite.theory", "bite.arc", "bite.method", "strip.youngs_modulus"})
+      EXPECT_FALSE(holds(list, idle)) << row.name << " is by the slab theory of the search";
+  }
+}
+
+TEST(MovingKeys, TheSpeedOfAPassMovesItsGrowthAndNotTheSearch)
+{
+  MovingKeys keys(changed_demo({"pass.0.speed=2 m/s"}).spec);
+  const KeyList growth = stand_search_keys(keys, 0, ChatterReading::growth);
+  const KeyList search = stand_search_keys(keys, 0, ChatterReading::search);
+  EXPECT_TRUE(holds(growth, "pass.0.speed"));
+  EXPECT_FALSE(holds(growth, "analysis.speeds"));
+  EXPECT_FALSE(holds(search, "pass.0.speed"));
+  EXPECT_TRUE(holds(search, "analysis.speeds"));
 }
