@@ -196,23 +196,41 @@ std::string text_of_bearing_case(const BearingCase &spec, const BearingCaseReadi
 
 namespace {
 // Of one bearing, whatever case it belongs to.
-template <class Inputs> KeyList keys_of_bearing(const RollerBearing &bearing, const Inputs &inputs)
+template <class Text> KeyList keys_of_bearing(const RollerBearing &bearing, const Text &text)
 {
   RollerBearing changed = bearing;
   CaseRows rows;
   rows.add("bearing." + bearing.name, bearing_rows(), changed);
-  return rows.moving([&] { return record_text(inputs(changed)); });
+  return rows.moving([&] { return text(changed); });
+}
+
+std::string text_of_closing_angle(const RollerBearing &b)
+{
+  const BearingInputs inputs = inputs_of_bearing(b);
+  return record_text(closing_cup_angle(b), inputs.designation, inputs.catalogue, inputs.ratings);
+}
+
+// Of the bearing with this name, if there is one.
+std::string text_of_closing_angle(const std::vector<RollerBearing> &bearings, const std::string &name)
+{
+  const RollerBearing *bearing = bearing_named(bearings, name);
+  return record_text(name) + (bearing ? text_of_closing_angle(*bearing) : "");
 }
 }  // namespace
 
 KeyList bearing_keys(const RollerBearing &bearing)
 {
-  return keys_of_bearing(bearing, [](const RollerBearing &b) { return inputs_of_bearing(b); });
+  return keys_of_bearing(bearing, [](const RollerBearing &b) { return record_text(inputs_of_bearing(b)); });
 }
 
 KeyList rating_keys(const RollerBearing &bearing)
 {
-  return keys_of_bearing(bearing, inputs_of_rating);
+  return keys_of_bearing(bearing, [](const RollerBearing &b) { return record_text(inputs_of_rating(b)); });
+}
+
+KeyList closing_angle_keys(const RollerBearing &bearing)
+{
+  return keys_of_bearing(bearing, [](const RollerBearing &b) { return text_of_closing_angle(b); });
 }
 
 KeyList seat_load_keys(MovingKeys &keys, const bool backup, const std::string &contact, const std::size_t p)
@@ -232,10 +250,27 @@ KeyList seat_keys(MovingKeys &keys, const std::size_t i, const std::size_t p, co
                  [&](const CaseSpec &spec) { return text_of_seat(std::get<FourHigh>(spec), i, p, reading); });
 }
 
+KeyList seat_closing_angle_keys(MovingKeys &keys, const std::size_t i)
+{
+  const bool backup = i == 0 || i == 3;
+  return keys.of(fmt::format("closing angle of seat {}", i), [&](const CaseSpec &spec) {
+    const auto &stand = std::get<FourHigh>(spec);
+    return text_of_closing_angle(stand.bearings, (backup ? stand.backup_roll : stand.work_roll).bearing);
+  });
+}
+
 KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading)
 {
   return keys.of(fmt::format("bearing {} {} {}", reading.rating, reading.least_speed, reading.motion),
                  [&](const CaseSpec &spec) { return text_of_bearing_case(std::get<BearingCase>(spec), reading); });
+}
+
+KeyList bearing_case_closing_angle_keys(MovingKeys &keys)
+{
+  return keys.of("closing angle", [](const CaseSpec &spec) {
+    const auto &bearing = std::get<BearingCase>(spec);
+    return text_of_closing_angle(bearing.bearings, bearing.load.bearing);
+  });
 }
 
 KeyList chock_seat_keys(MovingKeys &keys, const RollPlace roll)

@@ -126,13 +126,18 @@ std::string text_of_bearing_case(const BearingCase &spec, const BearingCaseReadi
 KeyList bearing_keys(const RollerBearing &bearing);
 /// In addition, the keys that only ratings and life of a bearing read.
 KeyList rating_keys(const RollerBearing &bearing);
+/// The cup angle at which roller, cup and cone share one apex.
+KeyList closing_angle_keys(const RollerBearing &bearing);
 /// Radial load of one bearing in a stand, and which bearing it is.
 /// @param contact  "upper" or "lower"
 KeyList seat_load_keys(MovingKeys &keys, bool backup, const std::string &contact, std::size_t p);
 /// Kzc1 .. Kzc4 of a stand, i = 0 .. 3, under the load of a pass.
 KeyList seat_keys(MovingKeys &keys, std::size_t i, std::size_t p, const SeatReading &reading = {});
+/// The closing cup angle of one of them.
+KeyList seat_closing_angle_keys(MovingKeys &keys, std::size_t i);
 /// Kzc.* of kind "bearing".
 KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading = {});
+KeyList bearing_case_closing_angle_keys(MovingKeys &keys);
 
 /// The keys behind the seat of the chocks of a roll.
 KeyList chock_seat_keys(MovingKeys &keys, RollPlace roll);

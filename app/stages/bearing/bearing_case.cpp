@@ -95,7 +95,7 @@ void solve_bearing_case(RunContext &run, const BearingCase &spec)
   const auto parts  = bearing_parts(run, q.bearing, bearing::largest_roller_load(q.bearing, q));
   const auto study  = study_bearing(run, parts, q);
   const auto inputs = bearing_case_keys(*run.keys);
-  add_bearing_results(run, "Kzc", study, inputs);
+  add_bearing_results(run, "Kzc", study, inputs, bearing_case_closing_angle_keys(*run.keys));
   add_published_results(run, "Kzc", study, inputs);
   add_rating_results(run, study, bearing_case_keys(*run.keys, {true}));
   note_bearing(run, "Kzc", study);

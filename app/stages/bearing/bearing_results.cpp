@@ -138,7 +138,7 @@ void add_rollers(const std::string &prefix, const BearingStudy &s, const Add &ad
 }  // namespace
 
 void add_bearing_results(RunContext &run, const std::string &prefix, const BearingStudy &s,
-                         const std::vector<std::string> &inputs)
+                         const std::vector<std::string> &inputs, const std::vector<std::string> &of_closing_angle)
 {
   const Add add = [&](const ResultName &name, const ComparedNumber &number, const bool of_arrangement,
                       const std::string &more) {
@@ -173,7 +173,7 @@ void add_bearing_results(RunContext &run, const std::string &prefix, const Beari
         fmt::format(", in the fullest row; {} of {} in all rows", s.at.loaded_rollers.sum(),
                     s.at.roller_load.size()),
         {{"ISO/TS 16281, rigid rings", double(s.standard.loaded_rollers.maxCoeff()), ""}});
-  add_closing_angle(run, prefix, s.question.bearing, inputs);
+  add_closing_angle(run, prefix, s.question.bearing, of_closing_angle);
 }
 
 namespace {

@@ -163,9 +163,9 @@ KeyList rating_inputs(const RunContext &run, const FourHigh &stand, const std::s
 }
 
 void report_seat(RunContext &run, const FourHigh &stand, const Seat &seat, const SeatLoad &load,
-                 const BearingStudy &study, const KeyList &inputs)
+                 const BearingStudy &study, const KeyList &inputs, const KeyList &of_closing_angle)
 {
-  add_bearing_results(run, seat.name, study, inputs);
+  add_bearing_results(run, seat.name, study, inputs, of_closing_angle);
   if (seat.lower)
     return;  // it has the same bearings as the upper half
   add_published_results(run, seat.name, study, inputs);
@@ -285,7 +285,7 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       out[p].Kzc_across[i]        = across.at(key);
       out[p].Kzc_across[i].inputs = seat_keys(*run.keys, i, p, {true});
       if (p == 0)
-        report_seat(run, stand, seat, load, study, inputs);
+        report_seat(run, stand, seat, load, study, inputs, seat_closing_angle_keys(*run.keys, i));
       if (p == 0 && seat.backup && follows_half_the_force(stand, seat))
         out[p].backup_deflection[i == 0 ? 0 : 1] = over_the_force(study);
     }

@@ -64,7 +64,7 @@ LoadedState LoadedBearing::solve(const BearingLoading &load, const Progress &pro
   const BearingParts parts = bearing_parts(run, drawn, bearing::largest_roller_load(question.bearing, question));
   const BearingStudy study = study_bearing(run, parts, question);
   const KeyList inputs     = bearing_keys(drawn);
-  add_bearing_results(run, family::bearing, study, inputs);
+  add_bearing_results(run, family::bearing, study, inputs, closing_angle_keys(drawn));
   add_rating_results(run, study, joined(inputs, rating_keys(drawn)));
   return {study.at, std::move(run.results), drawn.name};
 }

@@ -1,3 +1,4 @@
+#include "core/case/bearing_inputs.h"
 #include "core/case/chain_inputs.h"
 #include "core/case/chatter_inputs.h"
 #include "core/case/contact_inputs.h"
@@ -188,4 +189,17 @@ TEST(MovingKeys, TheSpeedOfAPassMovesItsGrowthAndNotTheSearch)
   EXPECT_FALSE(holds(growth, "analysis.speeds"));
   EXPECT_FALSE(holds(search, "pass.0.speed"));
   EXPECT_TRUE(holds(search, "analysis.speeds"));
+}
+
+// sin(alpha) = D_pw / D_we tan(beta), (5.1), whatever the model of the bearing reads of it.
+TEST(MovingKeys, TheClosingAngleFollowsRollerAndPitchDiameterAlone)
+{
+  for (const char *law : {"fe", "iso"}) {
+    MovingKeys keys(
+        read_case("cases/bearing-266.toml", {std::string("model.roller_law=") + law, "model.rings=rigid"}).spec);
+    EXPECT_EQ(bearing_case_closing_angle_keys(keys),
+              (KeyList{"bearing.trb.bore", "bearing.trb.outside_diameter", "bearing.trb.pitch_diameter",
+                       "bearing.trb.roller_diameter", "bearing.trb.roller_cone_angle", "load.bearing"}))
+        << law;
+  }
 }
