@@ -19,12 +19,13 @@ constexpr double rate         = 4000;      // Hz
 constexpr double mean         = 976217.5;  // N
 constexpr Eigen::Index period = 4096;
 
-// Forty seconds of a mill with a gap of 0.1 s early on.
+// A mill with a gap of 0.1 s early on, 40 s, and longer where a slower program has to answer within it.
 void write_record(const std::string &path)
 {
   const Eigen::VectorXd force = comb_force(period, 1500, mean, 200);
   std::string text            = "time [s],force [N],upper_work_roll [m/s2]\n";
-  for (int k = 0; k < 40 * int(rate); ++k)
+  const int seconds           = 30 + 10 * LiveProgram::slowness();
+  for (int k = 0; k < seconds * int(rate); ++k)
     if (k < 2 * int(rate) || k >= 2 * int(rate) + 400)
       text +=
           fmt::format("{:.5f},{:.3f},{:.5f}\n", k / rate, force[k % period], 1e-4 * (force[k % period] - mean));
