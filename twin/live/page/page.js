@@ -378,7 +378,7 @@ function keep(name, value) { try { localStorage.setItem(`millstand.${name}`, val
 function kept(name) { try { return localStorage.getItem(`millstand.${name}`); } catch { return null; } }
 
 const keys = {
-  1: () => show("operator"), 2: () => show("engineer"), t: otherTheme, m: slow, a: seen, p: nextPlace, r: () => send({ command: "reset" }),
+  1: () => show("operator"), 2: () => show("engineer"), t: otherTheme, m: slow, a: seen, p: nextPlace, r: () => { sliders.release(); send({ command: "reset" }); },
   "+": () => size(1), "=": () => size(1), "-": () => size(-1), 0: () => size(0), "?": () => byId("keys").showModal(),
 };
 document.addEventListener("keydown", event => {

@@ -181,7 +181,7 @@ export class Sliders {
     const input = document.createElement("input");
     Object.assign(input, { type: "range", id, min: 0.5, max: 1.5, step: 0.01, value: 1, title: `the model's own value: ${scaled(slider.value, slider.unit)}` });
     const value = document.createElement("output"), factor = cell("em", "");
-    const row = { node, input, value, factor, slider, sent: 1, busy: false };
+    const row = { node, input, value, factor, slider, sent: 1, busy: false, awaited: 0 };
     input.addEventListener("input", () => { this.show(row); this.change(row); });
     input.addEventListener("dblclick", () => { input.value = 1; this.show(row); this.change(row); });
     node.append(label, input, value, factor);
@@ -203,16 +203,24 @@ export class Sliders {
     row.busy = true;
     while (row.sent !== Number(row.input.value)) {
       row.sent = Number(row.input.value);
+      row.awaited = performance.now() + 2000;
       await this.send({ command: "set", key: row.slider.key, factor: row.sent });
     }
     row.busy = false;
   }
-  /** What the program says its parameters are; a slider that is being moved is left alone. */
+  /** Whatever comes next is shown. */
+  release() {
+    for (const row of this.rows.values())
+      row.awaited = 0;
+  }
+  /** What the program says its parameters are.  A slider that is being moved is left alone, and so is one whose
+   *  last value is still on its way: what comes before it is older, and would undo a step. */
   take(parameters) {
     for (const { key, factor } of parameters.sliders) {
       const row = this.rows.get(key);
-      if (!row || row.busy)
+      if (!row || row.busy || (Math.abs(factor - row.sent) > 1e-6 && performance.now() < row.awaited))
         continue;
+      row.awaited = 0;
       row.sent = Number(factor.toFixed(6));
       row.input.value = factor;
       this.show(row);
