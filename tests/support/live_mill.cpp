@@ -361,6 +361,8 @@ void LiveMill::tell_chatter(const Tell &to)
   out.growth   = -1.85;
   out.bands    = {{"third octave", 218.3, 0.31, 0.26, -1.85, -1.42, "calm"},
                   {"fifth octave", 611.7, 0.2, 0.19, -6.1, -5.2, "calm"}};
+  if (!held_bands.empty())
+    out.bands = held_bands;
   to(live::event_names::chatter, live::chatter_text(out));
 }
 

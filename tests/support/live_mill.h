@@ -33,6 +33,8 @@ public:
   Eigen::VectorXd frequencies() const;
   /// Displacements (m) that the next numbers carry instead of the twin's own; empty: its own.
   std::vector<double> held;
+  /// Bands that the next events of chatter carry instead of its own; empty: its own.
+  std::vector<mill::live::ChatterBand> held_bands;
 
 private:
   struct Model {
