@@ -15,17 +15,17 @@ namespace mill {
 namespace {
 void check_free_motions(const ClusterStand &stand, const cluster::Stack &stack, std::vector<Problem> &problems)
 {
-  for (const std::string &motion : cluster::free_motions(stack)) {
-    const std::string roll = motion.substr(0, motion.find(' '));
+  for (const cluster::FreeMotion &motion : cluster::free_motions(stack)) {
+    const std::string &name = stack.rolls[std::size_t(motion.roll)].name;
     Place place;
     for (const ClusterRoll &r : stand.rolls)
-      if (r.name == roll)
+      if (r.name == name)
         place = r.place;
     problems.push_back(
         {place,
-         fmt::format("nothing holds roll {}; add a [[support]] of it, for example type = \"guide\", or a "
+         fmt::format("nothing holds roll {} along {}; add a [[support]] of it, for example type = \"guide\", or a "
                      "[[contact]] that acts in this direction",
-                     motion),
+                     name, motion.along_y ? "y" : "x"),
          {}});
   }
 }

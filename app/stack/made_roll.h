@@ -1,5 +1,4 @@
 #pragma once
-#include "core/model/made_roll_name.h"
 #include "core/model/stack.h"
 #include "core/model/stack_input.h"
 
@@ -7,6 +6,6 @@ namespace mill {
 /// The roll of the lower half that is made of a listed one.
 inline bool is_made_of(const StackRoll &roll, const StackRollInput &written)
 {
-  return roll.name == made_roll_name(written.name);
+  return roll.made_of == written.name;
 }
 }  // namespace mill

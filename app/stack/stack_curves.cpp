@@ -74,7 +74,7 @@ void write_section(const RunContext &run, const SolvedStack &solved)
 {
   const Stack &stack = solved.stack;
   ClusterRecord record;
-  record.strip = stack.rolls[stack.upper].name + "-" + stack.rolls[stack.lower].name;
+  record.strip = pair_name(stack.rolls[stack.upper].name, stack.rolls[stack.lower].name);
   ClusterPassRecord state;
   state.name  = "the rolling force";
   state.force = stack.strip.force;
@@ -254,7 +254,7 @@ void write_window(RunContext &run, const StackInput &input, const Stack &stack)
 
 std::string pair_name(const Stack &stack, const StackContact &contact)
 {
-  return stack.rolls[contact.a].name + "-" + stack.rolls[contact.b].name;
+  return pair_name(stack.rolls[contact.a].name, stack.rolls[contact.b].name);
 }
 
 void write_stack_curves(const RunContext &run, const StackInput &input, const SolvedStack &solved)

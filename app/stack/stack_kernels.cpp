@@ -1,7 +1,6 @@
 #include "app/stack/stack_kernels.h"
 #include "app/run/kept_part.h"
 #include "core/base/files.h"
-#include "core/model/made_roll_name.h"
 #include "core/records/record_text.h"
 #include "fem/members.h"
 #include "meshes/bearing/meridian.h"
@@ -40,7 +39,7 @@ StackKernels stack_kernels(RunContext &run, const Stack &stack)
   for (const StackRoll &roll : stack.rolls) {
     const auto solid = fem::solid_of(roll);
     if (!solid) {
-      if (roll.supports.size() <= 2 && roll.name.rfind(made_roll_prefix, 0) != 0)
+      if (roll.supports.size() <= 2 && roll.made_of.empty())
         run.assume(fmt::format("roll {} is a beam among the condensed rolls too, since its shaft is more than a "
                                "barrel with one neck on either side",
                                roll.name));

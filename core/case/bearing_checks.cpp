@@ -405,8 +405,6 @@ void check_bearing_load(const BearingCase &spec, Reading &reading)
     contradict(reading, "load.loads", "does not increase; the smaller load comes first", {});
   else if (reading.places.count("load.loads") && (spec.load.radial < loads[0] || spec.load.radial > loads[1]))
     contradict(reading, "load.radial",
-               fmt::format("is outside the swept range {:.5g} kN .. {:.5g} kN; change one of the two",
-                           from_si(loads[0], unit("kN")), from_si(loads[1], unit("kN"))),
-               {"load.loads"});
+               "is outside " + reading.as_written("load.loads") + "; change one of the two", {"load.loads"});
 }
 }  // namespace mill

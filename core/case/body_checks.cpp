@@ -143,8 +143,8 @@ void check_space(const TwoCylinders &pair, Reading &reading)
       std::isnan(pair.upper.length) && std::isnan(pair.lower.length) && std::isnan(pair.upper.crown_radius) &&
       std::isnan(pair.lower.crown_radius))
     reading.add(reading.place("contact.space.at"),
-                "[contact.space] has no end: neither body has a length or a crown_radius; give one of them, or "
-                "use [contact.line]");
+                "the contact in [contact.space] is infinitely long: neither body has a length or a crown_radius; "
+                "give one of them, or use [contact.line]");
   check_friction("contact.space", pair.space.friction, pair.space.tangential_load, pair.space.at, "N", reading);
 }
 }  // namespace

@@ -161,8 +161,12 @@ void check_contacts(const ClusterStand &stand, Reading &reading)
                  "bends the spring; give the load where its stiffness belongs", {});
     for (const char *key : {"stiffness", "load", "exponent"})
       if (c.law != ClusterLaw::spring && is_given(reading, numbered("contact", i, key)))
-        contradict(reading, numbered("contact", i, key), "belongs to law = \"spring\"; leave one of the two out",
-                   {law});
+        contradict(
+            reading, numbered("contact", i, key),
+            fmt::format("is a key of law = \"spring\", and the law of this contact is \"{}\"; leave it out, or "
+                        "change the law",
+                        word_of(c.law)),
+            {law});
   }
 }
 
@@ -210,12 +214,13 @@ void check_schedule(ClusterStand &stand, Reading &reading)
     const auto key    = [&](const char *k) { return numbered("pass", i, k); };
     names.push_back(pass);
     if (std::isnan(pass.load) && reading.usable({key("load")}))
-      for (const char *k : {"entry_thickness", "exit_thickness"})
-        if (!is_given(reading, key(k)) && reading.usable({key(k)}))
-          reading.add(pass.place,
-                      fmt::format("pass.{} has neither 'load' nor '{}'; a force is given, or computed from "
-                                  "the thicknesses of the strip",
-                                  i, k));
+      if (const char *entry = "entry_thickness", *exit = "exit_thickness";
+          reading.usable({key(entry), key(exit)}) &&
+          !(is_given(reading, key(entry)) && is_given(reading, key(exit))))
+        reading.add(pass.place,
+                    fmt::format("pass.{} has no 'load' and no '{}'; give the load, or {} and {} together "
+                                "with [strip.flow_stress] and the friction of the strip",
+                                i, is_given(reading, key(entry)) ? exit : entry, entry, exit));
     if (reading.usable({key("entry_thickness"), key("exit_thickness")}) &&
         pass.exit_thickness >= pass.entry_thickness)
       contradict(reading, key("exit_thickness"), "is not smaller than the entry thickness",
@@ -270,8 +275,9 @@ void check_strip_laws(const ClusterStand &stand, Reading &reading)
 {
   if (is_given(reading, "strip.flow_stress.law"))
     check_flow_and_friction(stand.strip, reading);
-  const auto computed = std::find_if(stand.schedule.begin(), stand.schedule.end(),
-                                     [](const ClusterPass &pass) { return std::isnan(pass.load); });
+  const auto computed = std::find_if(stand.schedule.begin(), stand.schedule.end(), [](const ClusterPass &pass) {
+    return std::isnan(pass.load) && pass.exit_thickness < pass.entry_thickness;
+  });
   if (computed == stand.schedule.end())
     return;
   if (std::isnan(stand.strip.flow_stress.k) && reading.usable({"strip.flow_stress.law", "strip.width"}))

@@ -100,7 +100,10 @@ void check_fit(const BiteSetup &setup, const Strip &strip, const std::vector<Pas
     return;
   if (setup.fit.empty()) {
     if (!setup.fit_for.empty())
-      contradict(reading, "bite.fit_for", "is given without measured values; add fit = [\"force\", \"slip\"]", {});
+      contradict(reading, "bite.fit_for",
+                 "is given without measured values; add fit = [\"force\", \"slip\"], and load and forward_slip to "
+                 "each [[pass]]",
+                 {});
     return;
   }
   for (std::size_t i = 0; i < passes.size(); ++i) {

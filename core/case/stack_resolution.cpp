@@ -1,8 +1,8 @@
 #include "core/case/stack_resolution.h"
 #include "core/case/stack_half.h"
 #include "core/case/stand_reader.h"
-#include "core/model/made_roll_name.h"
 #include "core/model/stack_statics.h"
+#include "core/records/stack_names.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -104,6 +104,7 @@ StackRoll resolved_roll(const StackInput &input, const Origin &origin, const std
   const bool turned          = origin.made && input.settings.lower == LowerHalf::turned;
   StackRoll result;
   result.name     = origin.made ? made_roll_name(roll.name) : roll.name;
+  result.made_of  = origin.made ? roll.name : "";
   result.diameter = roll.barrel_diameter;
   result.length   = roll.barrel_length;
   result.axis     = {axis[0], origin.made ? -axis[1] : axis[1]};

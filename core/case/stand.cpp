@@ -25,7 +25,7 @@ CaseHead read_head(const Section &top, Reading &reading)
     reading.add(
         reading.place("schema"),
         fmt::format("{} belongs to another version of the file format; this version reads schema = 1, whose "
-                    "keys are listed in docs/input.md",
+                    "keys millstand schema prints",
                     reading.as_written("schema")));
   const auto &kinds = case_kinds();
   if (reading.usable({"kind"}) && std::find(kinds.begin(), kinds.end(), head.kind) == kinds.end())

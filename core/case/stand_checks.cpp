@@ -150,7 +150,7 @@ void check_contact(const std::string &section, const ContactSettings &contact, R
   if (!(contact.loads[0] < contact.loads[1]))
     contradict(reading, loads, "does not increase; write the smaller load first", {});
   else if (reading.usable({load}) && (contact.at < contact.loads[0] || contact.at > contact.loads[1]))
-    contradict(reading, load, "is outside the swept range", {loads});
+    contradict(reading, load, "is outside " + reading.as_written(loads) + "; change one of the two", {loads});
 }
 
 void check_published_force(const DynamicsSettings &dynamics, const GivenValues &given, Reading &reading)
@@ -205,9 +205,12 @@ void check_four_high(const FourHigh &stand, Reading &reading)
   const double facing = std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length);
   if (reading.usable({"work_roll.axial_shift", "work_roll.barrel_length", "backup_roll.barrel_length"}) &&
       std::abs(stand.work_roll.axial_shift) > 0.4 * facing)
-    contradict(reading, "work_roll.axial_shift",
-               "leaves little of the barrels facing each other; at most 0.4 of the shorter one",
-               {"work_roll.barrel_length", "backup_roll.barrel_length"});
+    contradict(
+        reading, "work_roll.axial_shift",
+        fmt::format("leaves too little of one barrel opposite the other; it may be at most 0.4 of the shorter "
+                    "barrel, {}",
+                    millimetres(0.4 * facing)),
+        {"work_roll.barrel_length", "backup_roll.barrel_length"});
   for (const auto &[name, contact] :
        {std::pair("contact.upper", &stand.upper_contact), std::pair("contact.lower", &stand.lower_contact)})
     if (const std::string key = std::string(name) + ".load_offset";
@@ -225,9 +228,10 @@ void check_four_high(const FourHigh &stand, Reading &reading)
   for (std::size_t i = 0; i < stand.passes.size(); ++i)
     for (const auto &[name, contact] :
          {std::pair("contact.upper", &stand.upper_contact), std::pair("contact.lower", &stand.lower_contact)})
-      if (stand.passes[i].load < contact->loads[0] || stand.passes[i].load > contact->loads[1])
+      if (const std::string loads = std::string(name) + ".loads";
+          stand.passes[i].load < contact->loads[0] || stand.passes[i].load > contact->loads[1])
         contradict(reading, fmt::format("pass.{}.load", i),
-                   fmt::format("is outside the swept range of [{}]", name), {std::string(name) + ".loads"});
+                   fmt::format("is outside {}; change one of the two", reading.as_written(loads)), {loads});
   check_published_force(stand.dynamics, stand.given, reading);
   check_contact_curves(stand, reading);
   check_consistency(stand, reading);

@@ -123,7 +123,7 @@ void check_passes_in_bite(const std::vector<Pass> &passes, const Strip &strip, R
 void check_bite_setup(const BiteSetup &setup, const Friction &friction, Reading &reading)
 {
   if (reading.usable({"bite.theory"}) && setup.theory == SlabTheory::hu_ehmann && slides(friction))
-    contradict(reading, "bite.theory", "is a theory of friction factors; give strip.friction a law of factors",
+    contradict(reading, "bite.theory", "is a theory of friction factors; set strip.friction.law = \"factor\"",
                {"strip.friction", "strip.friction.law"});
   if (reading.usable({"bite.theory"}) && setup.theory == SlabTheory::bland_ford && !slides(friction))
     contradict(reading, "bite.theory", "does not accept friction factors; choose karman, orowan or hu-ehmann",

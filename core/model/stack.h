@@ -46,8 +46,9 @@ struct StackSection {
 
 struct StackRoll {
   std::string name;
-  double diameter            = 0;       ///< m, of the barrel or of its rings
-  double length              = 0;       ///< m, of the barrel, which may touch
+  std::string made_of;             ///< name of the listed roll whose mirror image this is; empty: it is listed
+  double diameter            = 0;  ///< m, of the barrel or of its rings
+  double length              = 0;  ///< m, of the barrel, which may touch
   std::array<double, 2> axis = {0, 0};  ///< m, unloaded
   double shift               = 0;       ///< m, of the roll with its loads along z
   std::vector<StackSection> sections;   ///< of the shaft that bends

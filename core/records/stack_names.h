@@ -11,6 +11,18 @@ constexpr const char *stack = "stack", *pair = "pair", *roll = "roll", *influenc
 /// The drawn stack with the resultants of its contacts, as a ClusterRecord.
 constexpr const char *stack_file = "curves/stack.json";
 
+/// The roll that is made of a listed one: its mirror image in the lower half.
+inline std::string made_roll_name(const std::string &listed)
+{
+  return "lower_" + listed;
+}
+
+/// "W-B": rolls that touch, the one nearer to the strip first.
+inline std::string pair_name(const std::string &nearer, const std::string &other)
+{
+  return nearer + "-" + other;
+}
+
 namespace curve {
 /// Change of the gap with one unit of each input: columns "W.bending_force", "force".
 inline constexpr CurveKind stack_influence{

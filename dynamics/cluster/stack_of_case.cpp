@@ -192,7 +192,7 @@ Stack stack_of(const ClusterStand &written, const ClusterPass &pass, const doubl
   return stack;
 }
 
-std::vector<std::string> free_motions(const Stack &stack)
+std::vector<FreeMotion> free_motions(const Stack &stack)
 {
   // Every contact closed and every support at a stiffness of one: only directions matter.
   Stack flat            = stack;
@@ -219,13 +219,12 @@ std::vector<std::string> free_motions(const Stack &stack)
     }
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(K);
-  std::vector<std::string> motions;
+  std::vector<FreeMotion> motions;
   for (Eigen::Index k = 0; k < K.rows(); ++k)
     if (eigen.eigenvalues()[k] < 1e-10) {
       Eigen::Index largest = 0;
       eigen.eigenvectors().col(k).cwiseAbs().maxCoeff(&largest);
-      motions.push_back(
-          fmt::format("{} along {}", flat.rolls[std::size_t(largest / 2)].name, largest % 2 ? "y" : "x"));
+      motions.push_back({int(largest / 2), largest % 2 == 1});
     }
   return motions;
 }

@@ -27,9 +27,14 @@ Stack stack_of(const ClusterStand &stand, const ClusterPass &pass, double force,
 /// Index of the roll at the strip, of the upper one.
 int strip_roll(const ClusterStand &stand);
 
-/// Motions that nothing holds at all, on the unloaded geometry: "I x".  What only the curvature of the contacts
-/// holds or drives away is free.
-std::vector<std::string> free_motions(const Stack &stack);
+/// A motion of the stack in which one roll moves most.
+struct FreeMotion {
+  int roll     = 0;      ///< in Stack::rolls
+  bool along_y = false;  ///< moves more along y than along x
+};
+/// Motions that nothing holds at all, on the unloaded geometry.  What only the curvature of the contacts holds or
+/// drives away is free.
+std::vector<FreeMotion> free_motions(const Stack &stack);
 
 std::vector<NamedShape> named_shapes(const ClusterStand &stand, const Stack &stack);
 

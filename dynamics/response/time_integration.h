@@ -18,7 +18,7 @@ struct HoldResult {
   Eigen::MatrixXd output;       ///< (m, n) one column per time
   HoldForm form;                ///< the form that was used
   std::string note;             ///< why it is not the wanted one; empty when it is
-  Eigen::Index n_prepared = 0;  ///< how often a length of step was prepared
+  Eigen::Index n_prepared = 0;  ///< lengths of step that were prepared
 };
 
 /// Response of a linear system to a force that runs in straight lines between its samples (first-order hold),
@@ -34,7 +34,7 @@ struct HoldResult {
 /// @throws SolverError  no equilibrium under the first sample: A is singular
 /// Cost: with samples and outputs on a common grid one step length serves for all;
 /// modal O(s m) per output.  Otherwise s/2 complex exponentials (modal) or a matrix exponential of size s + 2 per
-/// length of step: a few where samples are only missing, as many as steps where each has a time of its own.
+/// length of step: few lengths if some samples are missing, one for each step if the sampling is irregular.
 /// theory.md (7.2) to (7.6)
 HoldResult first_order_hold(const StateSpace &system, const ForceRecord &force, double output_rate,
                             HoldForm wanted = HoldForm::modal);

@@ -3,7 +3,7 @@
 #include <Eigen/Core>
 
 namespace mill::fem {
-/// A condensed roll with what balances the contact force on it.  theory.md (2.4), (2.10)
+/// A condensed roll with the supports that balance the contact force on it.  theory.md (2.4), (2.10)
 ///
 /// One quarter (x >= 0, z >= 0) when the loads are the same on both sides of mid-length, with one resultant: the
 /// force.  One half (x >= 0) otherwise, with two: the force, and its moment about mid-length, positive when the
@@ -27,9 +27,11 @@ enum class Extent {
 };
 
 HeldRoll held_by_necks(const CondensedRoll &roll, Extent extent = Extent::quarter);  ///< bearings carry the force
-/// Strip on the other generator, its middle at `strip_centre` (m, of the whole only) from the roll's mid-length.
+/// Strip on the line of the surface opposite the contact, its middle at `strip_centre` (m, of the whole only) from
+/// the roll's mid-length.
 HeldRoll held_by_strip(const CondensedRoll &roll, double strip_width, Extent extent = Extent::quarter,
                        double strip_centre = 0);
-HeldRoll held_by_mirror(const CondensedRoll &roll,
-                        Extent extent = Extent::quarter);  ///< the same contact on the other generator
+HeldRoll
+held_by_mirror(const CondensedRoll &roll,
+               Extent extent = Extent::quarter);  ///< the same contact on the opposite line of the surface
 }  // namespace mill::fem

@@ -1,5 +1,4 @@
 #include "reduce/stack/moving_stack.h"
-#include "core/model/made_roll_name.h"
 #include "reduce/stack/beam_stack.h"
 #include "reduce/stack/group_modes.h"
 #include "reduce/stack/roll_group.h"
@@ -25,9 +24,8 @@ bool is_upper(const StackRoll &roll)
 
 std::string part_of_roll(const StackRoll &roll)
 {
-  const std::string made = made_roll_prefix;
-  const std::string name = roll.name.rfind(made, 0) == 0 ? roll.name.substr(made.size()) : roll.name;
-  return std::string(is_upper(roll) ? "upper" : "lower") + " roll " + name;
+  return std::string(is_upper(roll) ? "upper" : "lower") + " roll " +
+         (roll.made_of.empty() ? roll.name : roll.made_of);
 }
 
 // Rolls of one drawing have the same shapes; the eigenvalue problem is solved once for each.

@@ -9,8 +9,8 @@ namespace mill {
 struct FourHigh;
 }
 namespace mill::reduce {
-/// What a stand needs in addition to its drawing: springs at the working load and the reduced frame.  Whole stand
-/// unless it says otherwise.
+/// What a stand needs in addition to its drawing: springs at the working load and the reduced frame.  Values are
+/// those of the whole stand unless a comment says otherwise.
 struct StandSprings {
   double K1             = 0;          ///< N/m, ground to upper frame (closed frame: lower to upper frame)
   double K7             = 0;          ///< N/m, lower frame to ground
@@ -37,7 +37,7 @@ StandSprings stand_springs(const FourHigh &stand, const LumpedStand &chain, bool
 
 /// Puts four rolls (upper backup, upper work, lower work, lower backup) and the frame together.  theory.md 22.2
 /// Masses that are zero get no unknown: their springs are put in series, their points stay.
-/// @param housing  null: frame of two lumps (M1, K1, M6, K7); else its interface "screw" and "seat" carry piston
+/// @param housing  null: frame of two lumps (M1, K1, M6, K7); else its interfaces "screw" and "seat" carry piston
 ///                 and packing above, packing and load cell below, with the masses and springs of stand.frame
 /// @throws InputError  a spring or a frame mass not positive, named with its key; housing without screw or seat
 /// Cost O(n^2) memory, n = sum of the rolls' unknowns + at most 6.

@@ -1,3 +1,4 @@
+#include "core/records/stand_place.h"
 #include "report/chatter/figures.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
@@ -97,21 +98,11 @@ std::string chatter_phasors(const ChatterPhases &phases)
 }
 
 namespace {
-bool begins(const std::string &text, const std::string &word)
-{
-  return text.rfind(word, 0) == 0;
-}
-
-bool holds(const std::string &text, const std::string &word)
-{
-  return text.find(word) != std::string::npos;
-}
-
 // Housings as boxes, rolls as circles.
-void draw_body(Svg &svg, const std::string &label, const double x, const double y)
+void draw_body(Svg &svg, const StandPlace &place, const double x, const double y)
 {
-  if (holds(label, "roll"))
-    svg.circle(x, y, holds(label, "backup") ? 19 : 11, "steel");
+  if (place.roll)
+    svg.circle(x, y, place.backup ? 19 : 11, "steel");
   else
     svg.rect(x - 30, y - 12, 60, 24, "steel");
 }
@@ -132,16 +123,16 @@ std::string chatter_shape(const std::vector<ChatterPoint> &shape, const std::str
   svg.line(bars, top, bars, bottom, "frame");
   for (std::size_t i = 0; i < shape.size(); ++i) {
     const ChatterPoint &point = shape[i];
+    const StandPlace place    = stand_place(point.label);
     const double y            = top + height * (double(i) + 0.5);
     svg.text(names, y + 4, point.label, "t", Anchor::end);
-    draw_body(svg, point.label, bodies, y);
-    if (i > 0 && holds(point.label, "lower") && holds(shape[i - 1].label, "upper"))
+    draw_body(svg, place, bodies, y);
+    if (i > 0 && place.lower && !stand_place(shape[i - 1].label).lower)
       svg.line(bodies - 40, y - height / 2, bodies + 40, y - height / 2, "strip-line");
     if (!std::isfinite(point.amplitude) || !std::isfinite(point.phase))
       continue;
     const double size = point.amplitude / largest, cosine = std::cos(point.phase * EIGEN_PI / 180);
-    const bool lower   = holds(point.label, "lower") && !begins(point.label, "upper");
-    const double way   = (cosine >= 0) == lower ? 1 : -1;  // away from the strip is down for the lower ones
+    const double way   = (cosine >= 0) == place.lower ? 1 : -1;  // away from the strip is down for the lower ones
     const double reach = std::max(2.0, longest * size);
     svg.rect(bars, y - 6, reach, 12, cosine >= 0 ? "bar dark" : "bar warm");
     if (size >= 0.02)

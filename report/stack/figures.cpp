@@ -1,4 +1,5 @@
 #include "report/stack/figures.h"
+#include "core/base/si_unit.h"
 #include "core/records/rows_of_stack.h"
 #include "core/records/stack_names.h"
 #include "report/cluster/figures.h"
@@ -50,10 +51,23 @@ std::vector<std::string> names_of_rolls(const Run &run)
   return names_of(run, row::roll::all, "roll");
 }
 
-// The upper half; made rolls have the same curves, turned or mirrored.
-bool is_made(const std::string &name)
+// Made rolls and their pairs have the same curves as those they are made of, turned or mirrored.
+std::set<std::string> made_rolls(const Run &run)
 {
-  return name.rfind("lower_", 0) == 0;
+  std::set<std::string> names;
+  for (const std::string &listed : names_of_rolls(run))
+    names.insert(made_roll_name(listed));
+  return names;
+}
+
+std::set<std::string> made_pairs(const Run &run)
+{
+  std::set<std::string> names;
+  const auto rolls = names_of_rolls(run);
+  for (const std::string &a : rolls)
+    for (const std::string &b : rolls)
+      names.insert(pair_name(made_roll_name(a), made_roll_name(b)));
+  return names;
 }
 
 // Rows of a map whose first column is the same.
@@ -130,8 +144,9 @@ std::vector<std::string> line_load_drawings(const Run &run)
   std::vector<std::string> drawings;
   double largest = 0;
   std::vector<std::pair<std::string, const Table *>> curves;
+  const auto made = made_pairs(run);
   for (const std::string &name : names_of_pairs(run))
-    if (const Table *table = is_made(name) ? nullptr : stored_curve(run, curve::stack_pair, name)) {
+    if (const Table *table = made.count(name) ? nullptr : stored_curve(run, curve::stack_pair, name)) {
       curves.emplace_back(name, table);
       const VectorXd load = values_of(*table, {"line_load", "N/mm"});
       if (load.size() > 0)
@@ -174,11 +189,11 @@ std::vector<std::string> influence_drawings(const Run &run)
   const Table *table = stored_curve(run, curve::stack_influence);
   if (!table)
     return drawings;
-  const auto draw = [&](const char *title, const char *unit, const auto &wanted) {
+  const auto draw = [&](const char *title, const char *unit, const bool pure) {
     constexpr std::size_t most = std::size(stack_pens);
     Plot plot                  = over_width(title, "change of thickness", unit);
     for (std::size_t k = 1; k < table->names.size(); ++k) {
-      if (!wanted(table->names[k]))
+      if (is_pure(table->units[k]) != pure)
         continue;
       add_line(plot, *table, {"z", "mm"}, {table->names[k], unit}, table->names[k],
                stack_pens[plot.lines.size() % most]);
@@ -190,22 +205,22 @@ std::vector<std::string> influence_drawings(const Run &run)
     if (!plot.lines.empty())
       drawings.push_back(svg_plot(plot));
   };
-  const auto is_eccentric = [](const std::string &name) { return name.find(".eccentric") != std::string::npos; };
-  draw("Per unit of force", "\u00b5m/kN", [&](const std::string &name) { return !is_eccentric(name); });
-  draw("Per unit of an eccentric", "-", is_eccentric);
+  draw("Per unit of force", "\u00b5m/kN", false);
+  draw("Per unit of an eccentric", "-", true);
   return drawings;
 }
 
 std::vector<std::string> deflection_drawings(const Run &run)
 {
   constexpr std::size_t most = std::size(stack_pens);
+  const auto made            = made_rolls(run);
   std::vector<std::string> drawings;
   for (const auto &[title, quantity, column] :
        {std::tuple<const char *, const char *, Column>{"Deflection upwards", "displacement", {"y", "mm"}},
         {"Bending stress", "stress", {"bending_stress", "MPa"}}}) {
     Plot plot = over_width(title, quantity, column.unit);
     for (const std::string &name : names_of_rolls(run)) {
-      const Table *table = is_made(name) ? nullptr : stored_curve(run, curve::stack_roll, name);
+      const Table *table = made.count(name) ? nullptr : stored_curve(run, curve::stack_roll, name);
       if (!table)
         continue;
       add_line(plot, *table, {"z", "mm"}, column, name, stack_pens[plot.lines.size() % most]);
@@ -286,6 +301,8 @@ std::vector<std::string> mode_drawings(const Run &run)
   for (int k = 1; k <= most_modes; ++k)
     if (stored_curve(run, curve::stack_mode, std::to_string(k)))
       modes.push_back(std::to_string(k));
+  const auto names = names_of_rolls(run);
+  const auto made  = made_rolls(run);
   for (const std::string &mode : modes) {
     const Table *table       = stored_curve(run, curve::stack_mode, mode);
     const Table *frequencies = stored_curve(run, curve::modes_of_model, "stack");
@@ -304,12 +321,10 @@ std::vector<std::string> mode_drawings(const Run &run)
                    y = values_of(*table, {"y", "-"});
     if (roll.size() == 0 || z.size() != roll.size() || y.size() != roll.size())
       continue;
-    const auto names = names_of_rolls(run);
     for (const Rows &rows : rows_of(roll)) {
-      const auto r    = std::size_t(rows.value) - 1;
-      const bool made = r < names.size() && is_made(names[r]);
+      const auto r = std::size_t(rows.value) - 1;
       plot.lines.push_back({"", z.segment(rows.first, rows.count), y.segment(rows.first, rows.count),
-                            made ? Pen::pale : Pen::dark});
+                            r < names.size() && made.count(names[r]) ? Pen::pale : Pen::dark});
     }
     drawings.push_back(svg_plot(plot));
   }

@@ -39,9 +39,13 @@ std::vector<CampbellMode> named_modes(const RunContext &run, const reduce::Stand
 // "work-roll bearing": group of the lines of a roll's bearing.
 std::string bearing_title(const TurningRoll &roll)
 {
-  std::string title = std::string(word_of(roll.kind)) + " bearing";
-  title.replace(title.find(' '), 1, "-");
-  return title;
+  switch (roll.kind) {
+  case RollKind::backup_roll:
+    return "backup-roll bearing";
+  case RollKind::work_roll:
+    return "work-roll bearing";
+  }
+  return "";
 }
 
 std::string line_name(const std::string &order)

@@ -3,6 +3,7 @@
 #include "app/stages/contact/contact_stage.h"
 #include "app/stages/stand/mode_results.h"
 #include "core/model/pass.h"
+#include "core/records/chain_number.h"
 #include "core/records/csv.h"
 #include "core/records/json_archive.h"
 #include "core/records/result_names.h"
@@ -119,7 +120,8 @@ void write_events(RunContext &run, const CurveDrive &drive, const dynamics::Curv
   for (Eigen::Index i = 0; i < n; ++i) {
     const dynamics::SpringEvent &event = curve.events[std::size_t(i)];
     time[i]                            = event.time;
-    spring[i]                          = std::stod(drive.stand.springs[event.spring].name.substr(1));  // "K3"
+    const auto number                  = choice_named<ChainNumber>(drive.stand.springs[event.spring].name);
+    spring[i]                          = number ? 1 + int(*number) - int(ChainNumber::K1) : not_given;  // K3: 3
     parts[i]                           = event.parts;
   }
   Table table;
