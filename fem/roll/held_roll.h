@@ -31,7 +31,6 @@ HeldRoll held_by_necks(const CondensedRoll &roll, Extent extent = Extent::quarte
 /// the roll's mid-length.
 HeldRoll held_by_strip(const CondensedRoll &roll, double strip_width, Extent extent = Extent::quarter,
                        double strip_centre = 0);
-HeldRoll
-held_by_mirror(const CondensedRoll &roll,
-               Extent extent = Extent::quarter);  ///< the same contact on the opposite line of the surface
+/// The same contact on the opposite line of the surface.
+HeldRoll held_by_mirror(const CondensedRoll &roll, Extent extent = Extent::quarter);
 }  // namespace mill::fem
