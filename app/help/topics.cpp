@@ -183,18 +183,24 @@ std::string keys(const std::string &topic)
     const std::string name = (section == "top of the file" ? "" : section + ".") + without_backticks(cells[0]);
     if (!is_name_of(name, topic) && !ends_in(name, topic))
       return;
-    text += fmt::format("key {} = {}\n", name, without_backticks(cells[4])) +
-            paragraph(fmt::format("{}; {}; range {}, default {}", cells[5], cells[1], cells[2], cells[3]), 4);
+    const std::string entry =
+        fmt::format("key {} = {}\n", name, without_backticks(cells[4])) +
+        paragraph(fmt::format("{}; {}; range {}, default {}", cells[5], cells[1], cells[2], cells[3]), 4);
+    if (text.find(entry) == std::string::npos)  // kinds of cases share sections
+      text += entry;
   });
   return text;
 }
 
+// Of "stack optimise", a verb with its action, what the verb does.
 std::string verb_text(const std::string &topic, const std::vector<DescribedVerb> &verbs)
 {
-  const auto verb = std::find_if(verbs.begin(), verbs.end(), [&](const auto &v) { return v.name == topic; });
+  const auto verb = std::find_if(verbs.begin(), verbs.end(), [&](const DescribedVerb &v) {
+    return topic == v.name || topic.rfind(v.name + " ", 0) == 0;
+  });
   return verb == verbs.end() ? ""
-                             : fmt::format("millstand {}: {}\n    its options: millstand {} --help\n", topic,
-                                           verb->meaning, topic);
+                             : fmt::format("millstand {}: {}\n    its options: millstand {} --help\n", verb->name,
+                                           verb->meaning, verb->name);
 }
 
 std::vector<std::string> known_topics(const std::vector<DescribedVerb> &verbs)

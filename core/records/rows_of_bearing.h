@@ -151,7 +151,7 @@ inline constexpr const ResultRow *all[]{&C,
 
 namespace film {
 inline constexpr RowOf<1> eccentricity{"bearing.{bearing}.film.eccentricity", "1", "29.2",
-                                       "bearing {bearing}, oil film, eccentricity over the clearance"};
+                                       "bearing {bearing}, oil film, eccentricity divided by the clearance"};
 inline constexpr RowOf<1> attitude{"bearing.{bearing}.film.attitude", "rad", "29.2",
                                    "bearing {bearing}, oil film, angle between load and narrowest gap"};
 inline constexpr RowOf<1> minimum_film{"bearing.{bearing}.film.minimum_film", "m", "29.1",

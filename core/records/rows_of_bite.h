@@ -12,7 +12,8 @@ inline constexpr RowOf<0> combined{
     "K4.combined", "N/m", "8.13",
     "bite, between the work rolls, plastic slope and flattening of both rolls in series"};
 inline constexpr RowOf<0> path_plateau{"K4.path_plateau", "N/m", "20.5",
-                                       "bite, between the work rolls, nodal value on the contact path"};
+                                       "bite, between the work rolls, mean force per displacement of the nodes "
+                                       "along the contact, which depends on the mesh"};
 inline constexpr const ResultRow *all[]{&plastic_slope, &flattening, &combined, &path_plateau};
 }  // namespace bite_spring
 
@@ -57,9 +58,9 @@ inline constexpr RowOf<1> force_by_flow_stress{"bite.{pass}.force_by_flow_stress
 inline constexpr RowOf<1> force_by_roll_speed{"bite.{pass}.force_by_roll_speed", "N s/m", "8",
                                               "bite, {pass}, force per speed of the rolls"};
 inline constexpr RowOf<1> friction_margin{"bite.{pass}.friction_margin", "1", "8.36",
-                                          "bite, {pass}, friction over the least that draws the strip in"};
+                                          "bite, {pass}, friction divided by the least that draws the strip in"};
 inline constexpr RowOf<1> elastic_share{"bite.{pass}.elastic_share", "1", "8.35",
-                                        "bite, {pass}, elastic zones over the arc"};
+                                        "bite, {pass}, length of the elastic zones divided by that of the arc"};
 inline constexpr RowOf<1> arc_over_thickness{"bite.{pass}.arc_over_thickness", "1", "8.34",
                                              "bite, {pass}, projected arc of a rigid roll over mean thickness"};
 inline constexpr const ResultRow *all[]{&force,
@@ -128,7 +129,7 @@ inline constexpr RowOf<2> elastic_exit{
     "bite, {pass}, {bite_model}, length of contact behind the last yielding of the strip"};
 inline constexpr RowOf<2> elastic_power{
     "bite.{pass}.{bite_model}.elastic_power", "1", "19",
-    "bite, {pass}, {bite_model}, elastic energy carried off over the power spent"};
+    "bite, {pass}, {bite_model}, elastic energy carried off divided by the power spent"};
 inline constexpr const ResultRow *all[]{
     &force,          &torque,        &forward_slip,       &neutral_angle, &flattened_radius,
     &plastic_slope,  &flux_balance,  &force_balance,      &power_balance, &exit_thickness,

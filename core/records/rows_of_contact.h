@@ -13,8 +13,9 @@ inline constexpr RowOf<2> in_stand_tangent{"[pass.]{roll_contact}.in_stand_tange
                                            "{roll_contact}, tangent with the rolls held as in the stand"};
 inline constexpr RowOf<2> in_stand_secant{"[pass.]{roll_contact}.in_stand_secant", "N/m", "2.7",
                                           "{roll_contact}, secant with the rolls held as in the stand"};
-inline constexpr RowOf<1> path_plateau{"{roll_contact}.path_plateau", "N/m", "2.15",
-                                       "{roll_contact}, nodal value on the contact path"};
+inline constexpr RowOf<1> path_plateau{
+    "{roll_contact}.path_plateau", "N/m", "2.15",
+    "{roll_contact}, mean force per displacement of the nodes along the contact, which depends on the mesh"};
 inline constexpr RowOf<1> friction_tangent{"{roll_contact}.friction_tangent", "N/m", "2.17",
                                            "{roll_contact}, tangent with friction in the contact"};
 inline constexpr const ResultRow *all[]{&tangent,         &secant,       &curvature,       &in_stand_tangent,
@@ -30,7 +31,7 @@ inline constexpr RowOf<1> approach{"contact.{contact}.approach", "m", "2.7",
                                    "{contact}, approach of the two roll axes"};
 inline constexpr RowOf<1> line_load_spread{
     "contact.{contact}.line_load_spread", "1", "11",
-    "{contact}, largest difference of the line load between two solvers over the largest line load"};
+    "{contact}, largest difference of the line load between two solvers, divided by the largest line load"};
 inline constexpr RowOf<1> contact_length{"contact.{contact}.contact_length", "m", "2",
                                          "{contact}, length over which the rolls touch"};
 inline constexpr RowOf<1> joint_yy{"contact.{contact}.joint.yy", "N/m", "2.14",
@@ -75,7 +76,7 @@ inline constexpr RowOf<0> secant{"contact.space.secant", "N/m", "33", "contact i
 inline constexpr RowOf<0> loaded_length{"contact.space.loaded_length", "m", "33",
                                         "contact in space, length that carries"};
 inline constexpr RowOf<0> line_load_ratio{"contact.space.line_load_ratio", "1", "33",
-                                          "contact in space, largest load per length over the mean"};
+                                          "contact in space, largest load per length divided by the mean"};
 inline constexpr RowOf<0> edge_factor{"contact.space.edge_factor", "1", "33",
                                       "contact in space, largest pressure over that at mid-length"};
 inline constexpr RowOf<0> moment{"contact.space.moment", "N m", "33.11",

@@ -42,7 +42,7 @@ inline constexpr RowOf<1> tangent{
     "pair.{pair}.tangent", "N/m", "51.21",
     "contact {pair}, change of the force over that of the approach that the line load weighs"};
 inline constexpr RowOf<1> secant{"pair.{pair}.secant", "N/m", "51.3",
-                                 "contact {pair}, force over the approach that the line load weighs"};
+                                 "contact {pair}, force divided by the approach that the line load weighs"};
 inline constexpr const ResultRow *all[]{&force,    &load_centre,     &q_max,   &peak_pressure,
                                         &touching, &uniform_tangent, &tangent, &secant};
 }  // namespace pair

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <set>
 #include <sstream>
 
 using namespace mill;
@@ -64,6 +65,23 @@ TEST(Help, PagesInTheProgramAreThoseOfTheTree)
     const fs::path page = docs / (std::string(file.name) + ".md"), howto = docs / "howto" / page.filename();
     EXPECT_EQ(file.text(), text_of(fs::exists(howto) ? howto : page)) << file.name;
   }
+}
+
+TEST(Help, AVerbIsFoundWithItsActionToo)
+{
+  EXPECT_EQ(help_of("sweep all"), help_of("sweep"));
+}
+
+TEST(Help, AKeyThatKindsShareIsShownOnce)
+{
+  const std::string keys = help_of("stiffness");
+  std::set<std::string> entries;
+  for (std::size_t begin = keys.find("key "); begin != std::string::npos;) {
+    const std::size_t next = keys.find("\nkey ", begin + 1);
+    EXPECT_TRUE(entries.insert(keys.substr(begin, next - begin)).second) << keys.substr(begin, next - begin);
+    begin = next == std::string::npos ? next : next + 1;
+  }
+  EXPECT_GT(entries.size(), 3u);
 }
 
 TEST(Help, ATermAResultAndAKeyAreExplained)
