@@ -154,6 +154,37 @@ TEST(BodyNumbers, ATiltedRollerTouchesFirstAtOneEnd)
                    within(1e-12, "a power of the load, rounding")));
 }
 
+// A profile that stands out at both ends by a straight line: a small load is carried there, each end over a length
+// s with q = k slope (s - x), so that P = k slope s^2.
+TEST(BodyNumbers, AFaceWithRaisedEndsIsCarriedThere)
+{
+  TwoCylinders pair;
+  pair.steel               = steel;
+  pair.upper               = cylinder(0.025);
+  pair.upper.length        = 0.04;
+  pair.upper.profile       = EndProfile::table;
+  pair.upper.profile_table = {{0, 0}, {0.02, -10e-6}};
+  pair.lower.shape         = BodyShape::plane;
+  pair.in_space            = true;
+  const auto shape         = contact::space_shape(pair);
+  const double L = 0.04, slope = 10e-6 / 0.02;
+  for (const double load : {200., 2000.}) {
+    const double b = std::sqrt(4 * load / L * 0.0125 / (M_PI * modulus));
+    const double k = M_PI * modulus / (2 * (std::log(2 * L / b) + 0.5));  // N/m2, (33.6)
+    EXPECT_TRUE(near(shape.slices(load, 0).length, std::min(L, 2 * std::sqrt(load / (k * slope))),
+                     within_absolute(2.1 * L / 400, "400 slices, one at either end of the loaded length")))
+        << load;
+  }
+  // Under a tilt the end that it closes alone carries; the moment is the load over the distance of its centroid.
+  const double load = 200, tilt = 1e-4;
+  const double b     = std::sqrt(4 * load / L * 0.0125 / (M_PI * modulus));
+  const double k     = M_PI * modulus / (2 * (std::log(2 * L / b) + 0.5));
+  const double s     = std::sqrt(2 * load / (k * (slope + tilt)));
+  const auto one_end = shape.slices(load, tilt);
+  EXPECT_TRUE(near(one_end.length, s, within_absolute(1.1 * L / 400, "400 slices")));
+  EXPECT_TRUE(near(one_end.moment, load * (L / 2 - s / 3), within(5e-3, "400 slices, the last one half loaded")));
+}
+
 TEST(BodyNumbers, ALineAboveTheWorkingLoadMayBeTooShort)
 {
   const auto s = contact::space_numbers(roller());
