@@ -93,10 +93,12 @@ Warning no_arc_carries(const std::string &pass, const bite::Regime &regime);
 
 /// Settings of [bite] with what they leave to the regime of the pass.
 BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime);
-/// The other strip of the finite elements, for a pass in which those of this setup find no answer.
-BiteSetup other_strip(BiteSetup setup);
+/// The other strip of the finite elements, for a pass in which those of the settled setup find no answer.
+/// @param asked  before it was settled: its elements are those of a rigid-plastic strip
+BiteSetup other_strip(const BiteSetup &settled, const BiteSetup &asked);
 
-/// The slab theory of [bite] with its arc, and its key among the answers.
+/// The slab theory of [bite] with its arc, and its key among the answers; on a free arc Karman's, whatever [bite]
+/// asks for: no other theory has one.
 bite::SlabModel slab_model(const BiteSetup &setup);
 std::string slab_key(const BiteSetup &setup);
 
