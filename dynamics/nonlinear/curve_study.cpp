@@ -20,6 +20,20 @@ NonlinearRoll roll_record(const CurveRuns &runs, const int roll)
           fixed.peak,
           fixed.rms};
 }
+
+// Relative difference of the level that is furthest from the one on linear springs; NaN where one has no ratio.
+double furthest_level(const std::vector<NonlinearRoll> &rolls)
+{
+  double furthest = 0;
+  for (const NonlinearRoll &roll : rolls)
+    for (const double ratio : {roll.rms / roll.linear_rms, roll.peak / roll.linear_peak}) {
+      if (std::isnan(ratio))
+        return ratio;
+      if (std::abs(ratio - 1) > std::abs(furthest))
+        furthest = ratio - 1;
+    }
+  return furthest;
+}
 }  // namespace
 
 CurveRuns curve_runs(const DrivenCurves &drive, const DrivenModel &linear, const ForceRecord &force,
@@ -56,10 +70,7 @@ NonlinearRecord curve_study(const DrivenCurves &drive, const CurveRuns &runs, co
 LinearVerdict linear_verdict(const NonlinearRecord &record)
 {
   LinearVerdict out;
-  for (const NonlinearRoll &roll : record.rolls)
-    for (const double ratio : {roll.rms / roll.linear_rms, roll.peak / roll.linear_peak})
-      if (!(std::abs(ratio - 1) <= std::abs(out.furthest)))  // an undefined ratio is treated as far
-        out.furthest = ratio - 1;
+  out.furthest = furthest_level(record.rolls);
   for (const NonlinearSpring &spring : record.springs) {
     out.parts = out.parts || spring.parted > 0;
     if (spring.least < (out.softest ? out.softest->least : 1))

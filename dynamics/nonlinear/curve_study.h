@@ -33,7 +33,8 @@ NonlinearRecord curve_study(const DrivenCurves &drive, const CurveRuns &runs, co
 
 /// How far the work rolls on curves are from those on linear springs.
 struct LinearVerdict {
-  double furthest                = 0;        ///< -, relative difference of a peak or rms, the largest
+  double furthest = 0;                       ///< -, relative difference of a peak or rms, the largest; NaN: one of
+                                             ///< them has no ratio, 0/0 or a run without an end
   const NonlinearSpring *softest = nullptr;  ///< whose force falls most; null: no force falls
   bool parts                     = false;    ///< a spring parts
   bool enough                    = false;    ///< linear springs: nothing parts, and within 1 %

@@ -1,5 +1,6 @@
 #include "dynamics/response/response_study.h"
 #include "core/base/errors.h"
+#include "core/model/dynamics_settings.h"
 #include "core/numerics/root_search.h"
 #include "core/records/key_list.h"
 #include "reduce/stand/mode_names.h"
@@ -82,6 +83,22 @@ ResponsePeak peak_of(const RespondingModel &model, const std::size_t force, cons
   return {frequency, -negative};
 }
 
+// (modes) relative errors that belong to no input, zero where there is none; a mode whose error is not known is
+// named, as an input is.  Six masses have neither mesh nor modes left out.
+Eigen::VectorXd known_mode_errors(const reduce::StandWithModes &stand, std::vector<std::string> &lacks)
+{
+  const bool chain      = stand.model.name == word_of(StandModelKind::six_mass);
+  Eigen::VectorXd error = stand.modes.error_estimate;
+  for (Eigen::Index i = 0; i < error.size(); ++i) {
+    if (!std::isnan(error[i]))
+      continue;
+    error[i] = 0;
+    if (!chain)
+      lacks.push_back(fmt::format("the mode at {:.4g} Hz", stand.modes.frequency[i]));
+  }
+  return error;
+}
+
 // The band of the first model, and what states no error.
 void add_band(ResponseStudy &study, const StandInModels &stand, const FrequencyResponseSettings &settings)
 {
@@ -91,9 +108,7 @@ void add_band(ResponseStudy &study, const StandInModels &stand, const FrequencyR
       study.lacks = joined(std::move(study.lacks), input.lacks);
     else
       inputs.push_back({input.error, input.dK, input.dM});
-  // Six masses have neither mesh nor modes left out.
-  const Eigen::VectorXd mode_error = stand.models.front()->modes.error_estimate.unaryExpr(
-      [](const double error) { return std::isnan(error) ? 0 : error; });
+  const auto mode_error = known_mode_errors(*stand.models.front(), study.lacks);
   BandSettings sampling;
   if (std::isnan(settings.damping_tolerance))
     study.lacks.push_back("frequency_response.damping_tolerance");

@@ -47,7 +47,7 @@ struct ResponseStudy {
   std::vector<RespondingModel> models;
   ResponseBand band;               ///< of the first model
   bool uncertain = false;          ///< something is, so that the band has a width
-  std::vector<std::string> lacks;  ///< keys of inputs that state no error
+  std::vector<std::string> lacks;  ///< keys of inputs, and modes, that state no error
   std::vector<StudiedPeak> peaks;  ///< for the bite and for a force at the place itself; empty without damping
 };
 /// @param damping  -, ratio of critical of every mode; 0: responses without band and peaks

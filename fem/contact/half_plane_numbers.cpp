@@ -24,6 +24,7 @@ contact::HalfPlanePair half_planes(const TwoCylinders &pair)
 
 struct SlipState {
   SlipValues values;
+  double stick_step;  // m, what one stuck strip more adds to the half width; 0: it is not of whole ones
   LineWidth width;
 };
 
@@ -48,8 +49,11 @@ SlipState partial_slip(const TwoCylinders &pair, const bool fine)
   const Eigen::VectorXd t = s.nodal.tail(n);
   const auto edge         = stick_edge(s, problem.x.cwiseAbs(), t, c.friction, problem.width);
   // Unlike materials leave a stuck zone off the middle, of another shape: its strips are counted.
-  const double stuck = 0.5 * problem.width * double(std::count(s.status.begin(), s.status.end(), Status::stick));
-  return {{planes.bodies.coupling == 0 ? edge.stick : stuck, s.motion[1] - start, first, along(s)},
+  const bool coupled = planes.bodies.coupling != 0;
+  const double step  = coupled ? 0.5 * problem.width : 0;
+  const double stuck = step * double(std::count(s.status.begin(), s.status.end(), Status::stick));
+  return {{coupled ? stuck : edge.stick, s.motion[1] - start, first, along(s)},
+          step,
           {problem.x, s.nodal.head(n) / problem.width, t / problem.width}};
 }
 
@@ -67,14 +71,20 @@ SlipValues closed_slip(const TwoCylinders &pair)
 
 }  // namespace
 
-LineValues line_errors(const LineValues &fine, const LineValues &coarse, const double load, const double exact)
+double half_plane_coarsening()
+{
+  return double(strips(true)) / strips(false);
+}
+
+LineValues line_errors(const LineValues &fine, const LineValues &coarse, const double load, const double exact,
+                       const double ratio)
 {
   const double misfit = std::abs(0.5 * M_PI * fine.half_width * fine.peak_pressure / load - 1);
-  return {std::max(mesh_pair_error(fine.half_width, coarse.half_width), misfit),
-          std::max(mesh_pair_error(fine.peak_pressure, coarse.peak_pressure), misfit),
-          mesh_pair_error(fine.approach, coarse.approach),
-          widened(mesh_pair_error(fine.tangent, coarse.tangent), exact, fine.tangent),
-          mesh_pair_error(fine.secant, coarse.secant)};
+  return {std::max(mesh_pair_error(fine.half_width, coarse.half_width, ratio), misfit),
+          std::max(mesh_pair_error(fine.peak_pressure, coarse.peak_pressure, ratio), misfit),
+          mesh_pair_error(fine.approach, coarse.approach, ratio),
+          widened(mesh_pair_error(fine.tangent, coarse.tangent, ratio), exact, fine.tangent),
+          mesh_pair_error(fine.secant, coarse.secant, ratio)};
 }
 
 LineValues half_plane_values(const TwoCylinders &pair, const double line_load, const bool fine)
@@ -119,9 +129,11 @@ LineSlip half_plane_slip(const TwoCylinders &pair)
 {
   const SlipState fine = partial_slip(pair, true);
   const SlipValues &v = fine.values, coarse = partial_slip(pair, false).values;
-  const SlipValues error{
-      mesh_pair_error(v.stick, coarse.stick), mesh_pair_error(v.displacement, coarse.displacement),
-      mesh_pair_error(v.first_stiffness, coarse.first_stiffness), mesh_pair_error(v.tangent, coarse.tangent)};
+  const double ratio = half_plane_coarsening();
+  const SlipValues error{mesh_pair_error(v.stick, coarse.stick, ratio) + fine.stick_step / v.stick,
+                         mesh_pair_error(v.displacement, coarse.displacement, ratio),
+                         mesh_pair_error(v.first_stiffness, coarse.first_stiffness, ratio),
+                         mesh_pair_error(v.tangent, coarse.tangent, ratio)};
   return {v, coarse, error, closed_slip(pair), half_spaces_of(pair).coupling != 0, fine.width};
 }
 }  // namespace mill::contact

@@ -19,10 +19,15 @@ struct LineValues {
 /// (1.4), so a parabola of them must carry the load again; the tangent covers the slope with the active set held.
 /// @param load   N/m
 /// @param exact  N/m2, of the active set; NaN: the engine has none
-LineValues line_errors(const LineValues &fine, const LineValues &coarse, double load, double exact);
+/// @param ratio  -, element size of the coarser mesh over that of the finer one
+LineValues line_errors(const LineValues &fine, const LineValues &coarse, double load, double exact, double ratio);
+
+/// -, width of the coarser strips of this engine over that of the finer ones: an odd number of either, one in the
+/// middle, so not quite 2.
+double half_plane_coarsening();
 
 /// @param line_load  N/m
-/// @param fine       else with half as many strips
+/// @param fine       else with strips that are half_plane_coarsening() times as wide
 LineValues half_plane_values(const TwoCylinders &pair, double line_load, bool fine);
 
 /// The load-approach curve.
@@ -45,8 +50,8 @@ struct SlipValues {
   double tangent;          ///< N/m2, at the tangential load
 };
 struct LineSlip {
-  SlipValues value, coarse;  ///< the second on strips twice as wide
-  SlipValues error;          ///< -, relative
+  SlipValues value, coarse;  ///< the second on the wider strips
+  SlipValues error;          ///< -, relative; of unlike materials the stuck strips are whole, one is included
   SlipValues closed;         ///< Cattaneo (33.5), (33.10): equal materials
   bool coupled;              ///< the materials are not equal: pressure and shear are not apart
   LineWidth width;

@@ -73,13 +73,23 @@ double half_axis(const HalfSpaceState &s, const double middle)
   return fit_pressure(z, p).half_width;
 }
 
-double length_of_loaded_rows(const QuarterGrid &grid, const HalfSpaceState &s)
+struct LoadedRows {
+  double length, last;  // m, of all that carry, and of those next to one that does not
+};
+
+LoadedRows loaded_rows(const QuarterGrid &grid, const HalfSpaceState &s)
 {
-  double length = 0;
-  for (Eigen::Index j = 0; j < s.z.size(); ++j)
-    if (s.line_load[j] > 0)
-      length += grid.z[j + 1] - grid.z[j];
-  return grid.half ? length : 2 * length;
+  LoadedRows rows{0, 0};
+  const Eigen::Index n = s.z.size();
+  const auto carries   = [&](const Eigen::Index j) { return s.line_load[j] > 0; };
+  for (Eigen::Index j = 0; j < n; ++j)
+    if (carries(j)) {
+      const double row = grid.z[j + 1] - grid.z[j];
+      rows.length += row;
+      rows.last += row * ((j > 0 && !carries(j - 1)) + (j + 1 < n && !carries(j + 1)));
+    }
+  const double sides = grid.half ? 1 : 2;
+  return {sides * rows.length, sides * rows.last};
 }
 
 int row_of_results(const HalfSpaceState &s, const bool point)
@@ -159,10 +169,14 @@ SpaceAnswer solve_in_space(const SpaceShape &shape, const double load, const dou
     a.cut = a.state.reaches_end;
     a.row = row_of_results(a.state, e.point);
     read_row(a, e.point);
-    a.length = length_of_loaded_rows(a.grid, a.state);
+    const auto rows = loaded_rows(a.grid, a.state);
+    a.length        = rows.length;
+    a.length_step   = rows.last;
     if (e.point)
-      if (const double half = half_axis(a.state, e.middle_z); std::isfinite(half))
-        a.length = 2 * half;
+      if (const double half = half_axis(a.state, e.middle_z); std::isfinite(half)) {
+        a.length      = 2 * half;
+        a.length_step = 0;
+      }
     return a;
   }
   throw SolverError({"contact in space: no grid holds the contact",
@@ -246,7 +260,8 @@ SpaceSlip slip_in_space(const SpaceShape &shape, const SpaceContactSettings &c, 
   int stuck = 0;
   for (Eigen::Index i = 0; i < off.size(); ++i)
     stuck += off[i] <= off.minCoeff() * (1 + 1e-9) && s.state.status[std::size_t(i)] == Status::stick;
-  s.stick_half_width = stuck * s.contact.width * (grid.mirror_x ? 1 : 0.5);
+  s.stick_step       = s.contact.width * (grid.mirror_x ? 1 : 0.5);
+  s.stick_half_width = stuck * s.stick_step;
   return s;
 }
 }  // namespace mill::contact

@@ -12,6 +12,7 @@ struct SpaceAnswer {
   double half_width    = 0;      ///< m, there; mean of both rows at mid-length where none lies on it
   double peak_pressure = 0;      ///< Pa, there
   double length        = 0;      ///< m, of what carries
+  double length_step   = 0;      ///< m, rows at which it ends short of a face, where it is of whole rows; else 0
   bool cut             = false;  ///< the contact reaches an end of the faces
 };
 
@@ -30,6 +31,7 @@ bool singular_end(const SpaceShape &shape, const SpaceAnswer &answer, double til
 
 struct SpaceSlip {
   double stick_half_width;  ///< m, at the row of the scalar results
+  double stick_step = 0;    ///< m, what one stuck rectangle more adds to it; 0: it is not of whole ones
   double displacement;      ///< m
   double first_stiffness;   ///< N/m, of the first increment
   double tangent;           ///< N/m, at the tangential load

@@ -22,16 +22,36 @@ double palmgren_approach(const double load, const double length)
   return 3.84e-8 * std::pow(load, 0.9) / std::pow(1e3 * length, 0.8);
 }
 
-// @param exact  the closed form is: it judges both grids
-SpaceNumber number(const double fine, const double coarse, const double closed, const bool exact,
-                   const double safety = mesh_pair_safety)
+// Two grids, of which the coarser has rectangles `ratio` times as large.  No order is known: the first.
+class TwoGrids {
+public:
+  explicit TwoGrids(const double coarser) : ratio(coarser) {}
+  SpaceNumber number(const double fine, const double coarse, const double closed,
+                     const double safety = mesh_pair_safety) const
+  {
+    return {fine, coarse, mesh_pair_error(fine, coarse, ratio, safety), closed};
+  }
+  // The closed form judges both grids where it is exact.
+  SpaceNumber judged(const double fine, const double coarse, const double closed, const bool exact) const
+  {
+    SpaceNumber out = number(fine, coarse, closed);
+    if (exact)
+      out.error = widened(out.error, closed, fine);
+    return out;
+  }
+
+private:
+  double ratio;
+};
+
+// A number of whole cells is not known better than to one of them, m, whatever both grids say.
+void widen_by_cell(SpaceNumber &number, const double cell)
 {
-  const double error = mesh_pair_error(fine, coarse, 2, safety);
-  return {fine, coarse, exact ? widened(error, closed, fine) : error, closed};
+  number.error += cell / number.value;
 }
 
 // How uneven the load is along the face; no number where it is the grid's.
-void read_edges(SpaceNumbers &out, const double load)
+void read_edges(SpaceNumbers &out, const double load, const TwoGrids &grids)
 {
   if (out.form == SpaceForm::point || !std::isfinite(out.shape.length) || out.singular)
     return;
@@ -39,9 +59,9 @@ void read_edges(SpaceNumbers &out, const double load)
     return a.state.line_load.maxCoeff() / (load / out.shape.length);
   };
   const auto edge     = [](const SpaceAnswer &a) { return a.state.peak_pressure.maxCoeff() / a.peak_pressure; };
-  out.line_load_ratio = number(ratio(out.fine), ratio(out.coarse), 1, false, unseen_order_safety);
+  out.line_load_ratio = grids.number(ratio(out.fine), ratio(out.coarse), 1, unseen_order_safety);
   if (out.fine.state.line_load[out.fine.row] > 0)
-    out.edge_factor = number(edge(out.fine), edge(out.coarse), 1, false, unseen_order_safety);
+    out.edge_factor = grids.number(edge(out.fine), edge(out.coarse), 1, unseen_order_safety);
 }
 }  // namespace
 
@@ -54,15 +74,15 @@ SpaceForm space_form(const SpaceShape &shape, const double load, const double ti
 
 ClosedSpace closed_space(const SpaceShape &shape, const SpaceForm form, const double load, const double tilt)
 {
+  if (space_form(shape, load, tilt) != form)
+    return {};
   switch (form) {
   case SpaceForm::point: {
     const PointContact e = ellipse_of(shape, load);
     return {e.semi_x, e.peak_pressure, e.approach, e.secant, e.tangent};
   }
   case SpaceForm::line: {
-    const HertzLine h = even_line(shape, load);
-    if (!(shape.length > 2 * h.half_width))  // a load above the working load
-      return {};
+    const HertzLine h     = even_line(shape, load);
     const auto l          = lundberg_line(h, load / shape.length, shape.length, shape.modulus);
     const double approach = l.approach + shape.first_touch(tilt);
     return {h.half_width, h.peak_pressure, approach, load / approach, l.tangent};
@@ -91,16 +111,19 @@ SpaceNumbers space_numbers(const TwoCylinders &pair)
   const auto secant     = [](const SpaceAnswer &answer) { return answer.state.load / answer.state.approach; };
   const bool has_slices = line && std::isfinite(shape.length);
   const auto slices     = has_slices ? shape.slices(c.at, c.tilt) : SpaceShape::Slices{not_given, not_given};
-  out.half_width        = number(a.half_width, b.half_width, closed.half_width, point);
-  out.peak_pressure     = number(a.peak_pressure, b.peak_pressure, closed.peak_pressure, point);
-  out.approach          = number(a.state.approach, b.state.approach, closed.approach, point);
-  out.tangent           = number(a.tangent, b.tangent, closed.tangent, point);
-  out.secant            = number(secant(a), secant(b), closed.secant, point);
-  out.length = number(a.length, b.length, point ? 2 * ellipse_of(shape, c.at).semi_y : slices.length, point);
-  read_edges(out, c.at);
+  const TwoGrids grids(b.grid.width / a.grid.width);
+  out.half_width      = grids.judged(a.half_width, b.half_width, closed.half_width, point);
+  out.peak_pressure   = grids.judged(a.peak_pressure, b.peak_pressure, closed.peak_pressure, point);
+  out.approach        = grids.judged(a.state.approach, b.state.approach, closed.approach, point);
+  out.tangent         = grids.judged(a.tangent, b.tangent, closed.tangent, point);
+  out.secant          = grids.judged(secant(a), secant(b), closed.secant, point);
+  const double length = point ? 2 * ellipse_of(shape, c.at).semi_y : slices.length;
+  out.length          = grids.judged(a.length, b.length, length, point);
+  widen_by_cell(out.length, a.length_step);
+  read_edges(out, c.at, grids);
   if (a.grid.half)
-    out.moment =
-        number(a.state.moment, b.state.moment, point ? c.at * c.tilt / shape.curvature : slices.moment, point);
+    out.moment = grids.judged(a.state.moment, b.state.moment,
+                              point ? c.at * c.tilt / shape.curvature : slices.moment, point);
   return out;
 }
 
@@ -153,10 +176,12 @@ SpaceSlipNumbers space_slip(const TwoCylinders &pair, const SpaceNumbers &presse
   } else if (pressed.form == SpaceForm::line)
     stick = cattaneo_line(even_line(shape, c.at), share).stick;
   const SpaceSlip &fine = out.fine;
-  out.stick             = number(fine.stick_half_width, coarse.stick_half_width, stick, false);
-  out.displacement      = number(fine.displacement, coarse.displacement, ellipse.tangential, false);
-  out.first             = number(fine.first_stiffness, coarse.first_stiffness, ellipse.stiffness, false);
-  out.tangent           = number(fine.tangent, coarse.tangent, ellipse.stiffness * std::cbrt(1 - share), false);
+  const TwoGrids grids(coarse.contact.width / fine.contact.width);
+  out.stick = grids.number(fine.stick_half_width, coarse.stick_half_width, stick);
+  widen_by_cell(out.stick, fine.stick_step);
+  out.displacement = grids.number(fine.displacement, coarse.displacement, ellipse.tangential);
+  out.first        = grids.number(fine.first_stiffness, coarse.first_stiffness, ellipse.stiffness);
+  out.tangent      = grids.number(fine.tangent, coarse.tangent, ellipse.stiffness * std::cbrt(1 - share));
 
   const Eigen::Index n = fine.contact.place.rows();
   const double area    = fine.contact.area;

@@ -10,8 +10,8 @@ namespace mill::contact {
 /// A number by two grids.  The member that is one states its unit; NaN: it is not known.
 struct SpaceNumber {
   double value  = not_given;  ///< unit of the quantity
-  double coarse = not_given;  ///< the same unit, of a grid twice as coarse
-  double error  = not_given;  ///< -, relative
+  double coarse = not_given;  ///< the same unit, of the coarser grid
+  double error  = not_given;  ///< -, relative; a number of whole cells includes one of them
   double closed =
       not_given;  ///< the same unit, of a closed form, which of a point contact is exact; NaN: none holds
 };
@@ -33,7 +33,8 @@ struct ClosedSpace {
   double secant        = not_given;  ///< N/m
   double tangent       = not_given;  ///< N/m
 };
-/// @param form  at the working load
+/// @param form  at the working load; at another one the faces may cut the ellipse, or a crown leave one, and then
+///              this form does not hold
 ClosedSpace closed_space(const SpaceShape &shape, SpaceForm form, double load, double tilt);
 
 struct SpaceNumbers {

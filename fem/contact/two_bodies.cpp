@@ -82,15 +82,16 @@ bool SpaceShape::is_point(const double load, const double tilt) const
 
 SpaceShape::Slices SpaceShape::slices(const double load, const double tilt) const
 {
-  constexpr int n    = 400;
-  const double slice = length / n;
-  const auto hertz   = hertz_line(load / length, radius, modulus);
-  const double stiff = lundberg_line(hertz, load / length, length, modulus).secant / n;
-  const auto carried = [&](const double approach, Slices &out) {
+  constexpr int n     = 400;
+  const double slice  = length / n;
+  const auto place_of = [&](const int i) { return (i + 0.5) * slice - length / 2; };
+  const auto hertz    = hertz_line(load / length, radius, modulus);
+  const double stiff  = lundberg_line(hertz, load / length, length, modulus).secant / n;
+  const auto carried  = [&](const double approach, Slices &out) {
     double sum = 0;
     out        = {0, 0};
     for (int i = 0; i < n; ++i) {
-      const double z = (i + 0.5) * slice - length / 2, depth = approach - drop(z) + tilt * z;
+      const double z = place_of(i), depth = approach - drop(z) + tilt * z;
       if (depth > 0) {
         sum += depth * stiff;
         out.length += slice;
@@ -100,8 +101,10 @@ SpaceShape::Slices SpaceShape::slices(const double load, const double tilt) cons
     return sum;
   };
   Slices out{};
-  const double least = -std::abs(tilt) * length;
-  double most        = least;
+  double least = infinite;  // where the first slice touches
+  for (int i = 0; i < n; ++i)
+    least = std::min(least, drop(place_of(i)) - tilt * place_of(i));
+  double most = least;
   for (double step = hertz.half_width; carried(most, out) < load; step *= 2)
     most += step;
   carried(root_between(least, most, [&](const double approach) { return carried(approach, out) - load; }).value(),

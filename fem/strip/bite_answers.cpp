@@ -87,16 +87,19 @@ std::string slab_key(const BiteSetup &setup)
   return setup.arc == BiteArc::elastic ? "karman-elastic-arc" : word_of(setup.theory);
 }
 
-BiteSetup other_strip(BiteSetup setup)
+BiteSetup other_strip(const BiteSetup &settled, const BiteSetup &asked)
 {
-  const bool was_elastic = setup.strip == BiteStrip::elastic_plastic;
+  const bool was_elastic = settled.strip == BiteStrip::elastic_plastic;
+  BiteSetup other        = settled;
+  other.elements_along   = asked.elements_along;
+  other.elements_through = asked.elements_through;
   if (was_elastic)
-    setup.strip = BiteStrip::rigid_plastic;
+    other.strip = BiteStrip::rigid_plastic;
   else
-    take_elastic_strip(setup);
-  if (setup.arc != BiteArc::rigid)
-    setup.arc = was_elastic ? BiteArc::hitchcock : BiteArc::elastic;
-  return setup;
+    take_elastic_strip(other);
+  if (settled.arc != BiteArc::rigid)
+    other.arc = was_elastic ? BiteArc::hitchcock : BiteArc::elastic;
+  return other;
 }
 
 const BiteAnswer *BiteStudy::find(const std::string &key) const
@@ -163,14 +166,14 @@ BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime)
   else if (setup.strip == BiteStrip::automatic)
     setup.strip = BiteStrip::rigid_plastic;
   if (setup.arc == BiteArc::automatic)
-    setup.arc = elastic ? BiteArc::elastic : BiteArc::hitchcock;
+    setup.arc = elastic && !other_theory ? BiteArc::elastic : BiteArc::hitchcock;
   return setup;
 }
 
 bite::SlabModel slab_model(const BiteSetup &setup)
 {
-  return {setup.theory, setup.arc == BiteArc::rigid     ? Arc::rigid
-                        : setup.arc == BiteArc::elastic ? Arc::elastic
-                                                        : Arc::hitchcock};
+  if (setup.arc == BiteArc::elastic)
+    return {Theory::karman, Arc::elastic};
+  return {setup.theory, setup.arc == BiteArc::rigid ? Arc::rigid : Arc::hitchcock};
 }
 }  // namespace mill::fem

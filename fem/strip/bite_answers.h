@@ -40,7 +40,9 @@ struct BiteAnswer {
 /// The finite-element bite on two meshes.
 struct FlowAnswer {
   fem::StripFlow fine;
-  double coarse_force       = not_given;  ///< N, on elements twice as large
+  double coarsening = not_given;          ///< -, elements of the coarser mesh over those of the finer one, in the
+                                          ///< direction in which that is less
+  double coarse_force       = not_given;  ///< N, on the coarser mesh
   double coarse_slope       = not_given;  ///< N/m
   double coarse_torque      = not_given;  ///< N m
   double coarse_slip        = not_given;  ///< -, forward slip
@@ -55,9 +57,10 @@ struct FlowAnswer {
 
 template <class Io, class R, if_record<R, FlowAnswer> = 0> void each_member(Io &&io, R &record)
 {
-  auto &[fine, coarse_force, coarse_slope, coarse_torque, coarse_slip, elastic, smallest_thickness, elastic_entry,
-         elastic_exit, elastic_power, outlet_height, outlet_stress] = record;
+  auto &[fine, coarsening, coarse_force, coarse_slope, coarse_torque, coarse_slip, elastic, smallest_thickness,
+         elastic_entry, elastic_exit, elastic_power, outlet_height, outlet_stress] = record;
   io("fine", fine);
+  io("coarsening", coarsening);
   io("coarse_force", coarse_force);
   io("coarse_slope", coarse_slope);
   io("coarse_torque", coarse_torque);
@@ -93,10 +96,12 @@ Warning no_arc_carries(const std::string &pass, const bite::Regime &regime);
 
 /// Settings of [bite] with what they leave to the regime of the pass.
 BiteSetup settled_setup(BiteSetup setup, const bite::Regime &regime);
-/// The other strip of the finite elements, for a pass in which those of this setup find no answer.
-BiteSetup other_strip(BiteSetup setup);
+/// The other strip of the finite elements, for a pass in which those of the settled setup find no answer.
+/// @param asked  before it was settled: its elements are those of a rigid-plastic strip
+BiteSetup other_strip(const BiteSetup &settled, const BiteSetup &asked);
 
-/// The slab theory of [bite] with its arc, and its key among the answers.
+/// The slab theory of [bite] with its arc, and its key among the answers; on a free arc Karman's, whatever [bite]
+/// asks for: no other theory has one.
 bite::SlabModel slab_model(const BiteSetup &setup);
 std::string slab_key(const BiteSetup &setup);
 

@@ -71,7 +71,8 @@ double bite_error(const BiteStudy &s, const double value, const double coarse,
   const BiteAnswer &chosen = s.chosen(), *fe = s.find("fe");
   if (&chosen == fe) {
     const BiteAnswer *slab = slab_beside(s);
-    others                 = {value + mesh_pair_safety * (coarse - value), slab ? same(*slab) : not_given};
+    const double finer     = mesh_pair_safety * (coarse - value) / (s.flow->coarsening - 1);  // (1.5)
+    others                 = {value + finer, slab ? same(*slab) : not_given};
   } else {
     for (const BiteAnswer &answer : s.answers)
       if (answer.refused.empty() && &answer != &chosen &&

@@ -7,7 +7,7 @@
 // What is read off the answers to one pass: K4 and the errors of all numbers.
 namespace mill::fem {
 /// What is not known of one number of the chosen model, relative: the largest of
-///   finite elements: what doubling the elements changes, and the distance to the same number by the slab theory;
+///   finite elements: what the coarser mesh changes (1.5), and the distance to the same number by the slab theory;
 ///   slab theory: the distance to the same number by the finite elements and by the other theories;
 ///   free arc: what the mesh error of the roll's section does to the same number, by the slab on a softer section;
 ///   circle beyond Hitchcock's range: the distance to the same number by the slab on the free arc.

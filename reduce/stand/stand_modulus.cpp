@@ -13,6 +13,7 @@ namespace mill::reduce {
 namespace {
 constexpr double width_step = 0.01;  // relative, of central differences
 constexpr double force_step = 0.02;
+constexpr double least_step = 1e-6;  // below it rounding is seen in the differences
 
 // One work roll on its contact line under a strip of this width.
 BentWorkRoll bent_roll(const FourHigh &stand, const Component *solid, const double width, const double K)
@@ -55,16 +56,25 @@ double error_on_modulus(const std::vector<PathPart> &path, const std::vector<Pat
   return error;
 }
 
-LoadDeflection stretch_of(const std::vector<PathSpring> &path, const double load,
-                          const std::array<const ContactCurve *, 2> &contacts)
+struct LoadRange {
+  double low, high;  // N
+};
+
+// The part of a range in which both contacts have samples.
+LoadRange sampled(LoadRange range, const std::array<const ContactCurve *, 2> &contacts)
 {
-  constexpr int n = 41;
-  double low = 0.1 * load, high = 2 * load;
   for (const ContactCurve *curve : contacts)
     if (curve) {
-      low  = std::max(low, curve->load[0]);
-      high = std::min(high, curve->load[curve->load.size() - 1]);
+      range.low  = std::max(range.low, curve->load[0]);
+      range.high = std::min(range.high, curve->load[curve->load.size() - 1]);
     }
+  return range;
+}
+
+LoadDeflection stretch_of(const std::vector<PathSpring> &path, const LoadRange &range)
+{
+  constexpr int n        = 41;
+  const auto [low, high] = range;
   LoadDeflection all{Eigen::VectorXd(n), Eigen::VectorXd(n), Eigen::VectorXd(n)};
   for (int i = 0; i < n; ++i) {
     const double F    = i == n - 1 ? high : low * std::pow(high / low, double(i) / (n - 1));
@@ -74,6 +84,22 @@ LoadDeflection stretch_of(const std::vector<PathSpring> &path, const double load
     all.tangent[i]    = m.tangent;
   }
   return all;
+}
+
+// The slope at `load` of the parabola through the stretch at three forces a step apart, N/m: the load and both
+// sides of it, moved to where there are samples.
+double modulus_by_differences(const std::vector<PathSpring> &path, const double load, const LoadRange &range)
+{
+  const double step = std::min(force_step * load, 0.5 * (range.high - range.low));
+  if (!(step >= least_step * load))
+    return not_given;
+  const double middle = std::min(std::max(load, range.low + step), range.high - step);
+  const auto stretch  = [&](const double force) { return force / modulus_at(path, force).secant; };
+  const double below = stretch(middle - step), above = stretch(middle + step);
+  double rise = 0.5 * (above - below);
+  if (middle != load)
+    rise += (load - middle) / step * (above - 2 * stretch(middle) + below);
+  return step / rise;
 }
 
 // Deflection at a force, the tangents summed from the first one of the stretch: Simpson's rule over ln F.  m
@@ -164,14 +190,13 @@ PathModulus path_modulus(const std::vector<PathSpring> &path, const std::vector<
                          const std::array<const ContactCurve *, 2> &contacts)
 {
   const std::vector<PathPart> parts(path.begin(), path.end());
-  PathModulus out{mill_modulus(parts), 0, 0, stretch_of(path, load, contacts)};
+  const LoadRange range = sampled({0.1 * load, 2 * load}, contacts);
+  PathModulus out{mill_modulus(parts), 0, 0, stretch_of(path, range)};
   if (is_closed(frame))
     out.modulus.error = error_on_modulus(parts, {touching.begin(), touching.end()}, frame.modulus_error);
   if (!std::isnan(out.modulus.error))
     out.modulus.lacks.clear();
-  const double d     = force_step * load;
-  const auto stretch = [&](const double force) { return force / modulus_at(path, force).secant; };
-  out.by_differences = 2 * d / (stretch(load + d) - stretch(load - d));
+  out.by_differences = modulus_by_differences(path, load, range);
   out.by_tangents    = load / summed_tangents(path, out.stretch, load);
   return out;
 }

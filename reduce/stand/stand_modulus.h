@@ -70,8 +70,10 @@ PathSpring spring_with_bearings(PathPart part, double K_Zy, double secant, const
 /// A path at its rolling force.
 struct PathModulus {
   MillModulus modulus;
-  double by_differences;   ///< N/m, the tangent from secants at 2 % more and less force
-  double by_tangents;      ///< N/m, the secant from tangents, summed from the smallest force of the stretch
+  double by_differences;  ///< N/m, the tangent from secants at 2 % more and less force; where a contact has no
+                          ///< samples there, from three forces beside, at most 4 % away, with a parabola; NaN: the
+                          ///< contacts have samples at this one force only
+  double by_tangents;     ///< N/m, the secant from tangents, summed from the smallest force of the stretch
   LoadDeflection stretch;  ///< 41 forces, a tenth to twice the rolling force as far as both contacts have samples
 };
 /// Where the frame follows a measured modulus, (30.12) gives the error in place of (30.5).

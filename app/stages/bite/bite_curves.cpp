@@ -37,13 +37,18 @@ struct Sweep {
   std::vector<Eigen::Index> finite_element;           // of `values`, outward from the working point
 };
 
+// The theory of [bite], which is solved so often on a circle only.
+bite::SlabModel quick_model(BiteSetup setup)
+{
+  if (setup.arc == BiteArc::elastic)
+    setup.arc = BiteArc::hitchcock;
+  return fem::slab_model(setup);
+}
+
 std::optional<bite::BiteState> slab_state(const BiteStudy &study, const RollBite &bite)
 {
-  bite::SlabModel model = fem::slab_model(study.question.setup);
-  if (model.arc == Arc::elastic)
-    model.arc = Arc::hitchcock;  // a map takes many states
   try {
-    return bite::solve_slab(bite, model);
+    return bite::solve_slab(bite, quick_model(study.question.setup));
   } catch (const InputError &) {
     return std::nullopt;  // no such pass: the curve has a gap
   } catch (const SolverError &) {
@@ -187,16 +192,13 @@ void write_map(RunContext &run, const BiteStudy &study)
   const RollBite &bite = study.question.bite;
   if (!is_a_number(bite.strip.friction))
     return;
-  bite::SlabModel model = fem::slab_model(study.question.setup);
-  if (model.arc == Arc::elastic)
-    model.arc = Arc::hitchcock;
   constexpr Eigen::Index n = 25;
   const double r = 1 - bite.strip.exit_thickness / bite.strip.entry_thickness, mu = study.chosen().state.friction;
   const bite::MapAxis reduction{MapQuantity::reduction,
                                 Eigen::VectorXd::LinSpaced(n, 0.4 * r, std::min(1.6 * r, 0.5 * (1 + r)))};
   const bite::MapAxis friction{MapQuantity::friction,
                                Eigen::VectorXd::LinSpaced(n, 0.5 * mu, std::min(1.0, 1.6 * mu))};
-  const auto map = bite::stiffness_map(bite, model, reduction, friction, run.threads);
+  const auto map = bite::stiffness_map(bite, quick_model(study.question.setup), reduction, friction, run.threads);
   Eigen::VectorXd at_reduction(n * n), at_friction(n * n), slope(n * n), force(n * n);
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) {

@@ -55,13 +55,14 @@ std::optional<FlowAnswer> try_flow(RunContext &run, BiteStudy &study, const Bite
   return std::nullopt;
 }
 
-void add_finite_elements(RunContext &run, BiteStudy &study)
+// @param asked  the settings of the case
+void add_finite_elements(RunContext &run, BiteStudy &study, const BiteSetup &asked)
 {
   BiteAnswer answer;
   answer.key = "fe";
   study.flow = try_flow(run, study, study.question.setup);
   if (!study.flow) {
-    const BiteSetup other = fem::other_strip(study.question.setup);
+    const BiteSetup other = fem::other_strip(study.question.setup, asked);
     study.flow            = try_flow(run, study, other);
     if (study.flow)
       study.question.setup = other;
@@ -110,7 +111,7 @@ BiteStudy study_bite(RunContext &run, const BiteQuestion &question)
   }
   refuse_impossible(study);
   if (setup.method == BiteMethod::fe)
-    add_finite_elements(run, study);
+    add_finite_elements(run, study, question.setup);
   study.chosen();  // or no theory has an answer
   fem::add_for_accuracy(study);
   return study;

@@ -13,7 +13,7 @@
 namespace mill {
 namespace {
 // Raised by hand when the finite-element bite changes what it computes.
-constexpr const char *flow_version = "strip flow 7";
+constexpr const char *flow_version = "strip flow 8";
 
 // Unknowns times factorisations of both meshes of a pass: twice what the usual mesh takes, some 8 and 14 s on one
 // core.  A finer mesh may take more.
@@ -92,14 +92,38 @@ int multiple_of_four(const int elements)
   return 4 * ((elements + 3) / 4);
 }
 
+// Elements of a bite on its two meshes: half as many on the coarser one, as far as the mesh can have them.
+struct FlowMeshes {
+  int along, through, coarse_along, coarse_through;
+  double coarsening() const
+  {
+    return std::min(double(along) / coarse_along, double(through) / coarse_through);
+  }
+};
+
+FlowMeshes rigid_meshes(const BiteSetup &setup)
+{
+  const int along = multiple_of_four(setup.elements_along);
+  return {along, setup.elements_through, multiple_of_four(along / 2), half(setup.elements_through)};
+}
+
+// Ten times dearer than the rigid-plastic strip, and made for thin strip: fewer elements, half the rows.
+FlowMeshes elastic_meshes(const BiteSetup &setup)
+{
+  const int along   = std::max(16, 2 * setup.elements_along / 3),
+            through = std::max(3, half(setup.elements_through));
+  return {along, through, std::max(10, half(along)), half(through)};
+}
+
 FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
 {
   FlowAnswer answer;
-  const int along   = multiple_of_four(q.setup.elements_along);
-  const double work = allowed_work(q.setup);
-  const auto coarse = rigid_flow(q, multiple_of_four(along / 2), half(q.setup.elements_through), nullptr, work);
+  const FlowMeshes mesh = rigid_meshes(q.setup);
+  const double work     = allowed_work(q.setup);
+  const auto coarse     = rigid_flow(q, mesh.coarse_along, mesh.coarse_through, nullptr, work);
   run.progress.at(timer_name(q), 0.3);
-  answer.fine          = rigid_flow(q, along, q.setup.elements_through, &coarse, work - coarse.work);
+  answer.fine          = rigid_flow(q, mesh.along, mesh.through, &coarse, work - coarse.work);
+  answer.coarsening    = mesh.coarsening();
   answer.coarse_force  = coarse.state.force;
   answer.coarse_torque = coarse.state.torque;
   answer.coarse_slope  = slope_of(coarse);
@@ -110,14 +134,13 @@ FlowAnswer rigid_answer(RunContext &run, const FlowQuestion &q)
 FlowAnswer elastic_answer(RunContext &run, const FlowQuestion &q, const bite::ArcFlexibility *flexibility)
 {
   FlowAnswer answer;
-  // Ten times dearer than the rigid-plastic strip, and made for thin strip: fewer elements, half the rows.
-  const int along   = std::max(16, 2 * q.setup.elements_along / 3),
-            through = std::max(3, half(q.setup.elements_through));
-  const double work = allowed_work(q.setup);
-  const auto coarse = elastic_flow(q, std::max(10, half(along)), half(through), flexibility, work);
+  const FlowMeshes mesh = elastic_meshes(q.setup);
+  const double work     = allowed_work(q.setup);
+  const auto coarse     = elastic_flow(q, mesh.coarse_along, mesh.coarse_through, flexibility, work);
   run.progress.at(timer_name(q), 0.3);
-  const auto fine           = elastic_flow(q, along, through, flexibility, work - coarse.flow.work);
+  const auto fine           = elastic_flow(q, mesh.along, mesh.through, flexibility, work - coarse.flow.work);
   answer.fine               = fine.flow;
+  answer.coarsening         = mesh.coarsening();
   answer.coarse_force       = coarse.flow.state.force;
   answer.coarse_torque      = coarse.flow.state.torque;
   answer.coarse_slope       = slope_of(coarse.flow);

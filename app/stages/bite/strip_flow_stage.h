@@ -13,8 +13,7 @@ struct FlowQuestion {
 /// @param flexibility  of the roll's section; nullptr: a circle or a rigid roll
 std::string flow_inputs(const FlowQuestion &question, const bite::ArcFlexibility *flexibility);
 
-/// Solves a bite by finite elements on the wanted mesh and on elements twice as large, or takes both from the
-/// cache.
+/// Solves a bite by finite elements on the wanted mesh and on a coarser one, or takes both from the cache.
 /// @throws SolverError  no convergence; the last converged level is part of the message
 FlowAnswer solve_flow(RunContext &run, const FlowQuestion &question, const bite::ArcFlexibility *flexibility);
 

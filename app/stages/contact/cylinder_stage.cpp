@@ -20,11 +20,12 @@ namespace mill {
 namespace {
 using contact::LineValues;
 
-// What one engine says of the contact at its working load, and on elements twice as large.
+// What one engine says of the contact at its working load, and on larger elements.
 struct LineAnswer {
   std::string method;
   std::string coarser;       ///< name of the second set of values
   LineValues value, second;  ///< per metre of length
+  double ratio = 2;          ///< -, element size of the second over that of the first
   double exact = not_given;  ///< N/m2, slope with the active set held; NaN where the engine has none to show
   ContactCurve curve;
 };
@@ -121,6 +122,7 @@ LineAnswer by_half_planes(RunContext &run, const TwoCylinders &spec)
       "half planes, boundary elements (sec. 33.2), cylinders to their axes with Johnson's datum, an elastic plane "
       "to the stated depth";
   a.coarser = "strips twice as wide";
+  a.ratio   = contact::half_plane_coarsening();
   a.value   = contact::half_plane_values(spec, c.at, true);
   a.second  = contact::half_plane_values(spec, c.at, false);
   a.curve   = contact::half_plane_curve(spec, fem::log_spaced(c.loads[0], c.loads[1], c.samples), run.progress);
@@ -131,7 +133,7 @@ void add_results(RunContext &run, const TwoCylinders &spec, const PlaneEngine en
 {
   const ContactSettings &c = spec.contact;
   const auto closed        = contact::line_bodies(contact::line_bodies_of(spec), c.at);
-  const LineValues error   = contact::line_errors(a.value, a.second, c.at, a.exact);
+  const LineValues error   = contact::line_errors(a.value, a.second, c.at, a.exact, a.ratio);
   const bool by_elements   = engine != PlaneEngine::half_planes;
   const LineValues other   = by_elements ? contact::half_plane_values(spec, c.at, true) : LineValues{};
   const auto scalar        = [&](const RowOf<0> &row, double LineValues::*member, std::vector<Check> checks,

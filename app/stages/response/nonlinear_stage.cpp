@@ -37,8 +37,10 @@ void say_verdict(NonlinearRecord &record)
       parted += fmt::format("{}{} parts {} times", parted.empty() ? "" : ", ", spring.name, spring.parted);
   record.linear_enough = verdict.enough;
   const std::string levels =
-      fmt::format("peaks and rms of the work rolls differ from the linear run by {:.2g} % at most",
-                  100 * std::abs(verdict.furthest));
+      std::isfinite(verdict.furthest)
+          ? fmt::format("peaks and rms of the work rolls differ from the linear run by {:.2g} % at most",
+                        100 * std::abs(verdict.furthest))
+          : "a peak or an rms of the work rolls has no ratio to that of the linear run";
   const std::string forces = verdict.parts      ? parted
                              : !verdict.softest ? "no force of a contact falls"
                                                 : fmt::format("the force of {} falls to {:.3g} % of that at rest",

@@ -22,6 +22,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <limits>
 #include <utility>
 
 namespace mill {
@@ -243,17 +244,21 @@ StandModels stand_models(const FourHigh &stand, const reduce::LumpedStand &chain
   const double limit = stand.dynamics.frequency_limit;
   const auto springs = reduce::stand_springs(stand, chain), on_bearing = reduce::stand_springs(stand, chain, true);
   StandModels m;
-  m.chain           = chain_with_modes(chain.model, stand.dynamics);
-  m.beam            = with_modes_of(reduce::beam_stand(stand, springs, beam_elements), limit);
-  const auto beam_2 = with_modes_of(reduce::beam_stand(stand, springs, beam_elements / 2), limit);
+  m.chain = chain_with_modes(chain.model, stand.dynamics);
+  m.beam  = with_modes_of(reduce::beam_stand(stand, springs, beam_elements), limit);
+  // Without a limit: what a coarser mesh makes of a mode just below it may lie above.
+  const double all  = std::numeric_limits<double>::infinity();
+  const auto beam_2 = with_modes_of(reduce::beam_stand(stand, springs, beam_elements / 2), all);
   reduce::estimate_errors(m.beam.modes, beam_2.modes);
   m.craig_bampton   = with_modes_of(reduce::component_stand(stand, on_bearing, components.fine), limit);
-  const auto coarse = with_modes_of(reduce::component_stand(stand, on_bearing, components.coarse), limit);
-  // The residual of the modes left out, and what a coarser mesh moves.
+  const auto coarse = with_modes_of(reduce::component_stand(stand, on_bearing, components.coarse), all);
+  // The residual of the modes left out, and what a coarser mesh moves; of a mode that it lacks that is not known.
   auto &error = m.craig_bampton.modes.error_estimate;
-  for (Eigen::Index i = 0; i < std::min(error.size(), coarse.modes.frequency.size()); ++i)
-    error[i] +=
-        mesh_pair_error(m.craig_bampton.modes.frequency[i], coarse.modes.frequency[i], roll_mesh_gain(components));
+  for (Eigen::Index i = 0; i < error.size(); ++i)
+    error[i] += i < coarse.modes.frequency.size()
+                    ? mesh_pair_error(m.craig_bampton.modes.frequency[i], coarse.modes.frequency[i],
+                                      roll_mesh_gain(components))
+                    : not_given;
   const auto names      = reduce::common_names({&m.craig_bampton, &m.beam, &m.chain},
                                                {{0, 1, reduce::mac_between(m.craig_bampton, m.beam)},
                                                 {0, 2, reduce::mac_with_chain(m.craig_bampton, m.chain)},

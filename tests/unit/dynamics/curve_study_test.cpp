@@ -52,6 +52,29 @@ TEST(CurveStudy, LinearSpringsAreEnoughWithinAPercentOfEveryLevel)
   EXPECT_FALSE(linear_verdict(record).enough) << "a ratio without a value is far";
 }
 
+// 0/0 of a roll that stands still, or the NaN of a run that did not hold: whichever roll has it, and whatever the
+// other one does.
+TEST(CurveStudy, ALevelWithoutARatioIsNeverEnough)
+{
+  const NonlinearRoll close{"work roll", 1.005, 1.005, 1, 1, 1, 1}, far{"work roll", 2, 2, 1, 1, 1, 1},
+      at_rest{"work roll", 0, 0, 0, 0, 0, 0}, broken{"work roll", not_given, not_given, 1, 1, 1, 1},
+      peak_alone{"work roll", not_given, 1, 1, 1, 1, 1};
+  for (const NonlinearRoll &without : {at_rest, broken, peak_alone})
+    for (const NonlinearRoll &other : {close, far})
+      for (const auto &rolls : {std::vector{without, other}, std::vector{other, without}}) {
+        NonlinearRecord record;
+        record.rolls       = rolls;
+        const auto verdict = linear_verdict(record);
+        EXPECT_TRUE(std::isnan(verdict.furthest));
+        EXPECT_FALSE(verdict.enough);
+      }
+  NonlinearRecord record;
+  record.rolls = {close, close};
+  EXPECT_TRUE(linear_verdict(record).enough);
+  record.rolls = {far, close};
+  EXPECT_TRUE(near(linear_verdict(record).furthest, 1, within(1e-12, "2 against 1")));
+}
+
 TEST(CurveStudy, SamplesAreLeftAboveAndBelowUnlessASpringParts)
 {
   EXPECT_FALSE(leaves_samples(spring("K3", 0.5, 0)));

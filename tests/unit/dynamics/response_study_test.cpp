@@ -86,6 +86,19 @@ TEST(ResponseStudy, AnInputWithoutAnErrorLeavesThePeakWithout)
       << "a stiffer spring moves the peak and leaves its height";
 }
 
+// A companion mesh may have fewer modes: those beyond them have no error, and are not taken as exact.
+TEST(ResponseStudy, AModeWithoutAnErrorLeavesThePeakWithout)
+{
+  auto stand                 = one_mass(natural, "beam");
+  stand.modes.error_estimate = Eigen::Vector2d(0.01, not_given);
+  const auto study           = response_study({{&stand}, {}, 0, not_given}, with_tolerance(0.1), ratio);
+  EXPECT_EQ(study.lacks, std::vector<std::string>{"the mode at 240 Hz"});
+  EXPECT_TRUE(std::isnan(study.peaks.at(0).error));
+  EXPECT_TRUE(study.uncertain) << "the band is that of what is known";
+  stand.modes.error_estimate = Eigen::Vector2d(0.01, 0);
+  EXPECT_TRUE(response_study({{&stand}, {}, 0, not_given}, with_tolerance(0.1), ratio).lacks.empty());
+}
+
 TEST(ResponseStudy, FrequenciesFollowTheSettings)
 {
   const auto stand                   = one_mass(natural, "beam");
@@ -111,6 +124,8 @@ TEST(ResponseStudy, PeaksOfSixMassesAreThoseOfTheMatrices)
   chain.modes      = reduce::stand_modes(chain.model);
   const auto study = response_study({{&chain}, {}, 1e5, not_given}, with_tolerance(0.1), 0.01);
   EXPECT_GE(study.peaks.size(), 6u);
+  ASSERT_TRUE(std::isnan(chain.modes.error_estimate[0]));
+  EXPECT_TRUE(study.lacks.empty()) << "six masses have no mesh";
   for (const auto &peak : study.peaks)
     EXPECT_TRUE(near(peak.peak.magnitude, peak.direct, within(1e-9, "two solutions of one equation")));
 }

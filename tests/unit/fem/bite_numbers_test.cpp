@@ -40,6 +40,7 @@ BiteStudy by_elements(const double ratio = 1)
   const double R          = ratio * s.question.bite.roll_radius;
   s.answers = {answer("karman", 107, 1100, R), answer("orowan", 104, 1080, R), answer("fe", 100, 1000, R)};
   s.flow.emplace();
+  s.flow->coarsening   = 2;
   s.flow->coarse_force = 98;
   s.flow->coarse_slope = 990;
   return s;
@@ -57,6 +58,19 @@ TEST(BiteNumbers, TheErrorIncludesTheSlabTheoryAndTheMeshes)
   EXPECT_TRUE(near(bite_error(s, 100, 98, force_of), 0.04, exact)) << "the next theory is the comparison";
   s.answers[1].refused = "no flattened radius";
   EXPECT_TRUE(std::isnan(bite_error(s, 100, 98, force_of))) << "nothing independent: not known";
+}
+
+// A force with an error of the first order, 100 + 3 h, on elements h = 1 and on larger ones: the estimate is the
+// true error with its safety, however much larger they are.
+TEST(BiteNumbers, TheMeshesEnterWithTheRatioOfTheirElements)
+{
+  for (const double ratio : {1.5, 1.6, 2., 3.}) {
+    BiteStudy s        = by_elements();
+    s.answers          = {answer("karman", 103, 1100, 0.21), answer("fe", 103, 1000, 0.21)};
+    s.flow->coarsening = ratio;
+    EXPECT_TRUE(near(bite_error(s, 103, 100 + 3 * ratio, force_of), 1.25 * 3 / 103, within(1e-9, "differences")))
+        << ratio;
+  }
 }
 
 TEST(BiteNumbers, BeyondHitchcocksRangeTheErrorNeedsAFreeArc)

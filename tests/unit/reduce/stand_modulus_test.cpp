@@ -1,4 +1,5 @@
 // Numbers of the mill modulus and their errors, from springs whose sums are known in closed form.
+#include "reduce/chain/contact_stiffness.h"
 #include "reduce/stand/six_masses.h"
 #include "reduce/stand/stand_modulus.h"
 #include "tests/support/beam_demo.h"
@@ -105,6 +106,44 @@ TEST(StandModulus, StretchKeepsToTheSamplesOfTheContacts)
   const auto stretch = path_modulus(path, path, Frame(), load, {&upper, &lower}).stretch;
   EXPECT_EQ(stretch.load[0], 2e5);
   EXPECT_EQ(stretch.load[40], 1.5e6);
+}
+
+// A line contact has F (c0 - c1 ln F) as its approach, which the fit of the samples takes up exactly; outside of
+// the samples it refuses.
+TEST(StandModulus, DifferencesStayWithinTheSamplesOfTheContacts)
+{
+  const double c0 = 4e-10, c1 = 2e-11;
+  const auto contact_on = [&](const double low, const double high) {
+    ContactCurve curve;
+    curve.load     = Eigen::VectorXd::LinSpaced(7, low, high);
+    curve.approach = curve.load.array() * (c0 - c1 * (curve.load.array() / load).log());
+    return curve;
+  };
+  const auto modulus_on = [](const ContactCurve &upper, const ContactCurve &lower) {
+    std::vector<PathSpring> path{{{"K1", K, K, 0.01, {}}, {}}};
+    for (const ContactCurve *curve : {&upper, &lower}) {
+      const auto now = contact_stiffness(*curve, load);
+      path.push_back({{"K3", now.tangent, now.secant, 0.02, {}}, [curve](const double force) {
+                        const auto there = contact_stiffness(*curve, force);
+                        return SpringAtForce{there.tangent, there.secant};
+                      }});
+    }
+    return path_modulus(path, path, Frame(), load, {&upper, &lower});
+  };
+  const double modulus = 1 / (1 / K + 2 * (c0 - c1));
+  const auto wide      = contact_on(100e3, 2000e3);
+  const auto parabola =
+      within(1e-5, "third derivative c1 / load^2 of the stretch, steps of at most 2 % of the load");
+  for (const auto &[low, high] :
+       {std::pair{100e3, 980e3}, {100e3, load}, {970e3, 2000e3}, {load, 2000e3}, {970e3, 980e3}}) {
+    EXPECT_TRUE(near(modulus_on(contact_on(low, high), wide).by_differences, modulus, parabola))
+        << low << " " << high;
+    EXPECT_TRUE(near(modulus_on(wide, contact_on(low, high)).by_differences, modulus, parabola))
+        << low << " " << high;
+  }
+  const auto no_stretch = modulus_on(contact_on(100e3, load), contact_on(load, 2000e3));
+  EXPECT_TRUE(std::isnan(no_stretch.by_differences)) << "both contacts have samples at this one load only";
+  EXPECT_TRUE(near(no_stretch.modulus.tangent, modulus, within(1e-9, "fit of the contacts, rounding")));
 }
 
 TEST(StandModulus, TouchingRollsFollowHertzAndTheirErrorIsThatOfK3)
