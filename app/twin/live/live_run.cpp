@@ -117,6 +117,8 @@ void LiveRun::begin(const live::LiveSource &source)
 {
   console_.begin(source);
   comparison_.begin(source, engine_.model(), engine_.tuning());
+  if (comparison_.lost())
+    alarms_.forget_comparison();
   page_.begin(source);
   if (recording_)
     recording_->recorder().begin(source);
@@ -283,6 +285,8 @@ std::int64_t LiveRun::take_over(const nlohmann::json &stored)
         recorded == recorded)
       until = std::int64_t(recorded);
     alarms_.resume(run);
+    if (comparison_.lost() || !stored.contains("comparison"))
+      alarms_.forget_comparison();
   } catch (const live::DamagedState &damage) {
     console_.print(visible(fmt::format("alarms of the stored state cannot be used: {}", damage.what()), true) +
                    "\n");
