@@ -124,7 +124,7 @@ void LiveRun::begin(const live::LiveSource &source)
     recording_->recorder().begin(source);
   if (response_)
     response_->begin(source);
-  sources_.begin(source);
+  sources_.begin(source, engine_.start_known());
 }
 
 void LiveRun::take(const live::LiveBlock &block)
