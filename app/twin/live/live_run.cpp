@@ -15,6 +15,7 @@
 #include "core/model/case.h"
 #include "twin/live/compare/stored_object.h"
 #include "twin/live/engine/engine_loop.h"
+#include "twin/live/steady_clock.h"
 #include "twin/web/server/listen_address.h"
 #include <fmt/format.h>
 #include <limits>
@@ -215,7 +216,8 @@ live::PageAccount LiveRun::page_account()
   const auto &source = engine_.source();
   if (source && !source->name.empty() && account.source.find(source->name) == std::string::npos)
     account.source += ", " + source->name;
-  account.connected = source.has_value();
+  account.connected = source && sources_.connected();
+  account.load      = load_.since_last_call(live::steady_now());
   account.queue     = source ? double(sources_.queue().samples()) / source->rate : 0;
   if (recording_) {
     account.recording = command_.live.record;

@@ -134,6 +134,11 @@ std::optional<std::int64_t> LiveSources::next_of(const live::SourceHead &head) c
   return ours && above ? std::optional(std::max<std::int64_t>(0, *ours - *above)) : std::nullopt;
 }
 
+bool LiveSources::connected() const
+{
+  return port_ ? port_->has_sender() : mqtt_ ? mqtt_->connected() : bool(thread_);
+}
+
 std::string LiveSources::notice() const
 {
   return port_ ? port_->notice() : "";

@@ -38,6 +38,7 @@ public:
   /// The same as a sender with this head numbers it, at least 0.  Nothing: the head begins another record.  From
   /// any thread.
   std::optional<std::int64_t> next_of(const live::SourceHead &head) const;
+  bool connected() const;  ///< a sender or the broker is connected; a file or a pipe is open
   live::SampleQueue &queue()
   {
     return queue_;
