@@ -54,10 +54,29 @@ void LiveAlarms::show(live::PageAlarm alarm)
     live::PageAlarm &shown = shown_[alarm.id];
     alarm.acknowledged     = alarm.acknowledged || shown.acknowledged;
     shown                  = alarm;
-    if (shown_.size() > most_shown)
-      shown_.erase(shown_.begin());
+    if (shown_.size() > most_shown) {
+      const auto over =
+          std::find_if(shown_.begin(), shown_.end(), [](const auto &entry) { return entry.second.over; });
+      shown_.erase(over != shown_.end() ? over : shown_.begin());
+    }
   }
   publish_(live::event_names::alarm, live::alarm_text(alarm));
+}
+
+void LiveAlarms::forget_comparison()
+{
+  std::vector<live::PageAlarm> ended;
+  {
+    const std::lock_guard lock(lock_);
+    const auto end = shown_.lower_bound(first_own);
+    for (auto entry = shown_.begin(); entry != end; ++entry)
+      if (!std::exchange(entry->second.over, true))
+        ended.push_back(entry->second);
+    shown_.erase(shown_.begin(), end);
+    acknowledged_.erase(acknowledged_.begin(), acknowledged_.lower_bound(first_own));
+  }
+  for (const live::PageAlarm &alarm : ended)
+    publish_(live::event_names::alarm, live::alarm_text(alarm));
 }
 
 void LiveAlarms::show_all()

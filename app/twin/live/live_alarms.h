@@ -28,6 +28,8 @@ public:
 
   /// Publishes an alarm; one that was seen stays seen when it changes or ends.
   void show(live::PageAlarm alarm);
+  /// The comparison has lost its state and gives its numbers again: its alarms are over and no longer known.
+  void forget_comparison();
   void show_all();                    ///< as the page last had them, after a restart
   bool acknowledge(std::int64_t id);  ///< false: not shown; published with the next publish_acknowledged()
   void publish_acknowledged();
@@ -40,7 +42,8 @@ public:
 private:
   live::Publish publish_;
   mutable std::mutex lock_;
-  live::AlarmBook own_{1'000'000};  // those of the comparison have numbers of their own
+  static constexpr std::int64_t first_own = 1'000'000;  // numbers below it are of the comparison
+  live::AlarmBook own_{first_own};
   std::map<std::int64_t, live::PageAlarm> shown_;
   std::set<std::int64_t> acknowledged_;  // not yet published
 };

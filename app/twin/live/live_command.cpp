@@ -9,7 +9,9 @@
 namespace mill {
 int live_command(const CommandLine &command, const Case &the_case)
 {
-  bool old_response_stays = command.force_overwrite && std::filesystem::is_regular_file(command.live.response);
+  std::error_code not_there;
+  bool old_response_stays =
+      command.force_overwrite && std::filesystem::is_regular_file(command.live.response, not_there);
   try {
     LiveRun run(command, the_case);
     try {

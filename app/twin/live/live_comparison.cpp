@@ -96,9 +96,10 @@ void LiveComparison::begin(const live::LiveSource &source, const live::TwinModel
     console_.print("note: " + note + "\n");
   for (const std::string &note : comparison_->notes())
     console_.print("note: " + visible(note, true) + "\n");
-  if (learned_)
-    if (const std::string trouble = comparison_->resume(*learned_); !trouble.empty())
-      console_.print(visible(trouble, true) + "\n");
+  const std::string trouble = learned_ ? comparison_->resume(*learned_) : "";
+  lost_                     = !trouble.empty();
+  if (lost_)
+    console_.print(visible(trouble, true) + "\n");
   learned_.reset();
 }
 

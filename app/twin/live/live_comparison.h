@@ -22,6 +22,10 @@ public:
   /// State that the comparison of the next source goes on from.  nullptr: none.
   void set_learned(std::unique_ptr<nlohmann::json> state);
   void begin(const live::LiveSource &source, const live::TwinModel &model, const live::Tuning &tuning);
+  bool lost() const  ///< what was learned before could not be taken over by the last begin()
+  {
+    return lost_;
+  }
   live::ComparisonNews take(const live::LiveBlock &block);
   void changed_model(const live::TwinModel &model, const live::Tuning &tuning);
   /// The model of a proposal, whose case is written.  Nothing: not open, or it cannot be written.
@@ -42,5 +46,6 @@ private:
   std::string critical_of_;                  // adopted springs that the critical speed is computed with
   std::unique_ptr<nlohmann::json> learned_;  // state of the last comparison, for the next one
   std::optional<live::Comparison> comparison_;
+  bool lost_ = false;
 };
 }  // namespace mill

@@ -15,6 +15,7 @@
 #include "core/model/case.h"
 #include "twin/live/compare/stored_object.h"
 #include "twin/live/engine/engine_loop.h"
+#include "twin/live/steady_clock.h"
 #include "twin/web/server/listen_address.h"
 #include <fmt/format.h>
 #include <limits>
@@ -117,12 +118,14 @@ void LiveRun::begin(const live::LiveSource &source)
 {
   console_.begin(source);
   comparison_.begin(source, engine_.model(), engine_.tuning());
+  if (comparison_.lost())
+    alarms_.forget_comparison();
   page_.begin(source);
   if (recording_)
     recording_->recorder().begin(source);
   if (response_)
     response_->begin(source);
-  sources_.begin(source);
+  sources_.begin(source, engine_.start_known());
 }
 
 void LiveRun::take(const live::LiveBlock &block)
@@ -213,7 +216,8 @@ live::PageAccount LiveRun::page_account()
   const auto &source = engine_.source();
   if (source && !source->name.empty() && account.source.find(source->name) == std::string::npos)
     account.source += ", " + source->name;
-  account.connected = source.has_value();
+  account.connected = source && sources_.connected();
+  account.load      = load_.since_last_call(live::steady_now());
   account.queue     = source ? double(sources_.queue().samples()) / source->rate : 0;
   if (recording_) {
     account.recording = command_.live.record;
@@ -283,6 +287,8 @@ std::int64_t LiveRun::take_over(const nlohmann::json &stored)
         recorded == recorded)
       until = std::int64_t(recorded);
     alarms_.resume(run);
+    if (comparison_.lost() || !stored.contains("comparison"))
+      alarms_.forget_comparison();
   } catch (const live::DamagedState &damage) {
     console_.print(visible(fmt::format("alarms of the stored state cannot be used: {}", damage.what()), true) +
                    "\n");

@@ -6,6 +6,7 @@
 #include "app/twin/live/live_page.h"
 #include "app/twin/live/live_recording.h"
 #include "app/twin/live/live_sources.h"
+#include "app/twin/live/processor_share.h"
 #include "app/twin/live/response_file.h"
 #include "twin/live/engine/engine.h"
 #include <nlohmann/json_fwd.hpp>
@@ -52,5 +53,6 @@ private:
   std::optional<LiveRecording> recording_;  // with --record
   bool has_state_     = false;
   double last_second_ = 0;  // s, steady, of the last each_second()
+  ProcessorShare load_;
 };
 }  // namespace mill

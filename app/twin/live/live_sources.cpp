@@ -6,6 +6,7 @@
 #include "twin/live/source/file_sources.h"
 #include "twin/live/steady_clock.h"
 #include "twin/web/server/listen_address.h"
+#include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
 
@@ -32,7 +33,7 @@ live::SourceRules LiveSources::rules(const CommandLine &command, const std::stri
   rules.places  = live::places_of(live::stepped(engine.model(), {}));
   rules.reading = read_options(command, monitoring_of(command.target, command.sets));
   rules.token   = input_.kind == LiveInput::Kind::tcp ? token : "";
-  rules.next    = [this] { return next(); };
+  rules.next    = [this](const live::SourceHead &head) { return next_of(head); };
   if (input_.kind == LiveInput::Kind::mqtt && engine.resumed_at() != 0) {
     const live::LiveSource &source = *engine.source();
     rules.assumed = live::SourceHead{source.rate, source.start_time, source.name, source.channels, source.factor};
@@ -87,8 +88,14 @@ void LiveSources::open(const CommandLine &command, const std::string &token, con
   }
 }
 
-void LiveSources::begin(const live::LiveSource &source)
+void LiveSources::begin(const live::LiveSource &source, const bool start_known)
 {
+  next_ = -1;  // of the source before
+  {
+    const std::lock_guard lock(begun_lock_);
+    begun_       = source;
+    start_known_ = start_known;
+  }
   if (arrival_)
     arrival_->begin(source.rate);
 }
@@ -117,6 +124,19 @@ std::optional<std::int64_t> LiveSources::next() const
 {
   const std::int64_t next = next_;
   return next < 0 ? std::nullopt : std::optional(next);
+}
+
+std::optional<std::int64_t> LiveSources::next_of(const live::SourceHead &head) const
+{
+  const auto ours = next();
+  const std::lock_guard lock(begun_lock_);
+  const auto above = begun_ ? live::offset_of(head, *begun_, start_known_) : std::nullopt;
+  return ours && above ? std::optional(std::max<std::int64_t>(0, *ours - *above)) : std::nullopt;
+}
+
+bool LiveSources::connected() const
+{
+  return port_ ? port_->has_sender() : mqtt_ ? mqtt_->connected() : bool(thread_);
 }
 
 std::string LiveSources::notice() const

@@ -12,24 +12,42 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
 constexpr std::uintmax_t largest_file = std::uintmax_t(64) << 20;  // bytes
+constexpr int most_attempts           = 100;                       // of a lock that others remove
+
+// A program that ends removes the file of its lock, perhaps between our open() and our lock: a third one would
+// then lock another file of that name.
+bool lost_its_name(const int file, const std::string &path)
+{
+  struct stat ours {};
+  struct stat named {};
+  return ::fstat(file, &ours) == 0 &&
+         (::lstat(path.c_str(), &named) != 0 || ours.st_dev != named.st_dev || ours.st_ino != named.st_ino);
 }
+}  // namespace
 
 RecordLock::RecordLock(const std::string &folder) : path_(folder + "/.recording")
 {
-  file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-  if (file_ < 0)
-    return;  // the recording itself reports why nothing can be written
-  if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
-    ::close(file_);
-    throw InputError("the folder " + folder +
-                     " is in use: another millstand live records into it; choose another with --record");
+  for (int attempt = 0; attempt < most_attempts; ++attempt) {
+    file_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+    if (file_ < 0)
+      return;  // the recording itself reports why nothing can be written
+    if (::flock(file_, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+      ::close(file_);
+      throw InputError("the folder " + folder +
+                       " is in use: another millstand live records into it; choose another with --record");
+    }
+    if (!lost_its_name(file_, path_))
+      return;
+    ::close(std::exchange(file_, -1));
   }
 }
 

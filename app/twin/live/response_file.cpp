@@ -10,6 +10,7 @@
 #include <iterator>
 #include <sys/stat.h>
 #include <unistd.h>
+#include <utility>
 
 namespace mill {
 ResponseFile::ResponseFile(std::string path, const bool overwrite, const bool at_end) : path_(std::move(path))
@@ -22,9 +23,10 @@ ResponseFile::ResponseFile(std::string path, const bool overwrite, const bool at
   const int mode = O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW | (overwrite && aside_.empty() ? 0 : O_EXCL);
   const int file = ::open((aside_.empty() ? path_ : aside_).c_str(), mode, 0666);
   const int why  = errno;
+  made_          = file >= 0 && aside_.empty() && status.type() == std::filesystem::file_type::not_found;
   if (file >= 0)
     file_ = ::fdopen(file, "w");
-  if (file < 0 && (why == ELOOP || std::filesystem::is_symlink(std::filesystem::symlink_status(path_))))
+  if (file < 0 && (why == ELOOP || std::filesystem::is_symlink(status)))
     throw InputError(path_ + " is a symbolic link, and live does not write through it; name the file itself with "
                              "--response");
   if (file < 0 && why == EEXIST)
@@ -35,34 +37,48 @@ ResponseFile::ResponseFile(std::string path, const bool overwrite, const bool at
 
 ResponseFile::~ResponseFile()
 {
-  if (!file_)
-    return;
+  if (file_)
+    close();
+}
+
+// Without what was written aside, or a file in which there is nothing.
+void ResponseFile::close()
+{
   std::fclose(file_);
+  file_ = nullptr;
   if (!aside_.empty())
     std::remove(aside_.c_str());
+  else if (made_ && !written_)
+    std::remove(path_.c_str());
 }
 
 bool ResponseFile::leaves_old_file() const
 {
-  return replaces_ && file_ && (!begun_ || !aside_.empty());
+  return replaces_ && file_ && (!written_ || !aside_.empty());
 }
 
 void ResponseFile::begin(const live::LiveSource &source)
 {
-  if (begun_)
+  if (!head_.empty())
     return;
-  begun_ = true;
+  head_ = "s,time [s],force [N]";
+  for (const std::string &place : source.places)
+    head_ += "," + place + " [m/s2]";
+  head_ += ",settling\n";
+}
+
+void ResponseFile::write_head()
+{
+  if (std::exchange(written_, true))
+    return;
   if (replaces_ && aside_.empty() && ::ftruncate(::fileno(file_), 0) != 0)
     refuse_file(errno, "cannot write " + path_ + ": " + std::strerror(errno));
-  std::string head = "s,time [s],force [N]";
-  for (const std::string &place : source.places)
-    head += "," + place + " [m/s2]";
-  head += ",settling\n";
-  std::fwrite(head.data(), 1, head.size(), file_);
+  std::fwrite(head_.data(), 1, head_.size(), file_);
 }
 
 void ResponseFile::take(const live::LiveBlock &block)
 {
+  write_head();
   fmt::memory_buffer text;
   const auto out = std::back_inserter(text);
   for (Eigen::Index i = 0; i < block.force.size(); ++i) {
@@ -77,6 +93,10 @@ void ResponseFile::take(const live::LiveBlock &block)
 
 void ResponseFile::finish()
 {
+  if (!head_.empty() && !replaces_)
+    write_head();
+  if (!written_)
+    return close();
   bool whole = std::fflush(file_) == 0 && !std::ferror(file_);
   std::fclose(file_);
   file_ = nullptr;

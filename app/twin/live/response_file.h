@@ -8,22 +8,27 @@ namespace mill {
 class ResponseFile {
 public:
   /// @param overwrite  an existing file is replaced
-  /// @param at_end     then the old file stays until finish(); else until begin()
+  /// @param at_end     then the old file stays until finish(); else until the first samples
   /// @throws InputError, SystemError  it cannot be written, exists, or is a symbolic link
   ResponseFile(std::string path, bool overwrite, bool at_end);
-  ~ResponseFile();
+  ~ResponseFile();  ///< a file that it made and into which nothing came is removed
   ResponseFile(const ResponseFile &)            = delete;
   ResponseFile &operator=(const ResponseFile &) = delete;
-  void begin(const live::LiveSource &source);
+  void begin(const live::LiveSource &source);  ///< writes nothing yet
   void take(const live::LiveBlock &block);
+  /// Without samples an old file stays.
   /// @throws SystemError  the file is not complete
   void finish();
   bool leaves_old_file() const;  ///< up to now, an existing file is as it was
 
 private:
+  void write_head();
+  void close();
+
   std::string path_, aside_;  // aside_: written there until finish(); empty: in the file itself
-  bool replaces_   = false;
+  std::string head_;          // empty: no source has begun
+  bool replaces_ = false, made_ = false;
   std::FILE *file_ = nullptr;
-  bool begun_      = false;
+  bool written_    = false;
 };
 }  // namespace mill

@@ -74,6 +74,33 @@ std::string sidecar_of(const std::string &npy)
   return npy.substr(0, npy.size() - 4) + ".json";
 }
 
+// A port of this machine at which something else listens.
+class TakenPort {
+public:
+  TakenPort() : file_(socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0))
+  {
+    sockaddr_in address{};
+    address.sin_family      = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size          = sizeof address;
+    auto *const place       = reinterpret_cast<sockaddr *>(&address);
+    EXPECT_EQ(bind(file_, place, size), 0);
+    EXPECT_EQ(listen(file_, 1), 0);
+    EXPECT_EQ(getsockname(file_, place, &size), 0);
+    port = std::to_string(ntohs(address.sin_port));
+  }
+  ~TakenPort()
+  {
+    close(file_);
+  }
+  TakenPort(const TakenPort &)            = delete;
+  TakenPort &operator=(const TakenPort &) = delete;
+  std::string port;
+
+private:
+  int file_;
+};
+
 // The program as a child that is killed.
 class Child {
 public:
@@ -192,22 +219,37 @@ TEST(LiveCommand, RefusesWhatCannotBeRun)
 
 TEST(LiveCommand, RefusesAPortThatIsTaken)
 {
-  const int other = socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family      = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size          = sizeof address;
-  ASSERT_EQ(bind(other, reinterpret_cast<sockaddr *>(&address), size), 0);
-  ASSERT_EQ(listen(other, 1), 0);
-  getsockname(other, reinterpret_cast<sockaddr *>(&address), &size);
-  const std::string port = std::to_string(ntohs(address.sin_port));
-  EXPECT_EQ(refused(input("tcp:127.0.0.1:" + port)),
-            "--input tcp:127.0.0.1:" + port +
+  const TakenPort taken;
+  EXPECT_EQ(refused(input("tcp:127.0.0.1:" + taken.port)),
+            "--input tcp:127.0.0.1:" + taken.port +
                 ": the port is taken, perhaps by another millstand live; choose another one");
   LiveOptions options = input("-");
-  options.listen      = "127.0.0.1:" + port;
-  EXPECT_EQ(refused(options).rfind("--listen: port " + port, 0), 0u);
-  close(other);
+  options.listen      = "127.0.0.1:" + taken.port;
+  EXPECT_EQ(refused(options).rfind("--listen: port " + taken.port, 0), 0u);
+}
+
+// A start that fails leaves the file of --response as it was, also where the twin goes on from a state: its source
+// begins before any port is open.
+TEST(LiveCommand, AFailedStartLeavesTheResponse)
+{
+  const TakenPort taken;
+  const std::string folder = scratch("live-response"), file = record(folder, 4000), out = folder + "/rec",
+                    old = folder + "/old.csv", made = folder + "/made.csv";
+  ASSERT_EQ(
+      millstand("live " + stand + " --input " + file + " --speed max --listen none -q --record " + out).exit_code,
+      0);
+  std::ofstream(old) << "of last week";
+  const std::string command = "live " + stand + " --input tcp:127.0.0.1:" + taken.port +
+                              " --listen none -q --record " + out + " --response ";
+  const Outcome again = millstand(command + old + " --force-overwrite");
+  EXPECT_EQ(again.exit_code, 2) << again.err;
+  EXPECT_NE(again.err.find(old + " is unchanged"), std::string::npos) << again.err;
+  std::ifstream kept(old);
+  EXPECT_EQ(std::string((std::istreambuf_iterator<char>(kept)), {}), "of last week");
+  for (const char *more : {"", " --force-overwrite"}) {
+    EXPECT_EQ(millstand(command + made + more).exit_code, 2);
+    EXPECT_FALSE(fs::exists(made)) << "the next start would find a file that exists";
+  }
 }
 
 // A record through the verb: account, accelerations as a table, a recording that analyse reads.
@@ -390,6 +432,34 @@ TEST(LiveCommand, GoesOnFromItsStateOrSaysWhyNot)
             std::string::npos)
       << damaged.out;
   EXPECT_TRUE(fs::exists(path + ".damaged"));
+}
+
+// Without what the comparison had learned its alarms have numbers from 1 again: a new one was not seen by anyone.
+TEST(LiveCommand, AlarmsOfALostComparisonGoWithIt)
+{
+  const std::string folder = scratch("live-lost"), file = record(folder, 4000), out = folder + "/rec",
+                    path = out + "/state.json";
+  const std::string command =
+      "live " + stand + " --input " + file + " --speed max --listen none --limit \"0.01 m/s2\" --record " + out;
+  ASSERT_EQ(millstand(command).exit_code, 0);
+  const auto read = [&] {
+    std::ifstream state(path);
+    return nlohmann::json::parse(state);
+  };
+  auto state = read();
+  ASSERT_EQ(state["run"]["alarms"][0]["id"], 1);
+  state["run"]["alarms"][0]["acknowledged"] = true;
+  state["comparison"]["book"]["next"]       = "two";
+  std::ofstream(path) << state.dump();
+  const std::string longer = record(scratch("live-lost-longer"), 8000);
+  fs::copy_file(longer, file, fs::copy_options::overwrite_existing);
+  const Outcome again = millstand(command);
+  ASSERT_EQ(again.exit_code, 0) << again.err;
+  EXPECT_NE(again.out.find("what was learned of the mill cannot be used"), std::string::npos) << again.out;
+  const auto alarms = read()["run"]["alarms"];
+  ASSERT_FALSE(alarms.empty());
+  EXPECT_EQ(alarms[0]["id"], 1);
+  EXPECT_EQ(alarms[0]["acknowledged"], false);
 }
 
 // TW-29, short form: MILLSTAND_PASSES = 10 kills it fifty times.  Whenever it is killed the files of full minutes

@@ -2,8 +2,14 @@
 #include "tests/support/raw_client.h"
 #include "twin/live/source/data_port.h"
 #include <chrono>
+#include <ctime>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <netinet/tcp.h>
+#include <sys/resource.h>
+#include <sys/socket.h>
 #include <thread>
+#include <unistd.h>
 
 using namespace mill;
 
@@ -24,6 +30,60 @@ live::DataPortSettings settings(const std::string &token = "")
   its.port        = 0;
   its.rules.token = token;
   return its;
+}
+
+// A client whose number as a file is known.
+struct Plain {
+  int file = ::socket(AF_INET, SOCK_STREAM | SOCK_CLOEXEC, 0);
+  ~Plain()
+  {
+    ::close(file);
+  }
+  bool connect(const int port) const
+  {
+    sockaddr_in to{};
+    to.sin_family      = AF_INET;
+    to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    to.sin_port        = htons(std::uint16_t(port));
+    return ::connect(file, reinterpret_cast<const sockaddr *>(&to), sizeof to) == 0;
+  }
+  std::string answer_to(const std::string &line) const
+  {
+    std::array<char, 256> bytes{};
+    const bool sent = ::send(file, line.data(), line.size(), MSG_NOSIGNAL) == ssize_t(line.size());
+    const ssize_t n = sent ? ::recv(file, bytes.data(), bytes.size(), 0) : 0;
+    return {bytes.data(), std::size_t(std::max<ssize_t>(n, 0))};
+  }
+};
+
+int port_of(const int file, int (*const end)(int, sockaddr *, socklen_t *))
+{
+  sockaddr_in address{};
+  socklen_t size = sizeof address;
+  return end(file, reinterpret_cast<sockaddr *>(&address), &size) == 0 ? ntohs(address.sin_port) : -1;
+}
+
+// The other end of a connection of this process; -1: there is none.
+int other_end(const int file)
+{
+  for (int other = 0; other < 1024; ++other)
+    if (port_of(other, ::getpeername) == port_of(file, ::getsockname))
+      return other;
+  return -1;
+}
+
+int tcp_option(const int file, const int option)
+{
+  int value      = 0;
+  socklen_t size = sizeof value;
+  return ::getsockopt(file, IPPROTO_TCP, option, &value, &size) == 0 ? value : -1;
+}
+
+double processor_seconds()
+{
+  timespec used{};
+  ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &used);
+  return double(used.tv_sec) + 1e-9 * double(used.tv_nsec);
 }
 
 std::string refusal(const live::DataPortSettings &settings)
@@ -78,8 +138,10 @@ TEST(DataPort, OneSourceAtATimeAndFourClients)
   live::SampleQueue queue;
   const live::DataPort port(settings(), queue);
   auto first = std::make_unique<RawClient>(port.port());
+  EXPECT_FALSE(port.has_sender()) << "a client alone sends nothing";
   first->send(head);
   first->until("\n");
+  EXPECT_TRUE(port.has_sender());
   RawClient second(port.port());
   second.send(head);
   const std::string answer = second.rest();
@@ -91,6 +153,7 @@ TEST(DataPort, OneSourceAtATimeAndFourClients)
   EXPECT_EQ(fifth.rest(), "{\"rejected\":\"4 clients are connected already\"}\n");
   first.reset();
   std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  EXPECT_FALSE(port.has_sender());
   a.send(head + block(0, 1));
   EXPECT_EQ(a.until("{\"ack\":0}\n"), "{\"millstand\":1}\n{\"ack\":0}\n");
 }
@@ -172,4 +235,45 @@ TEST(DataPort, AsksForATokenAndStatesTheRisk)
   EXPECT_EQ(client.rest(),
             "{\"rejected\":\"\\\"token\\\" is missing or wrong\",\"line\":1,\"closed\":\"the first line has "
             "to be a head\"}\n");
+}
+
+// A sender whose machine has lost its power says nothing: after a minute the system closes its connection, and the
+// port takes another sender.
+TEST(DataPort, ASenderThatHasVanishedIsFoundInAMinute)
+{
+  live::SampleQueue queue;
+  const live::DataPort port(settings(), queue);
+  const Plain client;
+  ASSERT_TRUE(client.connect(port.port()));
+  EXPECT_EQ(client.answer_to(head), "{\"millstand\":1}\n");
+  const int served = other_end(client.file);
+  ASSERT_GE(served, 0);
+  EXPECT_LE(tcp_option(served, TCP_KEEPIDLE) + tcp_option(served, TCP_KEEPCNT) * tcp_option(served, TCP_KEEPINTVL),
+            60)
+      << "s, while it owes us nothing";
+  EXPECT_GT(tcp_option(served, TCP_USER_TIMEOUT), 0) << "else a lost answer is repeated for a quarter of an hour";
+  EXPECT_LE(tcp_option(served, TCP_USER_TIMEOUT), 60'000) << "ms";
+}
+
+// A connection that cannot be taken for lack of file numbers waits in the system; asking for it without a pause
+// would keep a processor busy.
+TEST(DataPort, RestsWhileThereAreNoFileNumbers)
+{
+  live::SampleQueue queue;
+  const live::DataPort port(settings(), queue);
+  const Plain client;
+  rlimit before{};
+  ASSERT_EQ(::getrlimit(RLIMIT_NOFILE, &before), 0);
+  const int lowest_free = ::dup(client.file);
+  ::close(lowest_free);
+  const rlimit full{rlim_t(lowest_free), before.rlim_max};
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &full), 0);
+  const bool connected = client.connect(port.port());
+  const double begun   = processor_seconds();
+  std::this_thread::sleep_for(std::chrono::milliseconds(400));
+  const double used = processor_seconds() - begun;
+  ASSERT_EQ(::setrlimit(RLIMIT_NOFILE, &before), 0);
+  EXPECT_TRUE(connected);
+  EXPECT_LT(used, 0.05) << "s of a processor in 0.4 s";
+  EXPECT_EQ(client.answer_to(head), "{\"millstand\":1}\n") << "it is taken once there are numbers again";
 }

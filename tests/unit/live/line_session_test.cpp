@@ -196,9 +196,15 @@ TEST(LineSession, AskForTheToken)
 TEST(LineSession, SendsTheNumberToContinueAt)
 {
   auto its = rules();
-  its.next = [] { return std::optional<std::int64_t>(4711); };
+  its.next = [](const live::SourceHead &head) {
+    return head.rate == 20000 && head.start == 1767607200.0 && head.source == "daq-1" && head.channels.size() == 3
+               ? std::optional<std::int64_t>(4711)
+               : std::nullopt;
+  };
   live::LineSession session(its);
   EXPECT_EQ(session.take(good_head).reply, "{\"millstand\":1,\"next\":4711}");
+  EXPECT_EQ(session.take(R"({"millstand":1,"rate":1000,"units":{"force":"kN"}})").reply, "{\"millstand\":1}")
+      << "another record";
 }
 
 TEST(LineCutter, KeepsHalfALineAndCutsALongOne)

@@ -285,7 +285,6 @@ TEST(LiveComparison, AdoptedProposalIsACase)
   ASSERT_TRUE(proposals.adopt(3, 1.7e9 + 5, folder, text));
   EXPECT_EQ(fs::path(proposals.find(3)->file).filename(), "calibrated-20231114T221325Z-2.toml")
       << "nothing is overwritten";
-  EXPECT_FALSE(proposals.refuse(3));
 }
 
 TEST(LiveComparison, SaysWhatCannotBeCompared)

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <functional>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 #include <sys/wait.h>
 #include <thread>
 #include <unistd.h>
@@ -113,6 +115,41 @@ std::string blocks(const int from, const int to)
 
 const std::string head = "{\"millstand\":1,\"rate\":1000,\"units\":{\"force\":\"kN\"},\"source\":\"daq-1\"}\n";
 
+// A port that answers no further connection, as an address without a machine behind it does: the only place
+// of its queue is taken.
+class SilentPort {
+public:
+  SilentPort()
+  {
+    sockaddr_in address{};
+    address.sin_family      = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size          = sizeof address;
+    auto *const place       = reinterpret_cast<sockaddr *>(&address);
+    listens                 = ::bind(files_[0], place, size) == 0 && ::listen(files_[0], 0) == 0 &&
+              ::getsockname(files_[0], place, &size) == 0;
+    port = ntohs(address.sin_port);
+    for (std::size_t i = 1; i < files_.size(); ++i)
+      ::connect(files_[i], place, size);
+  }
+  ~SilentPort()
+  {
+    for (const int file : files_)
+      ::close(file);
+  }
+  SilentPort(const SilentPort &)            = delete;
+  SilentPort &operator=(const SilentPort &) = delete;
+  int port                                  = 0;
+  bool listens                              = false;
+
+private:
+  static int socket()
+  {
+    return ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
+  }
+  std::array<int, 4> files_{socket(), socket(), socket(), socket()};
+};
+
 live::MqttSettings settings(const Broker &broker)
 {
   return live::mqtt_settings("127.0.0.1:" + std::to_string(broker.port) + "/stand-3");
@@ -148,7 +185,9 @@ TEST(Mqtt, CountsExactlyTheSamplesThatWereLost)
   Came came;
   {
     live::MqttSource source(settings(broker), queue);
+    EXPECT_FALSE(source.connected()) << "not yet";
     wait(250);
+    EXPECT_TRUE(source.connected());
     ASSERT_TRUE(publish(broker, head + blocks(0, 8)));
     came.take(queue, 0.4);
     EXPECT_EQ(came.samples, 800);
@@ -173,6 +212,7 @@ TEST(Mqtt, CountsExactlyTheSamplesThatWereLost)
   const auto before = came;
   broker.stop();
   wait(300);
+  EXPECT_FALSE(source.connected());
   ASSERT_TRUE(broker.start());
   wait(700);
   ASSERT_TRUE(publish(broker, blocks(70, 75)));
@@ -199,4 +239,21 @@ TEST(Mqtt, AFullQueueDropsWholeBlocks)
   EXPECT_EQ(came.samples, 2000);
   EXPECT_EQ(came.dropped, 3000);
   EXPECT_EQ(came.missing, 0);
+}
+
+// Ctrl-C while a connection is being made: the system tries for two minutes.
+TEST(Mqtt, EndsWhileABrokerDoesNotAnswer)
+{
+  const SilentPort silent;
+  if (!live::has_mqtt())
+    GTEST_SKIP() << "libmosquitto is not installed";
+  ASSERT_TRUE(silent.listens);
+  using Clock = std::chrono::steady_clock;
+  live::SampleQueue queue;
+  auto source = std::make_unique<live::MqttSource>(
+      live::mqtt_settings("127.0.0.1:" + std::to_string(silent.port) + "/stand-3"), queue);
+  wait(200);
+  const auto asked = Clock::now();
+  source.reset();
+  EXPECT_LT(std::chrono::duration<double>(Clock::now() - asked).count(), 2);
 }

@@ -179,7 +179,7 @@ TEST(Recorder, StopsWithANoteWhenTheDiskIsFull)
   for (int k = 0; k < 20; ++k)
     to.recorder->add(100 * k, rows(100 * k, 100));
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
-  EXPECT_TRUE(to.recorder->stopped());
+  EXPECT_FALSE(to.recorder->trouble().empty());
   ASSERT_EQ(to.said.size(), 1u);
   EXPECT_EQ(to.said[0], "recording: cannot write " + to.folder.path +
                             "/20260105T100000Z_0.npy.part: File too large; recording stopped, the twin goes on");
@@ -189,6 +189,40 @@ TEST(Recorder, StopsWithANoteWhenTheDiskIsFull)
   ASSERT_EQ(finished.size(), 1u);
   EXPECT_EQ(twin::read_npy_record(finished[0].file, {}).n_samples(), finished[0].rows);
   EXPECT_GE(finished[0].rows, 400);
+}
+
+// A folder that the system no longer lets us look into, in the form of a link that leads to itself.
+TEST(Recorder, StopsWithANoteWhenTheFolderCannotBeRead)
+{
+  Recording to;
+  fs::remove_all(to.folder.path);
+  fs::create_symlink(to.folder.path, to.folder.path);
+  EXPECT_NO_THROW(to.recorder->add(0, rows(0, 100)));
+  const std::string why = "cannot write " + to.folder.path +
+                          "/20260105T100000Z_0.npy.part: Too many levels of symbolic links; recording stopped, "
+                          "the twin goes on";
+  EXPECT_EQ(to.recorder->trouble(), why);
+  EXPECT_EQ(to.said, std::vector<std::string>{"recording: " + why});
+  to.end();
+}
+
+// A file that cannot take its name stays a part, which the next program finishes; its sidecar does not say that it
+// is complete.
+TEST(Recorder, AFileWithoutItsNameIsNotComplete)
+{
+  Recording to;
+  to.recorder->add(0, rows(0, 100));
+  const std::string stem = to.folder.path + "/20260105T100000Z_0";
+  fs::create_directories(stem + ".npy/in the way");
+  to.end();
+  EXPECT_EQ(to.said, std::vector<std::string>{"recording: " + stem + ".npy: Is a directory"});
+  EXPECT_TRUE(fs::exists(stem + ".npy.part"));
+  const auto sidecar = nlohmann::json::parse(std::ifstream(stem + ".json"));
+  EXPECT_FALSE(sidecar["complete"].get<bool>());
+  fs::remove_all(stem + ".npy");
+  const auto finished = live::finish_parts(to.folder.path, [](const std::string &) {});
+  ASSERT_EQ(finished.size(), 1u);
+  EXPECT_EQ(twin::read_npy_record(stem + ".npy", {}).n_samples(), 100);
 }
 
 TEST(Recorder, KeepsTheLatestAndTouchesNothingElse)

@@ -355,11 +355,6 @@ std::optional<Proposal> Comparison::adopt(const std::int64_t id, const double ut
   });
 }
 
-bool Comparison::refuse(const std::int64_t id)
-{
-  return offered.refuse(id);
-}
-
 const std::vector<Proposal> &Comparison::proposals() const
 {
   return offered.all();

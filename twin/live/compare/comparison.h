@@ -68,7 +68,6 @@ public:
   void set_chatter(twin::ChatterModel model);
   /// As Proposals::adopt().  The twin goes on as it is until set_twin() is called with the chain returned.
   std::optional<Proposal> adopt(std::int64_t id, double utc, const std::string &folder, const Case &origin);
-  bool refuse(std::int64_t id);
 
   const std::vector<Proposal> &proposals() const;
   std::vector<PageAlarm> open_alarms() const;

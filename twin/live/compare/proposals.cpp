@@ -162,16 +162,6 @@ Proposals::adopt(const std::int64_t id, const double utc, const std::string &fol
   return adopted;
 }
 
-bool Proposals::refuse(const std::int64_t id)
-{
-  Proposal *open = known(id);
-  if (!open || open->state != ProposalState::open)
-    return false;
-  open->state = ProposalState::refused;
-  changed.push_back(std::size_t(open - list.data()));
-  return true;
-}
-
 std::vector<PageProposal> Proposals::news()
 {
   std::vector<PageProposal> pages;

@@ -14,10 +14,10 @@ struct Case;
 }
 
 namespace mill::live {
-enum class ProposalState { open, adopted, refused, out_of_date };
+enum class ProposalState { open, adopted, out_of_date };
 constexpr auto words_of(ProposalState)
 {
-  return choice_words<ProposalState>("open", "adopted", "refused", "out of date");
+  return choice_words<ProposalState>("open", "adopted", "out of date");
 }
 
 /// An alarm is known by this cause: the modes have moved and nothing can be proposed.
@@ -71,7 +71,6 @@ public:
   std::optional<Proposal>
   adopt(std::int64_t id, double utc, const std::string &folder,
         const std::function<std::string(const Proposal &, const std::string &folder)> &text);
-  bool refuse(std::int64_t id);
 
   /// Changes since the last call, for the page.
   std::vector<PageProposal> news();

@@ -21,8 +21,9 @@ double rms(const std::vector<double> &values)
 
 void PageFeed::begin(const LiveSource &source)
 {
-  source_ = source;
-  speed_  = -1;
+  source_     = source;
+  speed_      = -1;
+  last_speed_ = unknown;
   channel_of_place_.assign(source.places.size(), -1);
   for (std::size_t c = 0; c < source.channels.size(); ++c) {
     const auto place = std::find(source.places.begin(), source.places.end(), source.channels[c].name);

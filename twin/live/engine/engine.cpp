@@ -17,6 +17,19 @@ bool same_channels(const std::vector<LiveChannel> &a, const std::vector<LiveChan
 }
 }  // namespace
 
+std::optional<std::int64_t> offset_of(const SourceHead &head, const LiveSource &source, const bool start_known)
+{
+  if (head.rate != source.rate || !same_channels(head.channels, source.channels))
+    return {};
+  if (!head.start || !start_known)
+    return head.source == source.name ? std::optional<std::int64_t>(0) : std::nullopt;
+  const double samples = (*head.start - source.start_time) * head.rate;
+  // a quarter of a microsecond is what a date in seconds since 1970 resolves
+  if (std::abs(samples - std::round(samples)) > 0.1 + 2.5e-7 * head.rate || std::abs(samples) > 1e15)
+    return {};
+  return std::llround(samples);
+}
+
 Engine::Engine(TwinModel model, EngineHooks hooks)
     : model_(std::move(model)), hooks_(std::move(hooks)), stand_(stepped(model_, tuning_)),
       places_(places_of(stand_))
@@ -64,17 +77,11 @@ void Engine::take(Message message)
 // Whether the numbers of a new connection go on those of the source before; `offset` is what ours are above its.
 bool Engine::continues(const SourceHead &head, std::int64_t &offset) const
 {
-  if (!source_ || head.rate != source_->rate || !same_channels(head.channels, source_->channels))
+  if (!source_)
     return false;
-  offset = 0;
-  if (!head.start || !start_known_)
-    return head.source == source_->name;
-  const double samples = (*head.start - source_->start_time) * head.rate;
-  // a quarter of a microsecond is what a date in seconds since 1970 resolves
-  if (std::abs(samples - std::round(samples)) > 0.1 + 2.5e-7 * head.rate || std::abs(samples) > 1e15)
-    return false;
-  offset = std::llround(samples);
-  return true;
+  const auto above = offset_of(head, *source_, start_known_);
+  offset           = above.value_or(0);
+  return above.has_value();
 }
 
 void Engine::take_head(const SourceHead &head)

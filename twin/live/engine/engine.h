@@ -23,6 +23,11 @@ struct LiveSource {
   std::vector<double> factor;         ///< -, (channels) SI value over the number sent
 };
 
+/// What the numbers of a source are above those that a head gives its samples (48.8).  Nothing: the head does not
+/// go on with the source.
+/// @param start_known  the source has said when its sample 0 was
+std::optional<std::int64_t> offset_of(const SourceHead &head, const LiveSource &source, bool start_known);
+
 /// Who listens to the engine.  All are called from its thread.
 struct EngineHooks {
   std::vector<std::function<void(const LiveSource &)>> sources;  ///< a source started, or started again
@@ -58,6 +63,10 @@ public:
   const std::optional<LiveSource> &source() const
   {
     return source_;
+  }
+  bool start_known() const  ///< the source has said when its sample 0 was
+  {
+    return start_known_;
   }
   const TwinModel &model() const
   {

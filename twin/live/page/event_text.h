@@ -214,7 +214,7 @@ struct PageProposal {
   std::int64_t id = 0;
   double utc      = 0;         ///< s since 1970
   std::string text;            ///< what happened and what is proposed
-  std::string state = "open";  ///< open, adopted, refused, out of date
+  std::string state = "open";  ///< open, adopted, out of date
   std::string file;            ///< written when adopted
   std::vector<ProposedValue> values;
 };

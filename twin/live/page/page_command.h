@@ -22,8 +22,7 @@ struct PageCommand {
 };
 
 /// Reads a command; whether key, id and place exist is for the caller to say.
-/// @throws InputError  no JSON object of at most three levels, unknown command or member, a member of another
-/// kind,
-///                     a factor that is not in 0.5 .. 1.5
+/// @throws InputError  no JSON object, a list or an object inside it, unknown command or member, a member of
+/// another kind, a factor that is not in 0.5 .. 1.5
 PageCommand page_command(const std::string &json);
 }  // namespace mill::live

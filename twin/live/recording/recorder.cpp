@@ -37,6 +37,17 @@ int write_at(const int file, const char *bytes, std::size_t n, std::int64_t offs
   return 0;
 }
 
+// Puts a part on the disk, gives it its name and closes it.  0, or the error number; then it stays a part, which
+// the next program finishes.
+int named_after_all_is_written(const int file, const std::string &name)
+{
+  int error = ::fsync(file) == 0 ? 0 : errno;
+  if (error == 0 && std::rename((name + ".npy.part").c_str(), (name + ".npy").c_str()) != 0)
+    error = errno;
+  ::close(file);
+  return error;
+}
+
 // One file that grows.
 struct OpenPart {
   std::string name;  // without an ending
@@ -121,8 +132,13 @@ void Recorder::State::open(const std::int64_t first)
   opened.first  = first;
   for (int copy = 1; copy < 1000 && opened.file < 0; ++copy) {
     opened.name = copy == 1 ? stem : fmt::format("{}-{}", stem, copy);
-    if (fs::exists(opened.name + ".npy"))
+    std::error_code error;
+    if (fs::exists(opened.name + ".npy", error))
       continue;  // a record of the same time: it stays
+    if (error) {
+      refuse("cannot write " + opened.name + ".npy.part", error.value());
+      return;
+    }
     opened.file = ::open((opened.name + ".npy.part").c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
     if (opened.file < 0 && errno != EEXIST) {
       refuse("cannot write " + opened.name + ".npy.part", errno);
@@ -197,11 +213,11 @@ void Recorder::State::close()
   background.run(
       [name = part->name, file = part->file, text, tell = note, folder = settings.folder, kept = settings.kept] {
         try {
-          if (::fsync(file) != 0)
-            tell("recording", fmt::format("{}.npy: {}", name, std::strerror(errno)));
-          if (std::rename((name + ".npy.part").c_str(), (name + ".npy").c_str()) != 0)
-            tell("recording", fmt::format("{}.npy: {}", name, std::strerror(errno)));
-          ::close(file);
+          const int trouble = named_after_all_is_written(file, name);
+          if (trouble != 0) {
+            tell("recording", fmt::format("{}.npy: {}", name, std::strerror(trouble)));
+            return;
+          }
           write_atomically(name + ".json", text);
           sync_to_disk(folder);
           for (const std::string &gone : remove_old_records(folder, kept, double(std::time(nullptr))))
@@ -264,11 +280,6 @@ void Recorder::finish()
 std::int64_t Recorder::next() const
 {
   return state_->next;
-}
-
-bool Recorder::stopped() const
-{
-  return state_->stopped;
 }
 
 double Recorder::seconds() const

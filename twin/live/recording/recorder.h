@@ -48,10 +48,9 @@ public:
   void tick(double now);
   void finish();  ///< the file takes its name
 
-  std::int64_t next() const;  ///< rows before it are not recorded again
-  bool stopped() const;       ///< the disk refused
-  double seconds() const;     ///< s of record written
-  const std::string &trouble() const;
+  std::int64_t next() const;           ///< rows before it are not recorded again
+  double seconds() const;              ///< s of record written
+  const std::string &trouble() const;  ///< what the disk refused, which ended the recording; empty: nothing
 
 private:
   struct State;

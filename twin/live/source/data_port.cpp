@@ -5,7 +5,9 @@
 #include <chrono>
 #include <deque>
 #include <fmt/format.h>
+#include <netinet/tcp.h>
 #include <set>
+#include <sys/socket.h>
 #include <thread>
 
 namespace mill::live {
@@ -16,20 +18,39 @@ using Error    = boost::system::error_code;
 
 constexpr std::size_t most_clients = 4;
 constexpr std::chrono::seconds patience{5};
-constexpr std::chrono::milliseconds full_queue_waits{5};
+constexpr std::chrono::milliseconds full_queue_waits{5}, rest_without_numbers{100};
+// s of silence after which the system asks for a sign of life, s between two questions, questions without an
+// answer after which it closes the connection; ms that an answer of ours is repeated.
+constexpr int asks_after = 30, asks_every = 10, asks = 3, repeats = 60'000;
+
+// A sender that has vanished without a word, by loss of power or of the network, is gone after a minute.
+void notice_its_end(Tcp::socket &socket)
+{
+  Error ignored;
+  socket.set_option(asio::socket_base::keep_alive(true), ignored);
+  const auto set = [&](const int option, const int value) {
+    ::setsockopt(socket.native_handle(), IPPROTO_TCP, option, &value, sizeof value);
+  };
+  set(TCP_KEEPIDLE, asks_after);
+  set(TCP_KEEPINTVL, asks_every);
+  set(TCP_KEEPCNT, asks);
+  set(TCP_USER_TIMEOUT, repeats);
+}
 }  // namespace
 
 class DataClient;
 
 struct DataPort::State {
-  explicit State(SampleQueue &samples) : queue(samples), acceptor(io) {}
+  explicit State(SampleQueue &samples) : queue(samples), acceptor(io), rest(io) {}
   asio::io_context io{1};
   SampleQueue &queue;
   Tcp::acceptor acceptor;
+  asio::steady_timer rest;
   SourceRules rules;
   std::string notice;
   std::set<std::shared_ptr<DataClient>> clients;
-  DataClient *sender = nullptr;  // whose head was taken
+  DataClient *sender = nullptr;      // whose head was taken
+  std::atomic<bool> sending{false};  // there is one
   std::string sender_name;
   std::thread thread;
 
@@ -45,7 +66,7 @@ public:
     Error error;
     const auto remote = socket_.remote_endpoint(error);
     name_             = error ? "?" : fmt::format("{}:{}", remote.address().to_string(), remote.port());
-    socket_.set_option(asio::socket_base::keep_alive(true), error);
+    notice_its_end(socket_);
     socket_.set_option(Tcp::no_delay(true), error);
   }
 
@@ -70,8 +91,9 @@ public:
     socket_.shutdown(Tcp::socket::shutdown_both, ignored);
     socket_.close(ignored);
     if (state_.sender == this) {
-      state_.sender = nullptr;
-      Message note  = SourceNote{"connection", fmt::format("{} ({}) has gone", state_.sender_name, name_)};
+      state_.sender  = nullptr;
+      state_.sending = false;
+      Message note   = SourceNote{"connection", fmt::format("{} ({}) has gone", state_.sender_name, name_)};
       state_.queue.try_push(note);
     }
     state_.clients.erase(shared_from_this());
@@ -148,6 +170,7 @@ private:
     const auto &head = std::get<SourceHead>(*message_);
     if (!state_.sender) {
       state_.sender      = this;
+      state_.sending     = true;
       state_.sender_name = head.source.empty() ? "a source without a name" : head.source;
       Message note       = SourceNote{"connection", fmt::format("{} ({}) sends", state_.sender_name, name_)};
       state_.queue.try_push(note);
@@ -206,16 +229,21 @@ void DataPort::State::accept()
   acceptor.async_accept([this](const Error &error, Tcp::socket socket) {
     if (error == asio::error::operation_aborted)
       return;
-    if (!error) {
-      const auto client = std::make_shared<DataClient>(*this, std::move(socket));
-      const bool room   = clients.size() < most_clients;
-      if (room) {
-        clients.insert(client);
-        client->start();
-      } else
-        client->refuse_and_close(
-            fmt::format("{{\"rejected\":\"{} clients are connected already\"}}", most_clients));
+    if (error) {  // out of file numbers, most likely: later there are some again
+      rest.expires_after(rest_without_numbers);
+      rest.async_wait([this](const Error &stopped) {
+        if (!stopped)
+          accept();
+      });
+      return;
     }
+    const auto client = std::make_shared<DataClient>(*this, std::move(socket));
+    const bool room   = clients.size() < most_clients;
+    if (room) {
+      clients.insert(client);
+      client->start();
+    } else
+      client->refuse_and_close(fmt::format("{{\"rejected\":\"{} clients are connected already\"}}", most_clients));
     accept();
   });
 }
@@ -270,6 +298,11 @@ DataPort::~DataPort()
   });
   if (state_->thread.joinable())
     state_->thread.join();
+}
+
+bool DataPort::has_sender() const
+{
+  return state_->sending;
 }
 
 int DataPort::port() const

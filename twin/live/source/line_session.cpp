@@ -142,7 +142,7 @@ LineSession::Answer LineSession::head(const LineContent &content)
   answer.message = head;
   nlohmann::ordered_json reply{{"millstand", 1}};
   if (rules_.next)
-    if (const auto next = rules_.next())
+    if (const auto next = rules_.next(head))
       reply["next"] = *next;
   answer.reply = reply.dump();
   return answer;

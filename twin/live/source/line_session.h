@@ -11,11 +11,13 @@
 namespace mill::live {
 /// What a source may say.
 struct SourceRules {
-  std::vector<std::string> places;                    ///< of the model
-  twin::ReadOptions reading;                          ///< names, units and zone that the user gave
-  std::string token;                                  ///< that a head has to bring; empty: none
-  bool closes = true;                                 ///< five bad lines in a row end the connection
-  std::function<std::optional<std::int64_t>()> next;  ///< sample that the twin waits for, sent to the sender
+  std::vector<std::string> places;  ///< of the model
+  twin::ReadOptions reading;        ///< names, units and zone that the user gave
+  std::string token;                ///< that a head has to bring; empty: none
+  bool closes = true;               ///< five bad lines in a row end the connection
+  /// Number that a sender with this head gives the sample for which the twin waits; nothing: another record
+  /// begins.
+  std::function<std::optional<std::int64_t>(const SourceHead &)> next;
   /// s, steady.  Given where lines of several senders cannot be distinguished: then a second one that sends a head
   /// while the first sends is refused.  None: heads follow each other.
   std::function<double()> clock;

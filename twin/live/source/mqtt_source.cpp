@@ -45,6 +45,10 @@ MqttSource::MqttSource(MqttSettings, SampleQueue &)
 }
 MqttSource::~MqttSource() = default;
 void MqttSource::publish(const std::string &) {}
+bool MqttSource::connected() const
+{
+  return false;
+}
 #else
 bool has_mqtt()
 {
@@ -68,7 +72,8 @@ struct MqttSource::State {
           {static_cast<const char *>(message->payload), std::size_t(message->payloadlen)});
     });
     mosquitto_disconnect_callback_set(client, [](mosquitto *, void *self, int) {
-      static_cast<State *>(self)->note("connection to the broker lost; it is tried again");
+      if (static_cast<State *>(self)->is_connected.exchange(false))
+        static_cast<State *>(self)->note("connection to the broker lost; it is tried again");
     });
   }
   ~State()
@@ -101,10 +106,12 @@ struct MqttSource::State {
   }
   void connected(const int refused)
   {
+    answered = true;
     if (refused != 0) {
       note(std::string("the broker refused the connection: ") + mosquitto_connack_string(refused));
       return;
     }
+    is_connected = was_connected = true;
     mosquitto_subscribe(client, nullptr, topic("in").c_str(), 1);
     note("connected");
   }
@@ -126,28 +133,34 @@ struct MqttSource::State {
     else
       queue.try_push(*answer.message);
   }
+  // Up to the next failure.  The connection is made inside the loop, so that `stop` is asked while a broker does
+  // not answer; the system tries for minutes.
+  int converse()
+  {
+    int error = mosquitto_connect_async(client, settings.host.c_str(), settings.port, 30);
+    while (error == MOSQ_ERR_SUCCESS && !stop)
+      error = mosquitto_loop(client, 50, 100);
+    return error;
+  }
   void run()
   {
-    bool open    = false;
+    constexpr double shortest = 0.1, longest = 5;  // s
+    double waits = shortest;
     bool noted   = false;
-    double waits = 0.1;  // s
     while (!stop) {
-      if (!open) {
-        const int error = mosquitto_connect(client, settings.host.c_str(), settings.port, 30);
-        open            = error == MOSQ_ERR_SUCCESS;
-        if (!open && !noted)
-          note(fmt::format("no connection: {}; it is tried again", mosquitto_strerror(error)));
-        noted = !open;
+      was_connected = answered = false;
+      const int error          = converse();
+      is_connected             = false;
+      if (was_connected) {
+        waits = shortest;
+        noted = false;
+      } else if (!noted && !answered && !stop) {
+        note(fmt::format("no connection: {}; it is tried again", mosquitto_strerror(error)));
+        noted = true;
       }
-      if (open && mosquitto_loop(client, 50, 100) != MOSQ_ERR_SUCCESS)
-        open = false;
-      if (open)
-        waits = 0.1;
-      else {
-        for (double waited = 0; waited < waits && !stop; waited += 0.05)
-          std::this_thread::sleep_for(std::chrono::milliseconds(50));
-        waits = std::min(2 * waits, 5.0);
-      }
+      for (double waited = 0; waited < waits && !stop; waited += 0.05)
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+      waits = std::min(2 * waits, longest);
     }
   }
 
@@ -155,7 +168,8 @@ struct MqttSource::State {
   SampleQueue &queue;
   LineSession session;
   mosquitto *client = nullptr;
-  std::atomic<bool> stop{false};
+  std::atomic<bool> stop{false}, is_connected{false};
+  bool was_connected = false, answered = false;  // at the last attempt
   std::thread thread;
 };
 
@@ -168,8 +182,15 @@ MqttSource::MqttSource(MqttSettings settings, SampleQueue &queue)
 
 MqttSource::~MqttSource() = default;
 
+bool MqttSource::connected() const
+{
+  return state_->is_connected;
+}
+
 void MqttSource::publish(const std::string &json)
 {
+  if (!state_->is_connected)
+    return;
   mosquitto_publish(state_->client, nullptr, state_->topic("out").c_str(), int(json.size()), json.data(), 0,
                     false);
 }

@@ -30,6 +30,7 @@ public:
   MqttSource &operator=(const MqttSource &) = delete;
   /// A result for ../out, quality 0; any thread.
   void publish(const std::string &json);
+  bool connected() const;  ///< with the broker; any thread
 
 private:
   struct State;

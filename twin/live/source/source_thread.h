@@ -16,7 +16,8 @@ public:
             read(stop_);
             queue_.push(SourceEnd{"the source has ended"});
           } catch (...) {
-            failed_ = std::current_exception();
+            failure_    = std::current_exception();
+            has_failed_ = true;
             queue_.push(SourceEnd{"the source was refused"});
           }
         })
@@ -30,17 +31,18 @@ public:
   }
   SourceThread(const SourceThread &)            = delete;
   SourceThread &operator=(const SourceThread &) = delete;
-  /// After the end.  @throws what the reader threw
+  /// While the reader runs as well.  @throws what the reader threw up to now
   void rethrow() const
   {
-    if (failed_)
-      std::rethrow_exception(failed_);
+    if (has_failed_)
+      std::rethrow_exception(failure_);
   }
 
 private:
   SampleQueue &queue_;
   std::atomic<bool> stop_{false};
-  std::exception_ptr failed_;
+  std::exception_ptr failure_;  // written once, before has_failed_ is set
+  std::atomic<bool> has_failed_{false};
   std::thread thread_;
 };
 }  // namespace mill::live
