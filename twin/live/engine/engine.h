@@ -99,6 +99,8 @@ private:
   Eigen::Index samples_before(std::int64_t first, const AccountBook::Part &part) const;
   void begin_source(const SourceHead &head);
   bool continues(const SourceHead &head, std::int64_t &offset) const;
+  bool is_numbered() const;
+  void number_from(std::int64_t first);
   void tell_repetition(const SourceBlock &block);
   void lose();
   void emit(std::int64_t first, const Eigen::MatrixXd &rows, const Eigen::VectorXd &force);

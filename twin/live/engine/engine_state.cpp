@@ -108,7 +108,7 @@ nlohmann::json Engine::state()
   state["tuning"] = {{"spring", tuning_.spring}, {"damping", tuning_.damping}};
   if (!model_.adopted.empty())
     state["adopted"] = adopted_json(model_);
-  if (!source_ || !book_->begun() || book_->next() == std::numeric_limits<std::int64_t>::min())
+  if (!source_ || !is_numbered())
     return state;
   state["source"]   = {{"name", source_->name},
                        {"rate", source_->rate},
