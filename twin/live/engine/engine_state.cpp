@@ -160,8 +160,8 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
     accounts.push_back(stored_account(channel));
     forces += twin::is_driving_force(source.channels.back().name);
   }
-  if (forces != 1)
-    state.refuse("has channels without one force");
+  if (forces > 1)
+    state.refuse("has more than one channel of the force");
   const std::int64_t next = state.count("next", -largest_number, largest_number);
   stored.book.emplace(Eigen::Index(accounts.size()));
   stored.book->resume(accounts, next, state.count("doubled", 0, largest_number),
