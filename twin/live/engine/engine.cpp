@@ -59,6 +59,8 @@ void Engine::take(Message message)
         fmt::format("{} samples from s = {} were dropped: the queue was full", dropped->n, dropped->first));
   } else if (const auto *note = std::get_if<SourceNote>(&message))
     say(note->kind, note->text);
+  else if (const auto *file = std::get_if<SourceFile>(&message))
+    file_ = SourceFile{file->print, file->first + offset_};
   else if (const auto *end = std::get_if<SourceEnd>(&message)) {
     flush();
     ended_ = true;
@@ -114,6 +116,7 @@ void Engine::begin_source(const SourceHead &head)
   start_known_            = head.start.has_value();
   source_ = LiveSource{head.source,   head.rate, head.start ? *head.start : hooks_.now ? hooks_.now() : 0,
                        head.channels, places_,   head.factor};
+  file_.reset();
   offset_       = 0;
   may_restart_  = false;
   force_column_ = -1;

@@ -87,6 +87,14 @@ public:
   {
     return resumed_at_;
   }
+  bool start_known() const  ///< the source says when its sample 0 was
+  {
+    return start_known_;
+  }
+  const std::optional<SourceFile> &file() const  ///< of the last samples, in our numbers; nothing: not known
+  {
+    return file_;
+  }
 
 private:
   static constexpr Eigen::Index most_bridged = 2;  // samples of force, as where records are cleaned
@@ -121,6 +129,7 @@ private:
 
   std::optional<LiveSource> source_;
   bool start_known_ = false;
+  std::optional<SourceFile> file_;
   std::optional<AccountBook> book_;
   Eigen::Index force_column_ = -1;  // -1: the source has no force
   std::int64_t offset_       = 0;   // of the source's numbers to ours

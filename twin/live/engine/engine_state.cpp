@@ -94,6 +94,7 @@ struct Engine::Stored {
   Tuning tuning;
   SteppedStand stand;
   std::optional<LiveSource> source;  ///< nothing of what follows without one
+  std::optional<SourceFile> file;
   std::optional<AccountBook> book;
   std::unique_ptr<TwinStepper> stepper;
   bool start_known = false, stepping = false;
@@ -110,10 +111,12 @@ nlohmann::json Engine::state()
     state["adopted"] = adopted_json(model_);
   if (!source_ || !is_numbered())
     return state;
-  state["source"]   = {{"name", source_->name},
-                       {"rate", source_->rate},
-                       {"start", source_->start_time},
-                       {"start_known", start_known_}};
+  state["source"] = {{"name", source_->name},
+                     {"rate", source_->rate},
+                     {"start", source_->start_time},
+                     {"start_known", start_known_}};
+  if (file_)
+    state["source"]["file"] = {{"print", file_->print}, {"first", file_->first}};
   state["channels"] = channels_json(*source_, *book_);
   state["next"]     = book_->next();
   state["doubled"]  = book_->doubled();
@@ -152,6 +155,10 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
   source.start_time  = from.number("start", earliest_time, latest_time);
   source.places      = places_;
   stored.start_known = from.flag("start_known");
+  if (from.has("file")) {
+    const StoredObject file = from.object("file");
+    stored.file             = SourceFile{file.text("print"), file.count("first", -largest_number, largest_number)};
+  }
   std::vector<ChannelAccount> accounts;
   int forces = 0;
   for (const StoredObject &channel : state.list("channels", most_channels)) {
@@ -199,6 +206,7 @@ void Engine::take_stored(Stored stored)
   if (!stored.source)
     return;
   start_known_   = stored.start_known;
+  file_          = std::move(stored.file);
   refused_lines_ = stored.refused;
   settled_at_    = stored.settled;
   stepped_       = stored.stepped;

@@ -1,4 +1,5 @@
 #include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "twin/live/source/csv_feed.h"
 #include "twin/live/source/file_sources.h"
@@ -24,7 +25,6 @@ public:
   GrowingCsv(const FileSource &source, SampleQueue &queue, const std::atomic<bool> &stop)
       : source_(source), queue_(queue), stop_(stop), feed_(source.path, source.rules)
   {
-    feed_.skip_to(source.skip_to);
   }
   ~GrowingCsv()
   {
@@ -45,6 +45,7 @@ public:
       rest();
       if (!pass_on())
         return;
+      say_file();
       std::this_thread::sleep_for(poll_every);
     }
     pass_on();
@@ -71,6 +72,7 @@ private:
     number_ = 0;
     quiet_  = 0;
     print_.clear();
+    said_file_ = false;
     return true;
   }
 
@@ -94,15 +96,42 @@ private:
       print_.append(bytes, std::min(std::size_t(n), print_length - print_.size()));
     done_ += n;
     quiet_ = 0;
-    if (!first_read_)
+    if (!first_read_) {
       first_read_ = Clock::now();
+      resume();
+    }
     cutter_.add({bytes, std::size_t(n)}, [&](std::string_view line) {
       if (++number_ == 1 && line.rfind(utf8_mark, 0) == 0)
         line.remove_prefix(utf8_mark.size());
       feed_.line(line, number_);
     });
     pass_on();
+    say_file();
     return true;
+  }
+
+  std::string whole_print() const  // empty: the file is too short to be known again
+  {
+    return print_.size() < print_length ? "" : hash_of(print_);
+  }
+
+  // A file only grows: one that was long enough for a print and is shorter now is another one.
+  void resume()
+  {
+    if (!source_.resumed)
+      return;
+    ResumedFile from = *source_.resumed;
+    from.other       = !source_.print.empty() && whole_print() != source_.print;
+    feed_.resume(from);
+  }
+
+  // Once for each file, behind samples of it.
+  void say_file()
+  {
+    if (said_file_ || !feed_.first_of_file() || print_.size() < print_length)
+      return;
+    said_file_ = true;
+    message(SourceFile{whole_print(), *feed_.first_of_file()});
   }
 
   bool truncated()
@@ -125,6 +154,7 @@ private:
     number_ = 0;
     quiet_  = 0;
     print_.clear();
+    said_file_ = false;
     feed_.new_file();
     return true;
   }
@@ -179,7 +209,7 @@ private:
   ino_t inode_       = 0;
   std::int64_t done_ = 0;
   std::string print_;
-  bool said_missing_ = false;
+  bool said_missing_ = false, said_file_ = false;
   std::optional<Clock::time_point> first_read_;
 };
 }  // namespace
