@@ -286,7 +286,9 @@ TEST(GrowingFile, IsRecognisedAfterARestart)
   EXPECT_EQ(again.end().numbers.front(), 1500);
 
   fs::rename(file, folder.file("force.csv.2"));
-  append(file, "time [s],force [kN]\n" + rows(2000, 2300));
+  append(file, head + rows(0, 40));  // begins as the one before did
+  for (int k = 40; k < 300; ++k)
+    append(file, fmt::format("{:.4f},700\n", k * 1e-3));
   Follower other(file, live::ResumedFile{1700, 1000, {}, 1000, false}, before.files[1].print);
   ASSERT_TRUE(other.has(300)) << "all rows of a file that was never read";
   const CameMessages &came = other.end();

@@ -45,7 +45,7 @@ struct SourceNote {
 
 /// The file that the samples before this message are from, of a source that goes through files.
 struct SourceFile {
-  std::string print;       ///< hash of its first bytes: recognises it under any name
+  std::string print;       ///< hash of its first lines: recognises it under any name
   std::int64_t first = 0;  ///< number of its first sample
 };
 

@@ -218,6 +218,7 @@ void CsvFeed::begin_again(const std::string_view head, const int number)
   times_.restart();
   next_ = skip_to_ = 0;
   shift_           = 0;
+  resumed_.reset();
   first_of_file_.reset();
   first_number_ = number;
   first_lines_.assign(1, std::string(head));

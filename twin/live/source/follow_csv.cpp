@@ -23,7 +23,7 @@ constexpr std::size_t print_length = 256;  // byte of the beginning of a file th
 class GrowingCsv {
 public:
   GrowingCsv(const FileSource &source, SampleQueue &queue, const std::atomic<bool> &stop)
-      : source_(source), queue_(queue), stop_(stop), feed_(source.path, source.rules)
+      : source_(source), queue_(queue), stop_(stop), feed_(source.path, source.rules), resumed_(source.resumed)
   {
   }
   ~GrowingCsv()
@@ -71,8 +71,7 @@ private:
     done_   = 0;
     number_ = 0;
     quiet_  = 0;
-    print_.clear();
-    said_file_ = false;
+    forget_beginning();
     return true;
   }
 
@@ -98,11 +97,12 @@ private:
     quiet_ = 0;
     if (!first_read_) {
       first_read_ = Clock::now();
-      resume();
+      resume(true);
     }
     cutter_.add({bytes, std::size_t(n)}, [&](std::string_view line) {
       if (++number_ == 1 && line.rfind(utf8_mark, 0) == 0)
         line.remove_prefix(utf8_mark.size());
+      look_at(line);
       feed_.line(line, number_);
     });
     pass_on();
@@ -110,28 +110,49 @@ private:
     return true;
   }
 
-  std::string whole_print() const  // empty: the file is too short to be known again
+  // The lines that tell the columns have rows of numbers among them, and by these a file is known again.
+  void look_at(const std::string_view line)
   {
-    return print_.size() < print_length ? "" : hash_of(print_);
+    if (std::size_t(number_) > twin::CsvRows::lines_looked_at)
+      return;
+    (beginning_ += line) += '\n';
+    if (std::size_t(number_) < twin::CsvRows::lines_looked_at)
+      return;
+    known_as_ = hash_of(beginning_);
+    resume(known_as_ != source_.print);
   }
 
-  // A file only grows: one that was long enough for a print and is shorter now is another one.
-  void resume()
+  // A file only grows: one that had these lines before the restart and has them not is another one.
+  void resume(const bool other)
   {
-    if (!source_.resumed)
+    if (!resumed_)
       return;
-    ResumedFile from = *source_.resumed;
-    from.other       = !source_.print.empty() && whole_print() != source_.print;
-    feed_.resume(from);
+    resumed_->other = other && !source_.print.empty();
+    feed_.resume(*resumed_);
+  }
+
+  // Of the same recorder, in this run: the feed goes on by itself.
+  void next_file()
+  {
+    resumed_.reset();
+    feed_.new_file();
   }
 
   // Once for each file, behind samples of it.
   void say_file()
   {
-    if (said_file_ || !feed_.first_of_file() || print_.size() < print_length)
+    if (said_file_ || !feed_.first_of_file() || known_as_.empty())
       return;
     said_file_ = true;
-    message(SourceFile{whole_print(), *feed_.first_of_file()});
+    message(SourceFile{known_as_, *feed_.first_of_file()});
+  }
+
+  void forget_beginning()
+  {
+    print_.clear();
+    beginning_.clear();
+    known_as_.clear();
+    said_file_ = false;
   }
 
   bool truncated()
@@ -153,9 +174,8 @@ private:
     done_   = 0;
     number_ = 0;
     quiet_  = 0;
-    print_.clear();
-    said_file_ = false;
-    feed_.new_file();
+    forget_beginning();
+    next_file();
     return true;
   }
 
@@ -180,7 +200,7 @@ private:
     note("note", source_.path + " was renamed; it was read to its end, the new file goes on");
     drop_half_line();
     close();
-    feed_.new_file();
+    next_file();
   }
 
   bool message(Message what)
@@ -203,12 +223,13 @@ private:
   SampleQueue &queue_;
   const std::atomic<bool> &stop_;
   CsvFeed feed_;
+  std::optional<ResumedFile> resumed_;  // while the first file of this run is read
   LineCutter cutter_;
   int file_ = -1, number_ = 0, quiet_ = 0;
   dev_t device_      = 0;
   ino_t inode_       = 0;
   std::int64_t done_ = 0;
-  std::string print_;
+  std::string print_, beginning_, known_as_;  // first bytes; first lines, and their hash when they are complete
   bool said_missing_ = false, said_file_ = false;
   std::optional<Clock::time_point> first_read_;
 };
