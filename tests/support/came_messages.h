@@ -9,6 +9,7 @@ struct CameMessages {
   std::vector<double> force;
   std::vector<std::int64_t> numbers;
   std::vector<std::string> refused, notes;
+  std::vector<mill::live::SourceFile> files;
 
   void add(const mill::live::Message &message)
   {
@@ -19,6 +20,8 @@ struct CameMessages {
         force.push_back(block->value(i, 0));
         numbers.push_back(block->first + i);
       }
+    if (const auto *file = std::get_if<mill::live::SourceFile>(&message))
+      files.push_back(*file);
     if (const auto *line = std::get_if<mill::live::RefusedLine>(&message))
       refused.push_back(line->reason);
     if (const auto *note = std::get_if<mill::live::SourceNote>(&message))

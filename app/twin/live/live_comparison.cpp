@@ -48,23 +48,33 @@ void LiveComparison::set_learned(std::unique_ptr<nlohmann::json> state)
   learned_ = std::move(state);
 }
 
-live::ComparisonSetup LiveComparison::setup(const live::LiveSource &source, const live::Tuning &tuning)
+// At another force, with the sliders: their factors hold at every load.
+LumpedModel LiveComparison::tuned_chain_at(const double load) const
+{
+  live::TwinModel tuned = model_;
+  tuned.chain           = live::tuned_chain(model_, tuning_);
+  return chain_at_load(the_case_, tuned, load);
+}
+
+live::ComparisonSetup LiveComparison::setup(const live::LiveSource &source) const
 {
   live::ComparisonSetup setup;
   setup.rate     = source.rate;
   setup.channels = source.channels;
   setup.places   = source.places;
-  setup.modes    = modes_at_load(the_case_, model_, tuning);
-  setup.chain    = live::tuned_chain(model_, tuning);
-  setup.dynamics = live::tuned_dynamics(model_, tuning);
+  setup.modes    = modes_at_load(the_case_, model_, tuning_);
+  setup.chain    = live::tuned_chain(model_, tuning_);
+  setup.dynamics = live::tuned_dynamics(model_, tuning_);
   setup.limit    = limit_;
   setup.unknowns = fitted_springs(model_);
   // a record that is played faster than real time waits for every result, so that it gives the same twice
   setup.wait     = std::isinf(replay_speed(command_.live.speed));
-  setup.chain_at = [this](const double load) { return chain_at_load(the_case_, model_, load); };
+  setup.chain_at = [this](const double load) { return tuned_chain_at(load); };
   if (model_.detailed) {
-    setup.mode_names   = model_.detailed->mode_names;
-    setup.detailed     = [this](const LumpedModel &chain) { return fitted_detail(model_, chain); };
+    setup.mode_names = model_.detailed->mode_names;
+    setup.detailed   = [this](const LumpedModel &chain) {
+      return fitted_detail(model_, chain, live::tuned_dynamics(model_, tuning_).modal_damping);
+    };
     setup.adopted_case = [this](const live::Proposal &proposal, const std::string &folder) {
       return adopted_detail(model_, proposal, the_case_, folder);
     };
@@ -87,8 +97,9 @@ void LiveComparison::begin(const live::LiveSource &source, const live::TwinModel
                            const live::Tuning &tuning)
 {
   model_                     = model;
+  tuning_                    = tuning;
   critical_of_               = model_.adopted;
-  live::ComparisonSetup next = setup(source, tuning);
+  live::ComparisonSetup next = setup(source);
   if (comparison_)  // another source, or the same one again: of the same mill
     learned_ = std::make_unique<nlohmann::json>(comparison_->state());
   comparison_.emplace(std::move(next));
@@ -110,6 +121,8 @@ live::ComparisonNews LiveComparison::take(const live::LiveBlock &block)
 
 void LiveComparison::changed_model(const live::TwinModel &model, const live::Tuning &tuning)
 {
+  model_  = model;
+  tuning_ = tuning;
   if (!comparison_)
     return;
   comparison_->set_twin(live::tuned_chain(model, tuning), live::tuned_dynamics(model, tuning),

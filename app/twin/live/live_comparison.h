@@ -36,13 +36,15 @@ public:
   }
 
 private:
-  live::ComparisonSetup setup(const live::LiveSource &source, const live::Tuning &tuning);
+  live::ComparisonSetup setup(const live::LiveSource &source) const;
+  LumpedModel tuned_chain_at(double load) const;  // N
 
   const CommandLine &command_;
   const Case &the_case_;
   std::optional<double> limit_;
   LiveConsole &console_;
   live::TwinModel model_;                    // as the comparison has it
+  live::Tuning tuning_;                      // of it
   std::string critical_of_;                  // adopted springs that the critical speed is computed with
   std::unique_ptr<nlohmann::json> learned_;  // state of the last comparison, for the next one
   std::optional<live::Comparison> comparison_;

@@ -67,7 +67,7 @@ std::array<double, 7> detail_at_load(const Case &the_case, const live::TwinModel
   return factor;
 }
 
-twin::FittedStand fitted_detail(const live::TwinModel &model, const LumpedModel &chain)
+twin::FittedStand fitted_detail(const live::TwinModel &model, const LumpedModel &chain, const double damping)
 {
   const live::DetailedTwin &detail = *model.detailed;
   StandModel stand                 = live::with_springs(detail.stand, detail, chain);
@@ -78,7 +78,7 @@ twin::FittedStand fitted_detail(const live::TwinModel &model, const LumpedModel 
   const auto modes = reduce::stand_modes(stand);
   twin::FittedStand fitted;
   fitted.detailed = twin::reduced_stand(stand, modes.frequency, modes.shape, detail.highest);
-  fitted.damping  = Eigen::VectorXd::Constant(fitted.detailed->kept, model.dynamics.modal_damping);
+  fitted.damping  = Eigen::VectorXd::Constant(fitted.detailed->kept, damping);
   return fitted;
 }
 

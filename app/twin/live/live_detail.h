@@ -16,7 +16,8 @@ void add_detail(live::TwinModel &model, const Case &the_case);
 std::array<double, 7> detail_at_load(const Case &the_case, const live::TwinModel &model, double load);
 
 /// The detailed stand with the springs of `chain`, as a re-calibration fits it.
-twin::FittedStand fitted_detail(const live::TwinModel &model, const LumpedModel &chain);
+/// @param damping  -, ratio of critical of its modes
+twin::FittedStand fitted_detail(const live::TwinModel &model, const LumpedModel &chain, double damping);
 
 /// A case of kind lumped with the matrices of a proposal, which are written into FOLDER/<name of the case>/.
 /// @throws SystemError  they cannot be written

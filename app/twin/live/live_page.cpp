@@ -73,8 +73,7 @@ void LivePage::open(const CommandLine &command, const std::string &token, LiveCo
   console.print("page:   " + server_->url() + "\n");
   if (!server_->notice().empty())
     console::say("warning: " + server_->notice() + "\n");
-  if (engine_.source())
-    show_source(*engine_.source());
+  show_stand();
   publish_parameters();
 }
 
@@ -95,7 +94,7 @@ void LivePage::begin(const live::LiveSource &source)
   feed_.begin(source);
   spectrum_.begin(source);
   place_ = spectrum_.place();
-  show_source(source);
+  show_stand();
   publish_parameters();
 }
 
@@ -126,6 +125,8 @@ void LivePage::tick(const double now)
 void LivePage::twin_changed()
 {
   spectrum_.twin_changed();
+  if (engine_.model().adopted != adopted_)
+    show_stand();  // before the event that lets the page read it again
   publish_parameters();
 }
 
@@ -173,16 +174,20 @@ live::PageStand LivePage::stand() const
 }
 
 // What the source measures is known when it has begun.
-void LivePage::show_source(const live::LiveSource &source)
+void LivePage::show_stand()
 {
   if (!server_)
     return;
+  adopted_              = engine_.model().adopted;
   live::PageStand shown = stand();
-  shown.rate            = source.rate;
-  for (live::StandPlace &place : shown.places)
-    place.measured = std::any_of(source.channels.begin(), source.channels.end(), [&](const live::LiveChannel &c) {
-      return c.name == place.place && is_in(c.unit, SiUnit::acceleration);
-    });
+  if (const auto &source = engine_.source()) {
+    shown.rate = source->rate;
+    for (live::StandPlace &place : shown.places)
+      place.measured =
+          std::any_of(source->channels.begin(), source->channels.end(), [&](const live::LiveChannel &c) {
+            return c.name == place.place && is_in(c.unit, SiUnit::acceleration);
+          });
+  }
   server_->set_stand(live::stand_text(shown));
 }
 

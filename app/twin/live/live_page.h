@@ -44,7 +44,7 @@ public:
 private:
   live::CommandReply take_command(const std::string &json);
   live::PageStand stand() const;
-  void show_source(const live::LiveSource &source);
+  void show_stand();
   void publish_parameters();
   void begin_advice();
 
@@ -55,6 +55,7 @@ private:
   live::PageFeed feed_;
   live::PlaceSpectrum spectrum_;
   std::string place_ = "upper_work_roll";  // whose spectrum is shown
+  std::string adopted_;                    // springs that the stand of the page has
   live::LowPriorityTask<live::PageAdvice> advice_;
   live::CommandQueue commands_;
   std::mutex metrics_lock_;

@@ -200,7 +200,7 @@ void LiveRun::each_second()
 {
   report_arrival(sources_.look());
   if (recording_ && engine_.source()) {
-    recording_->recorder().tick(std::numeric_limits<double>::infinity());  // what the state has seen is recorded
+    recording_->recorder().save();  // what the state has seen is recorded
     store_state();
   }
   publish(live::event_names::account, live::account_text(page_account()));

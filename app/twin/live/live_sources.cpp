@@ -18,6 +18,20 @@ live::ClockReading clock_now()
 {
   return {live::steady_now(), utc_now()};
 }
+// The file goes on where the engine does.
+void resume(live::FileSource &file, const live::Engine &engine)
+{
+  live::ResumedFile from;
+  from.next = engine.resumed_at();
+  from.rate = engine.source()->rate;
+  if (engine.start_known())
+    from.start = engine.source()->start_time;
+  if (const auto &read_last = engine.file()) {
+    from.first = read_last->first;
+    file.print = read_last->print;
+  }
+  file.resumed = from;
+}
 }  // namespace
 
 LiveSources::LiveSources(LiveInput input) : input_(std::move(input))
@@ -48,13 +62,12 @@ void LiveSources::open(const CommandLine &command, const std::string &token, con
   if (!command.live.speed.empty() && input_.kind != LiveInput::Kind::replay)
     throw InputError(
         "--speed belongs to a record that is played (--input FILE.csv); other sources set their own pace");
-  std::int64_t skip_to = 0;
+  live::FileSource file{input_.target, rules, speed, {}, ""};
   if (engine.resumed_at() != 0) {
     next_ = engine.resumed_at();
     if (engine.source()->name == input_.target)
-      skip_to = engine.resumed_at();
+      resume(file, engine);
   }
-  const live::FileSource file{input_.target, rules, speed, skip_to};
   const auto start = [&](auto read) { thread_ = std::make_unique<live::SourceThread>(queue_, std::move(read)); };
   using Kind       = LiveInput::Kind;
   switch (input_.kind) {

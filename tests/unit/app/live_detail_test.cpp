@@ -184,8 +184,10 @@ TEST(LiveDetail, ThePageDrawsSixPlacesAndListsTheChocks)
 
 TEST(LiveDetail, ARecalibrationMovesItsSpringsByTheirNames)
 {
-  const twin::FittedStand stand = fitted_detail(beams(), beams().chain);
+  const twin::FittedStand stand = fitted_detail(beams(), beams().chain, 0.013);
   ASSERT_TRUE(stand.detailed);
+  EXPECT_EQ(stand.damping.minCoeff(), 0.013);
+  EXPECT_EQ(stand.damping.maxCoeff(), 0.013);
   for (const char *key : {"K1", "K2", "K3", "K5", "K6", "K7"})
     EXPECT_TRUE(twin::is_spring(stand, key)) << key;
   Eigen::VectorXd theta(1);

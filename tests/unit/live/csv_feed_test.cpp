@@ -48,7 +48,9 @@ std::string rows(const int from, const int to)
 // Follows a file in a thread; what came is taken at the end.
 class Follower {
 public:
-  explicit Follower(const std::string &path) : source{path, {}, 1, 0}
+  explicit Follower(const std::string &path, const std::optional<live::ResumedFile> &resumed = {},
+                    const std::string &print = "")
+      : source{path, {}, 1, resumed, print}
   {
     queue.push(live::SourceHead{1e6, {}, "room", {}, {}});  // room for everything until the file's own head
     queue.pop(0);
@@ -129,6 +131,44 @@ TEST(CsvFeed, NumbersSamplesByTheirTimes)
   EXPECT_TRUE(std::isnan(came.force[4]));
   EXPECT_EQ(came.notes.back(), "loss: force.csv: the time goes back by 0.003 s; samples of the same time are not "
                                "used");
+}
+
+namespace {
+// A thousand rows a second with dates, from 2026-01-05 10:00:`second` UTC.
+CameMessages dated_rows_of(const int second, const int n, const live::ResumedFile &from)
+{
+  live::CsvFeed feed("force.csv", {});
+  feed.resume(from);
+  feed.line("time,force [kN]", 1);
+  for (int k = 0; k < n; ++k)
+    feed.line(fmt::format("2026-01-05T10:00:{:02}.{:03}Z,{}", second + k / 1000, k % 1000, 900 + k % 100), k + 2);
+  feed.finish();
+  CameMessages came;
+  for (const auto &message : feed.take())
+    came.add(message);
+  return came;
+}
+constexpr double ten_o_clock = 1767607200;  // s since 1970, 2026-01-05 10:00:00 UTC
+}  // namespace
+
+// After a restart the file may be another one: by dates its own numbers are those of the source before, less what
+// lies between the first rows of both.
+TEST(CsvFeed, LeavesOutByDatesWhatWasProcessedBeforeARestart)
+{
+  const live::ResumedFile from{5500, 1000, ten_o_clock, 0, true};  // up to 10:00:05.5
+  const CameMessages same = dated_rows_of(0, 6000, from), later = dated_rows_of(5, 1000, from),
+                     next = dated_rows_of(7, 1000, from);
+  ASSERT_EQ(same.heads.at(0).start, ten_o_clock);
+  ASSERT_EQ(same.numbers.size(), 500u);
+  EXPECT_EQ(same.numbers.front(), 5500);
+  ASSERT_EQ(later.numbers.size(), 500u) << "the half of the second that was not processed";
+  EXPECT_EQ(later.numbers.front(), 500);
+  ASSERT_EQ(next.numbers.size(), 1000u) << "all of it is new";
+  EXPECT_EQ(next.numbers.front(), 0);
+  live::ResumedFile of_half_the_rate = from;
+  of_half_the_rate.next              = 2750;
+  of_half_the_rate.rate              = 500;
+  EXPECT_EQ(dated_rows_of(5, 1000, of_half_the_rate).numbers.at(0), 500);
 }
 
 TEST(CsvFeed, FiveBadLinesInARowCloseIt)
@@ -221,6 +261,44 @@ TEST(GrowingFile, SaysThatItWasTruncated)
     ASSERT_EQ(came.notes.size(), 1u);
     EXPECT_EQ(came.notes[0].rfind("loss: " + file + " was truncated in place at byte ", 0), 0u) << came.notes[0];
   }
+}
+
+// Without dates the beginning of a file says whether it is the one that was read before a restart.
+TEST(GrowingFile, IsRecognisedAfterARestart)
+{
+  const Folder folder;
+  const std::string file = folder.file("force.csv"), head = "time [s],force [kN]\n";
+  append(file, head + rows(0, 1000));
+  Follower first(file);
+  ASSERT_TRUE(first.has(1000));
+  fs::rename(file, folder.file("force.csv.1"));
+  append(file, head + rows(0, 500));  // a clock that begins again: its rows are 1000 to 1499
+  ASSERT_TRUE(first.has(1500));
+  const CameMessages before = first.end();
+  ASSERT_EQ(before.files.size(), 2u);
+  EXPECT_EQ(before.files[0].first, 0);
+  EXPECT_EQ(before.files[1].first, 1000);
+  EXPECT_EQ(before.numbers.back(), 1499);
+
+  append(file, rows(500, 700));
+  Follower again(file, live::ResumedFile{1500, 1000, {}, 1000, false}, before.files[1].print);
+  ASSERT_TRUE(again.has(200)) << "what came since, and nothing twice";
+  EXPECT_EQ(again.end().numbers.front(), 1500);
+
+  fs::rename(file, folder.file("force.csv.2"));
+  append(file, head + rows(0, 40));  // begins as the one before did
+  for (int k = 40; k < 300; ++k)
+    append(file, fmt::format("{:.4f},700\n", k * 1e-3));
+  Follower other(file, live::ResumedFile{1700, 1000, {}, 1000, false}, before.files[1].print);
+  ASSERT_TRUE(other.has(300)) << "all rows of a file that was never read";
+  const CameMessages &came = other.end();
+  EXPECT_EQ(came.numbers.front(), 1700);
+  EXPECT_EQ(came.numbers.back(), 1999);
+  EXPECT_EQ(came.notes.at(0),
+            "loss: " + file +
+                ": another file than before the restart, and its times have no "
+                "date: taken to go on behind the sample before; what was lost between them is not "
+                "known");
 }
 
 TEST(GrowingFile, IsWaitedForAndMayBeginWithFewLines)

@@ -44,6 +44,51 @@ TEST(LiveLosses, ARefusedOrDroppedBlockIsAGap)
   }
 }
 
+// A source of another rate keeps the account of the channels; where its numbers begin, its first samples say, also
+// when they are lost.
+TEST(LiveLosses, ASourceMayBeginWithALoss)
+{
+  for (const bool dropped : {false, true}) {
+    LiveSamples run(stand_of_r3(), 1000);
+    run.send(waves_of_force(1000), 100);
+    run.engine().take(live::SourceHead{2000, {}, "test", {{"force", "N"}}, {1}});
+    if (dropped)
+      run.engine().take(live::DroppedBlock{100, 50});
+    else
+      run.engine().take(live::RefusedLine{"unknown channel \"torque\"", 100, 50});
+    run.send(waves_of_force(1000), 100, 150);
+    const live::ChannelAccount &account = run.engine().book()->channels()[0];
+    EXPECT_EQ(account.offered, 2050);
+    EXPECT_EQ(account.processed, 2000);
+    EXPECT_EQ(account.missing, 0);
+    EXPECT_EQ(dropped ? account.overrun : account.rejected, 50);
+    EXPECT_TRUE(run.engine().book()->balanced());
+    const auto state = run.engine().state();
+    EXPECT_EQ(LiveSamples(stand_of_r3(), 2000, &state).said.at(0), "goes on at s = 1150 of source \"test\"");
+  }
+}
+
+// Two heads before any block: the second begins the source, since numbers below zero are of no sample.
+TEST(LiveLosses, BeforeTheFirstSampleAnotherStartIsAnotherSource)
+{
+  const double ten = 1767607200;  // s since 1970
+  for (const double second : {ten - 3600, ten, ten + 3600}) {
+    LiveSamples run(stand_of_r3(), 1000);
+    for (const double start : {ten, second})
+      run.engine().take(live::SourceHead{1000, start, "dated", {{"force", "N"}, {"speed", "m/s"}}, {1, 1}});
+    const Eigen::MatrixXd values = waves_of_force(400).replicate(1, 2);
+    run.engine().take(live::SourceBlock{0, values});
+    run.engine().flush();
+    ASSERT_FALSE(run.blocks.empty());
+    EXPECT_EQ(run.blocks.front().first, 0);
+    EXPECT_EQ(run.engine().source()->start_time, second);
+    EXPECT_EQ(run.engine().book()->channels()[0].offered, 400);
+    run.engine().take(live::SourceHead{1000, second - 0.1, "dated", {{"force", "N"}, {"speed", "m/s"}}, {1, 1}});
+    run.engine().take(live::SourceBlock{500, values});
+    EXPECT_EQ(run.engine().book()->next(), 800) << "behind a sample it goes on: 500 of it is 400 of the source";
+  }
+}
+
 TEST(LiveLosses, TwoRefusedSamplesAreDrawnAcross)
 {
   const Eigen::VectorXd force = waves_of_force(1002);

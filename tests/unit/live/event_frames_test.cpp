@@ -65,5 +65,25 @@ TEST(EventFrames, ThePresentStateIsTheLatestOfEachKindInOrder)
   EXPECT_EQ(ids, "2al 3mo 5al 6pa 7nu ");
   for (int k = 0; k < 300; ++k)
     store.add("proposal", "{}");
-  EXPECT_EQ(store.present_state().size(), 203u);
+  EXPECT_EQ(store.present_state().size(), 205u) << "200 proposals, 2 alarms, 3 others";
+}
+
+// A gap that grows is one alarm: it pushes out neither other alarms nor a proposal, and no browser.
+TEST(EventFrames, OfOneAlarmTheLatestIsKept)
+{
+  web::FrameStore store(live::event_kinds());
+  web::FrameQueue queue;
+  queue.push(store.add("proposal", R"({"id":7,"state":"open"})"));
+  queue.push(store.add("alarm", R"({"id":3,"kind":"chatter"})"));
+  for (int k = 0; k < 1000; ++k)
+    queue.push(store.add("alarm", R"({"id":1000000,"kind":"gap","text":")" + std::to_string(k) + "\"}"));
+  EXPECT_FALSE(queue.overfull());
+  const auto shown = texts(store.present_state()), waiting = texts(queue.take());
+  ASSERT_EQ(shown.size(), 3u);
+  EXPECT_NE(shown[0].find(R"({"id":7,"state":"open"})"), std::string::npos);
+  EXPECT_NE(shown[1].find(R"({"id":3,"kind":"chatter"})"), std::string::npos);
+  EXPECT_NE(shown[2].find("\"text\":\"999\""), std::string::npos);
+  EXPECT_EQ(waiting, shown);
+  store.add("proposal", R"({"id":3,"state":"open"})");
+  EXPECT_EQ(store.present_state().size(), 4u) << "the same number of another kind is another thing";
 }

@@ -72,6 +72,27 @@ TEST(PlaceSpectrum, BothSignalsHaveTheirOwnLines)
   EXPECT_TRUE(near(seen.wave_measured.back(), -4, within(1e-3, "the line beside it")));
 }
 
+TEST(PlaceSpectrum, TheNumbersMayBeginBelowZero)
+{
+  live::PlaceSpectrum display;
+  display.begin(source());
+  live::PageSpectrum seen;
+  std::int64_t s = -50007, last = 0;  // 75 blocks of 400 end below zero
+  for (int k = 0; k < 75; ++k, s += 400)
+    if (const auto spectrum = display.take(block(s, 400), k * 0.02)) {
+      seen = *spectrum;
+      last = s + 399;
+    }
+  ASSERT_LT(s, 0);
+  EXPECT_GE(seen.segments, 2) << "pieces are averaged there too";
+  const Tolerance rounding = within(1e-6, "single precision");
+  EXPECT_TRUE(near(seen.simulated.at(611), 3 / std::sqrt(2 * 1.5 * df), rounding));
+  EXPECT_TRUE(near(seen.measured.at(700), 0.003 / std::sqrt(2 * 1.5 * df), rounding));
+  EXPECT_LT(seen.measured.at(611), 1e-9);
+  EXPECT_EQ(seen.wave_simulated.size(), 512u);
+  EXPECT_TRUE(near(seen.wave_simulated.back(), block(last, 1).simulated(0, 1), rounding));
+}
+
 TEST(PlaceSpectrum, APlaceWithoutSensorHasTheTwinAlone)
 {
   live::PlaceSpectrum display;

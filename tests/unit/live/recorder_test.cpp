@@ -123,6 +123,30 @@ TEST(Recorder, BeginsAFileEachMinuteAndReplacesNone)
   EXPECT_TRUE(to.folder.files(".part").empty());
 }
 
+// Of a source that stalls no whole tenth of a second comes: the clock saves what waits, also behind a save().
+TEST(Recorder, SavesWhatWaitsOfASourceThatStalls)
+{
+  Recording to;
+  const auto saved = [&] {
+    const auto parts = to.folder.files(".part");
+    live::NpyHeader header;
+    std::ifstream file(to.folder.path + "/" + parts.at(0), std::ios::binary);
+    const std::string bytes{std::istreambuf_iterator<char>(file), {}};
+    return live::read_npy_header(bytes, header) ? header.rows : -1;
+  };
+  to.recorder->add(0, rows(0, 50));
+  to.recorder->save();
+  EXPECT_EQ(saved(), 50);
+  to.recorder->add(50, rows(50, 50));
+  to.recorder->tick(1000.0);
+  EXPECT_EQ(saved(), 100);
+  to.recorder->add(100, rows(100, 50));
+  to.recorder->tick(1000.01);
+  EXPECT_EQ(saved(), 100) << "not at each tick";
+  to.recorder->tick(1000.1);
+  EXPECT_EQ(saved(), 150);
+}
+
 // The part is whole up to the last tenth of a second at any moment, and finished by the next program.
 TEST(Recorder, APartIsReadableWhileItGrowsAndFinishedAfterwards)
 {

@@ -7,6 +7,7 @@
 #include "twin/live/source/line_session.h"
 #include <cmath>
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 using namespace mill;
 using namespace mill::live;
@@ -74,6 +75,37 @@ TEST(UnforcedSource, MayHaveChannelsThatAreNoPlaceOfTheModel)
   const auto alarms = alarms_with({{"housing_ds", "m/s2"}});
   ASSERT_EQ(alarms.size(), 1u);
   EXPECT_NE(alarms[0].text.find(" Hz, housing_ds: "), std::string::npos) << alarms[0].text;
+}
+
+TEST(UnforcedSource, GoesOnAfterARestart)
+{
+  const SourceHead head{rate, {}, "test", {{"upper_work_roll", "m/s2"}}, {1}};
+  const Eigen::MatrixXd x = synthetic::white(32, 4000, rate, 0.005);
+  Engine before(published(), {});
+  before.take(head);
+  before.take(SourceBlock{0, x});
+  const auto state = before.state();
+  std::vector<LiveBlock> blocks;
+  EngineHooks hooks;
+  hooks.observers.push_back([&](const LiveBlock &block) { blocks.push_back(block); });
+  Engine after(published(), hooks);
+  EXPECT_EQ(after.resume(state), "goes on at s = 4000 of source \"test\"");
+  after.take(head);
+  after.take(SourceBlock{4000, x});
+  after.flush();
+  ASSERT_EQ(blocks.size(), 1u);
+  EXPECT_EQ(blocks[0].first, 4000);
+  EXPECT_FALSE(blocks[0].after_gap);
+  EXPECT_FALSE(blocks[0].driven);
+  EXPECT_EQ(after.book()->channels()[0].processed, 8000);
+
+  auto of_two_forces = state;
+  for (const char *name : {"force", "force"})
+    of_two_forces["channels"].push_back(of_two_forces["channels"][0]),
+        of_two_forces["channels"].back()["name"] = name;
+  EXPECT_EQ(
+      Engine(published(), {}).resume(of_two_forces),
+      "the stored state cannot be used: it has more than one channel of the force; the twin starts without it");
 }
 
 TEST(UnforcedSource, NeedsAForceOrAnAcceleration)

@@ -25,6 +25,15 @@ void AlarmBook::raise(const std::string &cause, const double utc, const std::str
   alarm.level    = level;
   alarm.text     = text;
   all.now[cause] = alarm;
+  note_change(alarm);
+}
+
+void AlarmBook::note_change(const PageAlarm &alarm)
+{
+  const auto before =
+      std::find_if(changed.begin(), changed.end(), [&](const PageAlarm &a) { return a.id == alarm.id; });
+  if (before != changed.end())
+    changed.erase(before);
   changed.push_back(alarm);
 }
 
@@ -34,7 +43,7 @@ void AlarmBook::end(const std::string &cause)
   if (known == all.now.end())
     return;
   known->second.over = true;
-  changed.push_back(known->second);
+  note_change(known->second);
   all.now.erase(known);
 }
 

@@ -19,7 +19,7 @@ public:
   void end(const std::string &cause);
   bool open(const std::string &cause) const;
   std::string level(const std::string &cause) const;  ///< empty: not open
-  /// What changed since the last call, in order.
+  /// What changed since the last call, each alarm once and as it now is, in the order of the last changes.
   std::vector<PageAlarm> news();
 
   /// What a restarted program goes on from.
@@ -32,6 +32,8 @@ public:
   void resume(State stored);
 
 private:
+  void note_change(const PageAlarm &alarm);
+
   State all;
   std::vector<PageAlarm> changed;
 };

@@ -156,7 +156,7 @@ ComparisonNews Comparison::take(const LiveBlock &block)
     if (news.modes)
       watch_drift(utc);
   }
-  if (auto result = task.finished())
+  if (auto result = task.finished(); result && answered)
     end_recalibration(utc, std::move(*result));
   add_chatter(news, block, utc);
   news.alarms    = book.news();
@@ -336,6 +336,9 @@ void Comparison::set_twin(const LumpedModel &chain, const DynamicsSettings &dyna
   setup_.modes = now;
   modes.set_twin(now);
   waiting.reset();
+  answered.reset();
+  offered.twin_changed();
+  book.end(recalibration_cause);
   for (std::size_t m = 0; m < std::size_t(now.frequency.cols()); ++m)
     book.end(ModeTracker::cause_of(m));
 }

@@ -26,8 +26,9 @@ struct ComparisonSetup {
   std::optional<double> limit;          ///< m/s2, 0-peak in a band: the mill's own
   std::optional<ChatterWatch::Setup> chatter;
   LumpedModel chain;                                 ///< the twin's
-  std::function<LumpedModel(double load)> chain_at;  ///< the same at another force, N; empty: it does not change
-  /// Of a detailed stand, in its modes, with the springs of this chain; empty: six masses.
+  std::function<LumpedModel(double load)> chain_at;  ///< as the twin then is, at another force, N; empty: `chain`
+  /// Of a detailed stand, in its modes, with the springs of this chain and the damping that the twin then has;
+  /// empty: six masses.
   std::function<twin::FittedStand(const LumpedModel &chain)> detailed;
   /// Case of an adopted proposal and its other files; empty: calibrated_case().
   std::function<std::string(const Proposal &, const std::string &folder)> adopted_case;
@@ -61,8 +62,8 @@ public:
   explicit Comparison(ComparisonSetup setup);
   ComparisonNews take(const LiveBlock &block);
 
-  /// The twin was changed by hand or by a proposal: sums and references start again, open proposals are out of
-  /// date when the chain is another one.
+  /// The twin was changed by hand or by a proposal.  When its modes are others, sums and references start again,
+  /// open proposals are out of date, and a re-calibration that runs is not used.
   void set_twin(const LumpedModel &chain, const DynamicsSettings &dynamics, const twin::ModesAtLoad &modes);
   /// The stand of the critical speed has other springs; nothing where none is watched.
   void set_chatter(twin::ChatterModel model);
@@ -108,7 +109,7 @@ private:
   AlarmBook book;
   Proposals offered;
   std::optional<ModeDrift> waiting;   // an alarm whose data are not long enough yet
-  std::optional<ModeDrift> answered;  // what is being re-calibrated
+  std::optional<ModeDrift> answered;  // what is being re-calibrated; empty: its result is not wanted any more
   double from_ = 0, to_ = 0;          // s since 1970, of its data
   double load_ = 0;                   // N
   LowPriorityTask<twin::Recalibration> task;

@@ -106,13 +106,18 @@ std::string calibrated_case(const Proposal &p, const Case &origin, const std::st
   return text + lumped_model_toml(p.chain, with_damping(origin, p.damping), directory);
 }
 
-const Proposal &Proposals::add(Proposal proposal)
+void Proposals::twin_changed()
 {
   for (std::size_t i = 0; i < list.size(); ++i)
     if (list[i].state == ProposalState::open) {
       list[i].state = ProposalState::out_of_date;
       changed.push_back(i);
     }
+}
+
+const Proposal &Proposals::add(Proposal proposal)
+{
+  twin_changed();
   proposal.id = list.empty() ? 1 : list.back().id + 1;
   list.push_back(std::move(proposal));
   changed.push_back(list.size() - 1);

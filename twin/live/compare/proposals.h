@@ -59,6 +59,8 @@ class Proposals {
 public:
   /// Older ones that are open become out of date.
   const Proposal &add(Proposal proposal);
+  /// Open ones become out of date: they are of another twin.
+  void twin_changed();
   const Proposal *find(std::int64_t id) const;
   const std::vector<Proposal> &all() const;
   /// Of an earlier program: shown again without changes; their numbers are not used twice.

@@ -2,6 +2,7 @@
 #include "core/base/si_unit.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace mill::live {
 namespace {
@@ -11,6 +12,13 @@ constexpr std::size_t most_pieces   = 24;
 constexpr double pieces_every       = 0.25;  // s of record
 constexpr double shown_at_most      = 0.2;   // s of the clock
 constexpr std::int64_t wave_samples = 512;
+
+// Place of a sample in a ring, also where the numbers are below zero.
+std::size_t in_ring(const std::int64_t s, const std::size_t length)
+{
+  const std::int64_t n = std::int64_t(length);
+  return std::size_t((s % n + n) % n);
+}
 
 std::vector<double> hann(const std::size_t n)
 {
@@ -72,8 +80,8 @@ void PlaceSpectrum::begin(const LiveSource &source)
   if (first != places_.end())
     chosen_ = std::size_t(first - places_.begin());
   choose(wanted_);
-  filled_     = 0;
-  changed_at_ = 0;
+  filled_ = 0;
+  end_ = changed_at_ = std::numeric_limits<std::int64_t>::min();  // nothing came, so nothing is of another twin
   start_again();
 }
 
@@ -112,7 +120,7 @@ void PlaceSpectrum::put(const LiveBlock &block)
   }
   const Eigen::Index n = block.force.size();
   for (Eigen::Index i = 0; i < n; ++i) {
-    const std::size_t index = std::size_t((block.first + i) % std::int64_t(length_));
+    const std::size_t index = in_ring(block.first + i, length_);
     for (std::size_t p = 0; p < places_.size(); ++p) {
       places_[p].simulated[index] = block.simulated(i, Eigen::Index(p));
       if (places_[p].channel >= 0)
@@ -133,7 +141,7 @@ void PlaceSpectrum::add_piece(const Place &place)
   std::vector<std::complex<double>> z(length_), Z;
   double power = 0;
   for (std::int64_t i = 0; i < n; ++i) {
-    const std::size_t index = std::size_t((end_ + i) % n), k = std::size_t(i);  // the oldest first
+    const std::size_t index = in_ring(end_ + i, length_), k = std::size_t(i);  // the oldest first
     z[k] = window_[k] * std::complex<double>(driven ? place.simulated[index] - level[0] : 0,
                                              measured ? place.measured[index] - level[1] : 0);
     power += window_[k] * window_[k];
@@ -170,7 +178,7 @@ PageSpectrum PlaceSpectrum::text_of(const Place &place) const
   out.latest    = density(last, last.back().measured.empty() ? &Piece::simulated : &Piece::measured);
   out.wave_step = 1 / rate_;
   for (std::int64_t s = end_ - std::min<std::int64_t>(wave_samples, std::int64_t(length_)); s < end_; ++s) {
-    const std::size_t index = std::size_t(s % std::int64_t(length_));
+    const std::size_t index = in_ring(s, length_);
     if (std::isfinite(place.simulated[index]))
       out.wave_simulated.push_back(float(place.simulated[index]));
     if (place.channel >= 0)

@@ -7,7 +7,8 @@
 
 namespace mill::live {
 namespace {
-constexpr double joined = 0.02;  // s of rows
+constexpr double joined              = 0.02;                                      // s of rows
+constexpr std::int64_t not_yet_known = std::numeric_limits<std::int64_t>::min();  // number of the next sample
 
 bool same_channels(const std::vector<LiveChannel> &a, const std::vector<LiveChannel> &b)
 {
@@ -57,21 +58,40 @@ void Engine::take(Message message)
     take_block(*block);
   else if (const auto *refused = std::get_if<RefusedLine>(&message)) {
     ++refused_lines_;
-    if (book_ && refused->n > 0)
+    if (book_ && refused->n > 0) {
+      number_from(refused->first + offset_);
       book_->refuse(refused->first + offset_, refused->n);
+    }
     say("refused", refused->reason);
   } else if (const auto *dropped = std::get_if<DroppedBlock>(&message)) {
-    if (book_)
+    if (book_) {
+      number_from(dropped->first + offset_);
       book_->overrun(dropped->first + offset_, dropped->n);
+    }
     say("overrun",
         fmt::format("{} samples from s = {} were dropped: the queue was full", dropped->n, dropped->first));
   } else if (const auto *note = std::get_if<SourceNote>(&message))
     say(note->kind, note->text);
+  else if (const auto *file = std::get_if<SourceFile>(&message))
+    file_ = SourceFile{file->print, file->first + offset_};
   else if (const auto *end = std::get_if<SourceEnd>(&message)) {
     flush();
     ended_ = true;
     say("end", end->text);
   }
+}
+
+// Whether samples have said where the numbers of the source begin.
+bool Engine::is_numbered() const
+{
+  return book_ && book_->begun() && book_->next() != not_yet_known;
+}
+
+// The first samples of a source say where its numbers begin.
+void Engine::number_from(const std::int64_t first)
+{
+  if (!is_numbered())
+    book_->renumber(first);
 }
 
 // Whether the numbers of a new connection go on those of the source before; `offset` is what ours are above its.
@@ -80,8 +100,10 @@ bool Engine::continues(const SourceHead &head, std::int64_t &offset) const
   if (!source_)
     return false;
   const auto above = offset_of(head, *source_, start_known_);
-  offset           = above.value_or(0);
-  return above.has_value();
+  if (!above || (*above != 0 && !is_numbered()))  // before the first sample another start is another source
+    return false;
+  offset = *above;
+  return true;
 }
 
 void Engine::take_head(const SourceHead &head)
@@ -101,8 +123,9 @@ void Engine::begin_source(const SourceHead &head)
 {
   const bool same_account = source_ && same_channels(head.channels, source_->channels);
   start_known_            = head.start.has_value();
-  source_       = LiveSource{head.source,   head.rate, head.start ? *head.start : hooks_.now ? hooks_.now() : 0,
+  source_ = LiveSource{head.source,   head.rate, head.start ? *head.start : hooks_.now ? hooks_.now() : 0,
                        head.channels, places_,   head.factor};
+  file_.reset();
   offset_       = 0;
   may_restart_  = false;
   force_column_ = -1;
@@ -112,7 +135,7 @@ void Engine::begin_source(const SourceHead &head)
   if (!same_account)
     book_.emplace(Eigen::Index(head.channels.size()));
   else
-    book_->renumber(std::numeric_limits<std::int64_t>::min());  // the first block says where it begins
+    book_->renumber(not_yet_known);
   stepper_ = std::make_unique<TwinStepper>(stand_, head.rate, 0);
   forget_  = -std::expm1(-1 / (head.rate * mean_over));
   lose();
@@ -163,8 +186,7 @@ void Engine::take_block(const SourceBlock &block)
       begun(*source_);
   }
   may_restart_ = false;
-  if (book_->begun() && book_->next() == std::numeric_limits<std::int64_t>::min())
-    book_->renumber(first);
+  number_from(first);
   const AccountBook::Part part = book_->arrive(first, block.value.rows());
   const Eigen::Index gap       = samples_before(first + part.skip, part);
   if (gap > most_bridged || (gap > 0 && !stepping_ && n_waiting_ == 0)) {

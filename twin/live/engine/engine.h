@@ -96,6 +96,10 @@ public:
   {
     return resumed_at_;
   }
+  const std::optional<SourceFile> &file() const  ///< of the last samples, in our numbers; nothing: not known
+  {
+    return file_;
+  }
 
 private:
   static constexpr Eigen::Index most_bridged = 2;  // samples of force, as where records are cleaned
@@ -108,6 +112,8 @@ private:
   Eigen::Index samples_before(std::int64_t first, const AccountBook::Part &part) const;
   void begin_source(const SourceHead &head);
   bool continues(const SourceHead &head, std::int64_t &offset) const;
+  bool is_numbered() const;
+  void number_from(std::int64_t first);
   void tell_repetition(const SourceBlock &block);
   void lose();
   void emit(std::int64_t first, const Eigen::MatrixXd &rows, const Eigen::VectorXd &force);
@@ -128,6 +134,7 @@ private:
 
   std::optional<LiveSource> source_;
   bool start_known_ = false;
+  std::optional<SourceFile> file_;
   std::optional<AccountBook> book_;
   Eigen::Index force_column_ = -1;  // -1: the source has no force
   std::int64_t offset_       = 0;   // of the source's numbers to ours

@@ -94,6 +94,7 @@ struct Engine::Stored {
   Tuning tuning;
   SteppedStand stand;
   std::optional<LiveSource> source;  ///< nothing of what follows without one
+  std::optional<SourceFile> file;
   std::optional<AccountBook> book;
   std::unique_ptr<TwinStepper> stepper;
   bool start_known = false, stepping = false;
@@ -108,12 +109,14 @@ nlohmann::json Engine::state()
   state["tuning"] = {{"spring", tuning_.spring}, {"damping", tuning_.damping}};
   if (!model_.adopted.empty())
     state["adopted"] = adopted_json(model_);
-  if (!source_ || !book_->begun() || book_->next() == std::numeric_limits<std::int64_t>::min())
+  if (!source_ || !is_numbered())
     return state;
-  state["source"]   = {{"name", source_->name},
-                       {"rate", source_->rate},
-                       {"start", source_->start_time},
-                       {"start_known", start_known_}};
+  state["source"] = {{"name", source_->name},
+                     {"rate", source_->rate},
+                     {"start", source_->start_time},
+                     {"start_known", start_known_}};
+  if (file_)
+    state["source"]["file"] = {{"print", file_->print}, {"first", file_->first}};
   state["channels"] = channels_json(*source_, *book_);
   state["next"]     = book_->next();
   state["doubled"]  = book_->doubled();
@@ -152,6 +155,10 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
   source.start_time  = from.number("start", earliest_time, latest_time);
   source.places      = places_;
   stored.start_known = from.flag("start_known");
+  if (from.has("file")) {
+    const StoredObject file = from.object("file");
+    stored.file             = SourceFile{file.text("print"), file.count("first", -largest_number, largest_number)};
+  }
   std::vector<ChannelAccount> accounts;
   int forces = 0;
   for (const StoredObject &channel : state.list("channels", most_channels)) {
@@ -160,8 +167,8 @@ Engine::Stored Engine::read_state(const nlohmann::json &json) const
     accounts.push_back(stored_account(channel));
     forces += twin::is_driving_force(source.channels.back().name);
   }
-  if (forces != 1)
-    state.refuse("has channels without one force");
+  if (forces > 1)
+    state.refuse("has more than one channel of the force");
   const std::int64_t next = state.count("next", -largest_number, largest_number);
   stored.book.emplace(Eigen::Index(accounts.size()));
   stored.book->resume(accounts, next, state.count("doubled", 0, largest_number),
@@ -199,6 +206,7 @@ void Engine::take_stored(Stored stored)
   if (!stored.source)
     return;
   start_known_   = stored.start_known;
+  file_          = std::move(stored.file);
   refused_lines_ = stored.refused;
   settled_at_    = stored.settled;
   stepped_       = stored.stepped;

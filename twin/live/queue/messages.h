@@ -43,10 +43,17 @@ struct SourceNote {
   std::string text;
 };
 
+/// The file that the samples before this message are from, of a source that goes through files.
+struct SourceFile {
+  std::string print;       ///< hash of its first lines: recognises it under any name
+  std::int64_t first = 0;  ///< number of its first sample
+};
+
 /// The source has nothing more and will not come back.
 struct SourceEnd {
   std::string text;
 };
 
-using Message = std::variant<SourceHead, SourceBlock, RefusedLine, DroppedBlock, SourceNote, SourceEnd>;
+using Message =
+    std::variant<SourceHead, SourceBlock, RefusedLine, DroppedBlock, SourceNote, SourceFile, SourceEnd>;
 }  // namespace mill::live

@@ -272,6 +272,11 @@ void Recorder::tick(const double now)
   s.save();
 }
 
+void Recorder::save()
+{
+  state_->save();
+}
+
 void Recorder::finish()
 {
   state_->close();

@@ -46,6 +46,7 @@ public:
   void add(std::int64_t first, const Eigen::MatrixXd &rows);
   /// Saves what has waited for a tenth of a second.  @param now  s, steady
   void tick(double now);
+  void save();    ///< all that has waited, at once; tick() is as before
   void finish();  ///< the file takes its name
 
   std::int64_t next() const;           ///< rows before it are not recorded again

@@ -106,9 +106,37 @@ void CsvFeed::make_head()
     head_->start = rows_->clock().start();
   } else
     head_->rate = *rules_.reading.rate;
+  if (const auto from = std::exchange(resumed_, {}))
+    take_up(*from);
   ready_.push_back(*head_);
   for (const TimedRow &row : std::exchange(early_, {}))
     take_time(row.seconds, row.values, row.number);
+}
+
+// The numbers of a file begin at its first row, those of before the restart elsewhere.  Of another rate the rows
+// are another source with numbers of its own.
+void CsvFeed::take_up(const ResumedFile &from)
+{
+  const double same = head_->rate / from.rate;  // of numbers
+  if (head_->start && from.start) {
+    skip_to_ = std::llround((*from.start - *head_->start) * head_->rate + double(from.next) * same);
+    return;
+  }
+  const std::int64_t first = from.other ? from.next : from.first;
+  if (from.other)
+    ready_.push_back(SourceNote{
+        "loss", name_ +
+                    ": another file than before the restart, and its times have no date: taken to go on behind "
+                    "the sample before; what was lost between them is not known"});
+  if (same != 1) {
+    skip_to_ = std::llround(double(from.next - first) * same);
+    return;
+  }
+  skip_to_ = from.next;
+  if (rows_->timed())
+    shift_ = double(first) / head_->rate;
+  else
+    next_ = first;
 }
 
 void CsvFeed::row(const std::string_view text, const int number)
@@ -190,7 +218,9 @@ void CsvFeed::begin_again(const std::string_view head, const int number)
   times_.restart();
   next_ = skip_to_ = 0;
   shift_           = 0;
-  first_number_    = number;
+  resumed_.reset();
+  first_of_file_.reset();
+  first_number_ = number;
   first_lines_.assign(1, std::string(head));
 }
 
@@ -289,6 +319,8 @@ void CsvFeed::change_rate(const double rate, const int number)
 void CsvFeed::add(const std::int64_t s, const std::vector<double> &values)
 {
   next_ = std::max(next_, s + 1);
+  if (!first_of_file_)
+    first_of_file_ = s;
   if (s < skip_to_)
     return;
   if (block_rows_ > 0 && s != block_first_ + block_rows_)
@@ -344,5 +376,6 @@ void CsvFeed::new_file()
 {
   settle();
   new_file_ = true;
+  first_of_file_.reset();
 }
 }  // namespace mill::live

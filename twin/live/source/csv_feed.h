@@ -10,6 +10,15 @@
 #include <vector>
 
 namespace mill::live {
+/// Where a twin goes on after a restart, in the numbers that the source had before it.
+struct ResumedFile {
+  std::int64_t next = 0;        ///< of the next sample
+  double rate       = 0;        ///< Hz
+  std::optional<double> start;  ///< s since 1970 UTC, of sample 0; none: not known
+  std::int64_t first = 0;       ///< of the first sample of the file that was read last
+  bool other         = false;   ///< another file is read now
+};
+
 /// Lines of a CSV record that is played or that grows, to messages.  Nothing here reads a file.
 class CsvFeed {
 public:
@@ -34,10 +43,16 @@ public:
   {
     return closed_;
   }
-  /// Rows before this number are left out: they were processed before a restart.
-  void skip_to(std::int64_t next)
+  /// Before the first line: rows that were processed before a restart are left out.  Dates say which these are;
+  /// without dates a file that was read before goes on behind them, and another one begins behind them.
+  void resume(const ResumedFile &from)
   {
-    skip_to_ = next;
+    resumed_ = from;
+  }
+  /// Number of the first row since the last new_file(); nothing: none has come.
+  const std::optional<std::int64_t> &first_of_file() const
+  {
+    return first_of_file_;
   }
   double rate() const
   {
@@ -53,6 +68,7 @@ private:
   void make_rows();
   void make_channels();
   void make_head();
+  void take_up(const ResumedFile &from);
   void row(std::string_view text, int number);
   void bad_row(std::string_view text, int number, const Problem &problem);
   bool is_other_head(std::string_view text) const;
@@ -79,6 +95,8 @@ private:
   double shift_ = 0;           // s, of a clock without a date that began again
   std::vector<double> block_;  // row by row
   std::int64_t block_first_ = 0, block_rows_ = 0, next_ = 0, skip_to_ = 0;
+  std::optional<ResumedFile> resumed_;  // until the rate is known
+  std::optional<std::int64_t> first_of_file_;
   std::vector<Message> ready_;
   int first_number_ = 1;  // line of first_lines_.front()
   int bad_in_a_row_ = 0;

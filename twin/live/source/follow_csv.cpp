@@ -1,4 +1,5 @@
 #include "core/base/errors.h"
+#include "core/base/files.h"
 #include "core/base/text.h"
 #include "twin/live/source/csv_feed.h"
 #include "twin/live/source/file_sources.h"
@@ -22,9 +23,8 @@ constexpr std::size_t print_length = 256;  // byte of the beginning of a file th
 class GrowingCsv {
 public:
   GrowingCsv(const FileSource &source, SampleQueue &queue, const std::atomic<bool> &stop)
-      : source_(source), queue_(queue), stop_(stop), feed_(source.path, source.rules)
+      : source_(source), queue_(queue), stop_(stop), feed_(source.path, source.rules), resumed_(source.resumed)
   {
-    feed_.skip_to(source.skip_to);
   }
   ~GrowingCsv()
   {
@@ -45,6 +45,7 @@ public:
       rest();
       if (!pass_on())
         return;
+      say_file();
       std::this_thread::sleep_for(poll_every);
     }
     pass_on();
@@ -70,7 +71,7 @@ private:
     done_   = 0;
     number_ = 0;
     quiet_  = 0;
-    print_.clear();
+    forget_beginning();
     return true;
   }
 
@@ -94,15 +95,64 @@ private:
       print_.append(bytes, std::min(std::size_t(n), print_length - print_.size()));
     done_ += n;
     quiet_ = 0;
-    if (!first_read_)
+    if (!first_read_) {
       first_read_ = Clock::now();
+      resume(true);
+    }
     cutter_.add({bytes, std::size_t(n)}, [&](std::string_view line) {
       if (++number_ == 1 && line.rfind(utf8_mark, 0) == 0)
         line.remove_prefix(utf8_mark.size());
+      look_at(line);
       feed_.line(line, number_);
     });
     pass_on();
+    say_file();
     return true;
+  }
+
+  // The lines that tell the columns have rows of numbers among them, and by these a file is known again.
+  void look_at(const std::string_view line)
+  {
+    if (std::size_t(number_) > twin::CsvRows::lines_looked_at)
+      return;
+    (beginning_ += line) += '\n';
+    if (std::size_t(number_) < twin::CsvRows::lines_looked_at)
+      return;
+    known_as_ = hash_of(beginning_);
+    resume(known_as_ != source_.print);
+  }
+
+  // A file only grows: one that had these lines before the restart and has them not is another one.
+  void resume(const bool other)
+  {
+    if (!resumed_)
+      return;
+    resumed_->other = other && !source_.print.empty();
+    feed_.resume(*resumed_);
+  }
+
+  // Of the same recorder, in this run: the feed goes on by itself.
+  void next_file()
+  {
+    resumed_.reset();
+    feed_.new_file();
+  }
+
+  // Once for each file, behind samples of it.
+  void say_file()
+  {
+    if (said_file_ || !feed_.first_of_file() || known_as_.empty())
+      return;
+    said_file_ = true;
+    message(SourceFile{known_as_, *feed_.first_of_file()});
+  }
+
+  void forget_beginning()
+  {
+    print_.clear();
+    beginning_.clear();
+    known_as_.clear();
+    said_file_ = false;
   }
 
   bool truncated()
@@ -124,8 +174,8 @@ private:
     done_   = 0;
     number_ = 0;
     quiet_  = 0;
-    print_.clear();
-    feed_.new_file();
+    forget_beginning();
+    next_file();
     return true;
   }
 
@@ -150,7 +200,7 @@ private:
     note("note", source_.path + " was renamed; it was read to its end, the new file goes on");
     drop_half_line();
     close();
-    feed_.new_file();
+    next_file();
   }
 
   bool message(Message what)
@@ -173,13 +223,14 @@ private:
   SampleQueue &queue_;
   const std::atomic<bool> &stop_;
   CsvFeed feed_;
+  std::optional<ResumedFile> resumed_;  // while the first file of this run is read
   LineCutter cutter_;
   int file_ = -1, number_ = 0, quiet_ = 0;
   dev_t device_      = 0;
   ino_t inode_       = 0;
   std::int64_t done_ = 0;
-  std::string print_;
-  bool said_missing_ = false;
+  std::string print_, beginning_, known_as_;  // first bytes; first lines, and their hash when they are complete
+  bool said_missing_ = false, said_file_ = false;
   std::optional<Clock::time_point> first_read_;
 };
 }  // namespace

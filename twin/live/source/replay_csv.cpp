@@ -38,7 +38,8 @@ void replay_csv(const FileSource &source, SampleQueue &queue, const std::atomic<
 {
   twin::LineSource lines(source.path);
   CsvFeed feed(source.path, source.rules);
-  feed.skip_to(source.skip_to);
+  if (source.resumed)
+    feed.resume(*source.resumed);
   Pace pace(source.speed);
   const auto pass_on = [&] {
     for (Message &message : feed.take()) {

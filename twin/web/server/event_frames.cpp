@@ -1,11 +1,18 @@
 #include "twin/web/server/event_frames.h"
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 namespace mill::web {
 namespace {
 constexpr std::size_t kept_frames  = 200;
 constexpr std::size_t most_waiting = 400;
 constexpr int waiting_of_a_kind    = 2;
+
+std::string id_in(const std::string &json)
+{
+  const auto parsed = nlohmann::json::parse(json, nullptr, false);
+  return parsed.is_object() && parsed.contains("id") ? parsed["id"].dump() : "";
+}
 }  // namespace
 
 FramePointer FrameStore::add(const std::string &event, const std::string &json)
@@ -22,18 +29,34 @@ FramePointer FrameStore::add(const std::string &event, const std::string &json)
       [](const char c) { return c == '\n' || c == '\r'; }, ' ');
   frame->text += "\n\n";
   if (kinds_.history.count(event) > 0) {
-    kept_.emplace_back(last_id_, frame);
-    if (kept_.size() > kept_frames)
-      kept_.pop_front();
+    frame->about = id_in(json);
+    keep(frame);
   } else {
     latest_[event] = {last_id_, frame};
   }
   return frame;
 }
 
+// What changes often does not push out what was said once.
+void FrameStore::keep(const FramePointer &frame)
+{
+  auto &kept = kept_[frame->event];
+  if (!frame->about.empty()) {
+    const auto before =
+        std::find_if(kept.begin(), kept.end(), [&](const Numbered &k) { return k.second->about == frame->about; });
+    if (before != kept.end())
+      kept.erase(before);
+  }
+  kept.emplace_back(last_id_, frame);
+  if (kept.size() > kept_frames)
+    kept.pop_front();
+}
+
 std::vector<FramePointer> FrameStore::present_state() const
 {
-  std::map<std::int64_t, FramePointer> ordered(kept_.begin(), kept_.end());
+  std::map<std::int64_t, FramePointer> ordered;
+  for (const auto &[event, kept] : kept_)
+    ordered.insert(kept.begin(), kept.end());
   for (const auto &entry : latest_)
     ordered.insert(entry.second);
   std::vector<FramePointer> out;
@@ -44,6 +67,13 @@ std::vector<FramePointer> FrameStore::present_state() const
 
 void FrameQueue::push(const FramePointer &frame)
 {
+  if (!frame->about.empty()) {
+    const auto before = std::find_if(waiting_.begin(), waiting_.end(), [&](const FramePointer &other) {
+      return other->event == frame->event && other->about == frame->about;
+    });
+    if (before != waiting_.end())
+      waiting_.erase(before);
+  }
   waiting_.push_back(frame);
   if (!frame->display)
     return;

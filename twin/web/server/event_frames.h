@@ -13,13 +13,14 @@ struct EventFrame {
   std::string event;
   std::string text;     ///< "id: 17\nevent: numbers\ndata: {...}\n\n"
   bool display = true;  ///< a newer one of its kind says all that this one says
+  std::string about;  ///< of a history its member "id": a newer one about the same replaces it; empty: it has none
 };
 using FramePointer = std::shared_ptr<const EventFrame>;
 
 /// How the events of a page are kept and dropped, by their names.
 struct EventKinds {
   std::set<std::string> whole;    ///< never dropped; all others are display: a newer one replaces an older one
-  std::set<std::string> history;  ///< of these the last 200 are kept, not the latest alone
+  std::set<std::string> history;  ///< kept not the latest alone: of each kind the last 200, of one "id" the latest
 };
 
 /// Makes frames and keeps those that a new browser needs.
@@ -27,17 +28,21 @@ class FrameStore {
 public:
   explicit FrameStore(EventKinds kinds) : kinds_(std::move(kinds)) {}
   FramePointer add(const std::string &event, const std::string &json);
-  /// The latest of each kind, and the last 200 of a history, in the order in which they came.
+  /// The latest of each kind, and what is kept of each history, in the order in which they came.
   std::vector<FramePointer> present_state() const;
 
 private:
+  using Numbered = std::pair<std::int64_t, FramePointer>;
+  void keep(const FramePointer &frame);
+
   EventKinds kinds_;
   std::int64_t last_id_ = 0;
-  std::map<std::string, std::pair<std::int64_t, FramePointer>> latest_;
-  std::deque<std::pair<std::int64_t, FramePointer>> kept_;
+  std::map<std::string, Numbered> latest_;
+  std::map<std::string, std::deque<Numbered>> kept_;
 };
 
-/// What waits for one browser: of each kind of display frame the two latest, of the others all.
+/// What waits for one browser: of each kind of display frame the two latest, of a history the latest about each
+/// "id", of the others all.
 class FrameQueue {
 public:
   void push(const FramePointer &frame);
