@@ -1,6 +1,8 @@
 #include "app/stages/bite/bite_study.h"
 #include "core/base/errors.h"
 #include "core/model/case.h"
+#include "tests/support/demo_pass.h"
+#include "tests/support/near.h"
 #include <filesystem>
 #include <gtest/gtest.h>
 
@@ -83,4 +85,25 @@ TEST(BiteStudy, AnArcTooLongForASectionUsesAHalfPlane)
                 "bite of 1: the roll's surface is that of a half plane: roll in the bite: points up to "),
             0u)
       << study.run.results.assumptions[0];
+}
+
+// The mesh needs multiples of four along the arc: 12 elements have 8 as their coarser mesh, and not 6.
+TEST(BiteStudy, TheCoarserMeshIsAsFarAwayAsItsElementsAre)
+{
+  Study study;
+  BiteQuestion q;
+  q.pass           = "1";
+  q.curves         = false;
+  q.bite           = demo_pass();
+  q.setup.arc      = BiteArc::rigid;
+  q.setup.strip    = BiteStrip::rigid_plastic;
+  const auto ratio = [&](const int along, const int through) {
+    q.setup.elements_along   = along;
+    q.setup.elements_through = through;
+    const auto answer        = study_bite(study.run, q);
+    return answer.flow ? answer.flow->coarsening : not_given;
+  };
+  EXPECT_TRUE(near(ratio(12, 4), 12. / 8, within(1e-12, "12 x 4 and 8 x 2 elements")));
+  EXPECT_TRUE(near(ratio(16, 3), 3. / 2, within(1e-12, "16 x 3 and 8 x 2 elements")));
+  EXPECT_TRUE(near(ratio(16, 4), 2, within(1e-12, "16 x 4 and 8 x 2 elements")));
 }
