@@ -1,6 +1,7 @@
 #include "app/stages/bearing/bearing_results.h"
 #include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/chock_supports.h"
+#include "reduce/bearing/clearance.h"
 #include "reduce/bearing/geometry.h"
 #include <algorithm>
 #include <cmath>
@@ -252,7 +253,7 @@ void note_bearing(RunContext &run, const std::string &prefix, const BearingStudy
          fmt::format("of {} rollers of a row {} carr{} {}", b.rollers_per_row, loaded, loaded == 1 ? "ies" : "y",
                      s.question.radial > 0 ? fmt::format("{:.4g} kN", s.question.radial / 1e3) : "the load"),
          fmt::format("with a clearance of {:.4g} mm the stiffness depends on the position of the cage",
-                     1e3 * b.radial_clearance),
+                     1e3 * bearing::diametral_clearance(b)),
          "",
          {prefix}});
   const double heaviest = s.at.roller_load.maxCoeff();
