@@ -100,7 +100,15 @@ void add_lives(RatingResults &out, const RollerBearing &b, const RatingNumbers &
       p.error_lacks = lacking_of_C(b);
   };
   std::vector<Check> checks{{"ISO/TS 16281, rigid rings", n.L10r_standard, ""},
-                            {"without the factor of the ends", n.L10r_without_edge, ""}};
+                            {"without the factor of the ends", n.L10r_without_edge, ""},
+                            {"with that of thin slices", n.L10r_thin_slices,
+                             fmt::format("the factor of the ends is that of the {} slices", b.slices)}};
+  constexpr int least_slices = 30;
+  if (b.slices < least_slices)
+    out.run.assume(fmt::format(
+        "bearing.{}.slices is {}: ISO/TS 16281 takes at least {} slices for a life, since its factor of the ends "
+        "applies to the last slice however wide it is; with thin slices L10r is {:.3g} times as long",
+        b.name, b.slices, least_slices, n.L10r_thin_slices / n.slices.life));
   std::vector<Check> modified;
   const char *by_factor = "load of the rollers by a factor";
   if (n.load) {
