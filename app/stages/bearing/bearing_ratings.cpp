@@ -18,7 +18,7 @@ using bearing::RatingNumbers;
 struct RatingResults {
   RunContext &run;
   const BearingStudy &study;
-  std::vector<std::string> inputs;
+  const KeysOfRow &inputs;
 
   ResultName name(const RowOf<1> &row) const
   {
@@ -32,7 +32,7 @@ struct RatingResults {
     p.unit           = row.unit;
     p.method         = method;
     p.at             = operating_point(study);
-    p.inputs         = inputs;
+    p.inputs         = inputs(row);
     p.checks         = std::move(checks);
     p.error_estimate = error;
     run.results.add(name(row), p);
@@ -151,7 +151,8 @@ void add_speeds(RatingResults &out, const RollerBearing &b)
       return;
     Parameter timed = *life;
     timed.value /= speed;
-    timed.unit = in_time.unit;
+    timed.unit   = in_time.unit;
+    timed.inputs = out.inputs(in_time);
     timed.method += fmt::format(", at {:.4g} turns of the shaft in a minute", 60 * speed);
     for (Check &check : timed.checks)
       check.value /= speed;
@@ -201,7 +202,7 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
 }
 }  // namespace
 
-void add_rating_results(RunContext &run, const BearingStudy &s, const std::vector<std::string> &inputs)
+void add_rating_results(RunContext &run, const BearingStudy &s, const KeysOfRow &inputs)
 {
   const RollerBearing &b = s.question.bearing;
   if (run.results.find(row::rating::C.of(b.name)))

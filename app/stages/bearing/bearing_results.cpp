@@ -139,29 +139,29 @@ void add_rollers(const std::string &prefix, const BearingStudy &s, const Add &ad
 }  // namespace
 
 void add_bearing_results(RunContext &run, const std::string &prefix, const BearingStudy &s,
-                         const std::vector<std::string> &inputs, const std::vector<std::string> &of_closing_angle)
+                         const KeysOfRow &inputs, const KeyList &of_closing_angle)
 {
   const Add add = [&](const ResultName &name, const ComparedNumber &number, const bool of_arrangement,
                       const std::string &more) {
-    Parameter p = stated(s, number, inputs);
+    Parameter p = stated(s, number, inputs(name.row()));
     p.unit      = name.row().unit;
     p.checks    = comparisons(s, number, of_arrangement);
     p.method += more;
     run.results.add(name, p);
   };
-  run.results.add(row::bearing::tangent.of(prefix), tangent_of(s, inputs));
+  run.results.add(row::bearing::tangent.of(prefix), tangent_of(s, inputs(row::bearing::tangent)));
   if (s.question.radial > 0) {
-    Parameter secant = stated(s, s.numbers.secant, inputs);
+    Parameter secant = stated(s, s.numbers.secant, inputs(row::bearing::secant));
     secant.checks    = other_models(s, s.numbers.secant);
     run.results.add(row::bearing::secant.of(prefix), secant);
   }
-  run.results.add(row::bearing::tangent_across.of(prefix), across_of(s, inputs));
+  run.results.add(row::bearing::tangent_across.of(prefix), across_of(s, inputs(row::bearing::tangent_across)));
   add_stiffnesses(prefix, s, add);
   add_motions(prefix, s, add);
   add_rollers(prefix, s, add);
   const auto state = [&](const RowOf<1> &row, const double value, const std::string &more,
                          std::vector<Check> checks) {
-    Parameter p = plain(s, inputs);
+    Parameter p = plain(s, inputs(row));
     p.value     = value;
     p.unit      = row.unit;
     p.checks    = std::move(checks);

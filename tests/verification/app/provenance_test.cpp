@@ -9,6 +9,7 @@
 #include "core/base/files.h"
 #include "core/base/units.h"
 #include "core/records/record_text.h"
+#include "core/model/seat_load.h"
 #include "core/records/rows_of_stand.h"
 #include "tests/support/changed_rows.h"
 #include "tests/support/run_results.h"
@@ -62,7 +63,7 @@ std::string text_of(const FourHigh &stand, const std::string &name)
     std::string text = roller_inputs(bearing, 1e5) + ring_inputs(bearing);
     for (std::size_t p = 0; p < stand.passes.size(); ++p)
       for (const ContactSettings *contact : {&stand.upper_contact, &stand.lower_contact})
-        text += number_text(bearing_load(stand, backup, *contact, load_of(stand.passes[p])));
+        text += number_text(seat_load(stand, backup, *contact, load_of(stand.passes[p])).value);
     return text;
   }
   return name == "K4" && stand.bite.method == BiteMethod::fe
