@@ -6,7 +6,10 @@
 #include "core/base/force_text.h"
 #include "core/case/moving_keys.h"
 #include "core/model/case.h"
+#include "core/model/seat_load.h"
 #include "core/records/record_text.h"
+#include "core/records/result_names.h"
+#include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/oil_film/oil_film_state.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -28,31 +31,11 @@ std::string closed_method(const RollerBearing &b)
   return law + ", rigid rings, reduce/bearing/assembly (5.23)";
 }
 
-// Keys of a bearing that its stiffness between rigid rings follows.
-// @param loaded_askew  by a tilt or an axial force: then the places of the rows count
-KeyList closed_bearing_keys(const RollerBearing &b, const bool loaded_askew)
+// The keys that the closed form of a result follows.
+BearingReading closed(BearingReading reading)
 {
-  const bool three   = b.profile == RollerProfile::three_parameter;
-  const bool rounded = b.profile == RollerProfile::log || b.profile == RollerProfile::lundberg || three;
-  const bool elastic = b.roller_law == OneRollerLaw::elastic;
-  std::string names =
-      "rows rollers_per_row roller_length cup_angle radial_clearance end_play preload roller_law profile";
-  const auto add = [&](const bool used, const char *more) { names += used ? std::string(" ") + more : ""; };
-  add(b.profile != RollerProfile::none, "slices");
-  add(b.profile == RollerProfile::table, "profile_table");
-  add(b.profile == RollerProfile::crown || three, "crown_drop");
-  add(three, "profile_share");
-  add(rounded, "profile_load");
-  add(rounded || b.profile == RollerProfile::iso || elastic, "roller_diameter");
-  add(rounded || elastic, "youngs_modulus poisson_ratio pitch_diameter bore outside_diameter");
-  add(loaded_askew, "width arrangement pitch_diameter");
-  add(loaded_askew && std::isnan(b.pitch_diameter), "bore outside_diameter");
-  const KeyList read = bearing_keys(b);
-  KeyList keys;
-  for (const std::string &key : keys_in("bearing." + b.name, names))
-    if (loaded_askew || holds(read, key))
-      keys.push_back(key);
-  return keys;
+  reading.closed_form = true;
+  return reading;
 }
 
 bearing::AssemblyState solved(const RollerBearing &b, const bearing::RingLoading &loading,
@@ -101,19 +84,6 @@ bearing::OilFilmLoad film_load(const BearingCase &spec)
 }
 }  // namespace
 
-double bearing_load(const FourHigh &stand, const bool backup, const ContactSettings &contact, const double F)
-{
-  const Roll &roll = backup ? stand.backup_roll : stand.work_roll;
-  if (!std::isnan(roll.bearing_load))
-    return roll.bearing_load;
-  const double between = (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter) / 2;
-  const double across  = 0.5 * F * std::abs(contact.axis_offset) / between;
-  const double bending = 0.5 * std::abs(stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1]);
-  if (backup)
-    return std::hypot((F + 2 * bending) / 2, across);
-  return std::hypot(bending > 0 ? bending : F / 20, across);
-}
-
 std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const double F, const std::size_t pass,
                                                    ClosedFormMemory &memory, MovingKeys *keys)
 {
@@ -129,7 +99,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     const bool backup   = i == 0 || i == 3;
     const auto &contact = i < 2 ? stand.upper_contact : stand.lower_contact;
     const Roll &roll    = backup ? stand.backup_roll : stand.work_roll;
-    const double load   = bearing_load(stand, backup, contact, F);
+    const double load   = seat_load(stand, backup, contact, F).value;
     if (roll.bearing.empty()) {  // not drawn, since all of its stiffnesses are given
       ClosedFormResult r;
       r.name      = fmt::format("Kzc{}", i + 1);
@@ -162,8 +132,7 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     r.parameter.at     = {"{} on one bearing", {{load, "kN", force_form(load)}}};
     r.load             = load;
     if (keys)
-      r.closed =
-          joined(seat_load_keys(*keys, backup, i < 2 ? "upper" : "lower", pass), closed_bearing_keys(b, false));
+      r.closed = seat_keys(*keys, std::size_t(i), pass, closed({}));
     r.relation   = backup ? "bearings of the backup rolls" : "bearings of the work rolls";
     r.file       = "reduce/bearing/assembly";
     r.equation   = "(5.23)";
@@ -172,7 +141,8 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
     if (backup)
       add_both(r, i == 0 ? "K_Zy" : "K_Zy_lower");
     r.name += "_across";
-    r.closed          = joined(std::move(r.closed), keys_in("bearing." + b.name, "slices"));
+    if (keys)
+      r.closed = seat_keys(*keys, std::size_t(i), pass, closed({BearingAsks::across}));
     r.parameter.value = stiffness_along(state, loading, 1);
     r.parameter.method += ", across the load";
     r.file       = "app/stages/bearing/bearing_across";
@@ -184,8 +154,11 @@ std::vector<ClosedFormResult> closed_form_bearings(const FourHigh &stand, const 
 
 std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec, MovingKeys *keys)
 {
-  const KeyList inputs = keys ? bearing_case_keys(*keys) : KeyList();
+  const auto keys_of = [&](const BearingReading &reading) {
+    return keys ? bearing_case_keys(*keys, reading) : KeyList();
+  };
   if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing)) {
+    const KeyList inputs = keys_of({});
     std::vector<ClosedFormResult> both;
     for (const bool across : {false, true}) {
       both.push_back(
@@ -199,30 +172,26 @@ std::vector<ClosedFormResult> closed_form_bearing_case(const BearingCase &spec, 
   const auto loading             = bearing::drive_of(question, spec.load.radial);
   const auto state               = solved(b, loading, spec.load.cage_angle, question.centrifugal);
   std::vector<ClosedFormResult> all;
-  const auto add = [&](const char *name, const char *unit, const double value, const char *equation) {
+  const auto add = [&](const RowOf<1> &row, const double value, const char *equation) {
     ClosedFormResult r;
-    r.name             = name;
+    r.name             = row.of(family::bearing).text();
     r.parameter.value  = value;
-    r.parameter.unit   = unit;
+    r.parameter.unit   = row.unit;
     r.parameter.method = closed_method(b);
-    r.closed = joined(keys_in("load", "bearing radial axial tilt cage_angle axial_displacement moment speed"),
-                      closed_bearing_keys(b, loaded_askew(spec.load)));
-    r.parameter.inputs = inputs;
-    for (const std::string &key : r.parameter.inputs)  // [model] says again what the bearing says
-      if (key.rfind("model.", 0) == 0 && holds(r.closed, "bearing." + b.name + key.substr(5)))
-        r.closed.push_back(key);
-    r.relation   = "equilibrium of all rollers";
-    r.file       = "reduce/bearing/assembly";
-    r.equation   = equation;
-    r.stands_for = by_elements(b) ? model_name(b) : "";
+    r.closed           = keys_of(closed(reading_of_bearing(row)));
+    r.parameter.inputs = keys_of(reading_of_bearing(row));
+    r.relation         = "equilibrium of all rollers";
+    r.file             = "reduce/bearing/assembly";
+    r.equation         = equation;
+    r.stands_for       = by_elements(b) ? model_name(b) : "";
     all.push_back(r);
   };
-  add("Kzc.tangent", "N/m", bearing::radial_tangent(state, loading), "(5.23)");
+  add(row::bearing::tangent, bearing::radial_tangent(state, loading), "(5.23)");
   if (spec.load.radial > 0)
-    add("Kzc.secant", "N/m", bearing::radial_secant(state), "(5.22)");
-  add("Kzc.tangent_across", "N/m", bearing::stiffness_along(state, loading, 1), "(5.23)");
-  add("Kzc.axial", "N/m", state.tangent(2, 2), "(5.23)");
-  add("Kzc.roller_max", "N", state.roller_load.maxCoeff(), "(5.22)");
+    add(row::bearing::secant, bearing::radial_secant(state), "(5.22)");
+  add(row::bearing::tangent_across, bearing::stiffness_along(state, loading, 1), "(5.23)");
+  add(row::bearing::axial, state.tangent(2, 2), "(5.23)");
+  add(row::bearing::roller_max, state.roller_load.maxCoeff(), "(5.22)");
   return all;
 }
 

@@ -41,9 +41,6 @@ struct ClosedFormResult {
 ClosedFormResult closed_form_contact(const FourHigh &stand, const std::string &name, double load,
                                      std::size_t pass);
 
-/// Radial load of one bearing, N, as the bearing stage of a run puts it on.
-double bearing_load(const FourHigh &stand, bool backup, const ContactSettings &contact, double rolling_force);
-
 /// Kzc1..Kzc4, along and across the load, K_Zy and K_Zy_lower: laminae between rigid rings at the load of each
 /// bearing. (5.2), (5.23)
 /// @param keys  of the stand; nullptr: without lists of keys

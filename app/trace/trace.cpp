@@ -299,7 +299,7 @@ std::vector<std::string> results_outside_the_chain(const Case &the_case, const s
     add(row::bite_spring::path_plateau.of(), bite_keys(keys, 0, path));
   }
   if (std::holds_alternative<BearingCase>(the_case.spec))
-    add(row::motion::frequency.of(), bearing_case_keys(keys, {false, false, true}));
+    add(row::motion::frequency.of(), bearing_case_keys(keys, {BearingAsks::motion}));
   if (stand || std::holds_alternative<Lumped>(the_case.spec)) {
     add("frf.bite.upper_work_roll.peak", frequency_response_keys(keys));
     add("campbell.gap_first_kind.speed", campbell_keys(keys));

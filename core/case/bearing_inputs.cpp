@@ -1,6 +1,7 @@
 #include "core/case/bearing_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/case/stand_rows.h"
+#include "core/model/seat_load.h"
 #include "core/records/contact_name.h"
 #include "core/records/record_text.h"
 #include <algorithm>
@@ -18,22 +19,6 @@ const Bearing *bearing_named(const std::vector<Bearing> &bearings, const std::st
   return match == bearings.end() ? nullptr : &*match;
 }
 
-std::string word_or_none(const std::optional<BearingType> &type)
-{
-  return type ? word_of(*type) : "";
-}
-
-// Sets the members that are not read back to those of a bearing that does not give them.
-struct Unread {
-  RollerBearing &bearing;
-  RollerBearing none = {};
-  template <class... Members> void operator()(const bool unread, const Members... members)
-  {
-    if (unread)
-      ((bearing.*members = none.*members), ...);
-  }
-};
-
 // Every pass may make the heaviest load of a bearing, for which its roller is meshed.
 std::vector<SeatLoadInputs> loads_of_the_mesh(const FourHigh &stand, const RollerBearing &bearing)
 {
@@ -46,53 +31,6 @@ std::vector<SeatLoadInputs> loads_of_the_mesh(const FourHigh &stand, const Rolle
   return loads;
 }
 }  // namespace
-
-BearingInputs inputs_of_bearing(const RollerBearing &given, const BearingReading &reading)
-{
-  using B = RollerBearing;
-  BearingInputs inputs{word_or_none(given.type), given, given.designation, given.catalogue};
-  if (!given.estimated.empty())
-    inputs.ratings = {given.dynamic_rating, given.static_rating};
-  const bool fe = given.roller_law == OneRollerLaw::fe, elastic = given.rings == RingBodies::elastic,
-             drawn   = fe || elastic;
-  const bool three   = given.profile == RollerProfile::three_parameter;
-  const bool rounded = given.profile == RollerProfile::log || given.profile == RollerProfile::lundberg || three;
-  const bool tapered = given.type == BearingType::four_row_tapered;
-  const bool sized   = drawn || rounded || given.roller_law == OneRollerLaw::elastic;
-  Unread unread{inputs.bearing};
-  // Raceway pressures are compared with the yield pressure afterwards.
-  unread(true, &B::yield_pressure, &B::rib_angle);
-  unread(given.profile == RollerProfile::none && !fe && !reading.across && !reading.askew, &B::slices);
-  unread(given.profile != RollerProfile::table, &B::profile_table);
-  unread(!(given.profile == RollerProfile::crown || three), &B::crown_drop);
-  unread(!three, &B::profile_share);
-  unread(!rounded, &B::profile_load);
-  unread(!std::isnan(given.end_play) || !std::isnan(given.preload), &B::radial_clearance);
-  unread(!fe, &B::roller_total_length);
-  unread(!drawn || !tapered, &B::roller_cone_angle);
-  unread(!sized && given.profile != RollerProfile::iso, &B::roller_diameter);
-  unread(!sized, &B::youngs_modulus, &B::poisson_ratio);
-  // Without a pitch diameter these two give it.
-  unread(!sized && !(reading.askew && std::isnan(given.pitch_diameter)), &B::bore, &B::outside_diameter);
-  unread(!sized && !reading.askew, &B::pitch_diameter);
-  unread(!tapered, &B::cup_angle, &B::end_play, &B::preload);
-  unread(!drawn && !reading.askew, &B::width);
-  unread((!drawn || !tapered) && !reading.askew, &B::arrangement);
-  unread(!elastic, &B::chock);
-  unread(!elastic || given.chock == ChockForm::rigid, &B::chock_width, &B::chock_height, &B::chock_length);
-  unread(!elastic || given.chock != ChockForm::block, &B::chock_support_width, &B::chock_support_gap);
-  return inputs;
-}
-
-RatingInputs inputs_of_rating(const RollerBearing &b)
-{
-  RatingInputs inputs{b.dynamic_rating, b.static_rating, b.viscosity_ratio,  b.contamination, b.roller_diameter,
-                      b.pitch_diameter, b.bore,          b.outside_diameter, b.arrangement,   not_given,
-                      b.yield_pressure, b.raceway_flow,  b.raceway_state};
-  if (b.type == BearingType::four_row_tapered)
-    inputs.cup_angle = b.cup_angle;
-  return inputs;
-}
 
 OilFilmBearing film_as_read(OilFilmBearing film, const bool least_speed)
 {
@@ -119,42 +57,34 @@ OilFilmBearing film_as_read(OilFilmBearing film, const bool least_speed)
 SeatLoadInputs inputs_of_seat_load(const FourHigh &stand, const bool backup, const std::string &contact,
                                    const std::size_t pass)
 {
-  const Roll &roll    = backup ? stand.backup_roll : stand.work_roll;
-  const auto &bending = stand.work_roll.bending_force;
-  const double axis_offset =
-      (is_contact(contact, ContactName::upper) ? stand.upper_contact : stand.lower_contact).axis_offset;
+  const ContactSettings &of_contact =
+      is_contact(contact, ContactName::upper) ? stand.upper_contact : stand.lower_contact;
+  constexpr double force = 1e6;
   SeatLoadInputs inputs;
-  inputs.bearing      = roll.bearing;
-  inputs.bearing_load = roll.bearing_load;
-  if (!std::isnan(roll.bearing_load))
-    return inputs;
-  if (backup || bending[0] + bending[1] == 0 || axis_offset != 0)
+  inputs.bearing = (backup ? stand.backup_roll : stand.work_roll).bearing;
+  inputs.load    = seat_load(stand, backup, of_contact, force).value;
+  if (seat_load(stand, backup, of_contact, 2 * force).value != inputs.load)
     inputs.rolling = {inputs_of_load(stand.passes[pass])};
-  if (axis_offset != 0)
-    inputs.diameters = {stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter};
-  inputs.bending_force = bending;
-  inputs.axis_offset   = axis_offset;
   return inputs;
 }
 
 std::string text_of_seat(const FourHigh &stand, const std::size_t place, const std::size_t pass,
-                         const SeatReading &reading)
+                         const BearingReading &reading)
 {
-  const bool backup = place == 0 || place == 3;
-  const Roll &roll  = backup ? stand.backup_roll : stand.work_roll;
-  const auto load   = inputs_of_seat_load(stand, backup, place < 2 ? "upper" : "lower", pass);
+  const bool backup      = place == 0 || place == 3;
+  const Roll &roll       = backup ? stand.backup_roll : stand.work_roll;
+  const std::string load = record_text(inputs_of_seat_load(stand, backup, place < 2 ? "upper" : "lower", pass));
   if (const OilFilmBearing *film = bearing_named(stand.oil_films, roll.bearing))
-    return record_text(load, stand.passes[pass].speed, roll.barrel_diameter,
-                       film_as_read(*film, reading.least_speed));
+    return load + record_text(stand.passes[pass].speed, roll.barrel_diameter,
+                              film_as_read(*film, reading.asks == BearingAsks::least_speed));
   const RollerBearing *bearing = bearing_named(stand.bearings, roll.bearing);
   if (!bearing)
-    return record_text(load);
-  std::string text = record_text(load, inputs_of_bearing(*bearing, {reading.across, false}));
+    return load;
+  LoadedTexts on{*bearing, {}, record_text(roll.bearing), load};
+  on.speed = record_text(roll.barrel_diameter, stand.passes[0].speed);  // of the first pass
   if (bearing->roller_law == OneRollerLaw::fe)
-    text += record_text(stand.work_roll.bearing, stand.backup_roll.bearing, loads_of_the_mesh(stand, *bearing));
-  if (reading.rating)  // life in hours at the speed of the first pass
-    text += record_text(inputs_of_rating(*bearing), roll.barrel_diameter, stand.passes[0].speed);
-  return text;
+    on.mesh = record_text(stand.work_roll.bearing, stand.backup_roll.bearing, loads_of_the_mesh(stand, *bearing));
+  return text_of_loaded_bearing(on, reading);
 }
 
 std::string text_of_chock_seat(const CaseSpec &spec, const RollPlace roll)
@@ -168,30 +98,46 @@ std::string text_of_chock_seat(const CaseSpec &spec, const RollPlace roll)
   return record_text(stiffness, yields ? chock : not_given);
 }
 
-std::string text_of_bearing_case(const BearingCase &spec, const BearingCaseReading &reading)
+namespace {
+std::string text_of_film_case(BearingLoad load, const OilFilmBearing &film, const BearingReading &reading)
 {
   const BearingLoad none;
-  BearingLoad load = spec.load;
-  load.samples     = none.samples;
-  load.speeds      = none.speeds;
-  if (const OilFilmBearing *film = bearing_named(spec.oil_films, load.bearing)) {
-    load.axial = load.cage_angle = 0;
-    load.axial_displacement = load.moment = not_given;
-    load.loads                            = none.loads;
-    return record_text(load, film_as_read(*film, reading.least_speed));
-  }
-  load.tilt_across             = none.tilt_across;
+  load.samples = none.samples;
+  load.speeds  = none.speeds;
+  load.axial = load.cage_angle = 0;
+  load.axial_displacement = load.moment = not_given;
+  load.loads                            = none.loads;
+  return record_text(load, film_as_read(film, reading.asks == BearingAsks::least_speed));
+}
+
+// The radial loads that a result reads: the working load, the curve, or both.
+std::string text_of_radial(const BearingLoad &load, const BearingAsks asks)
+{
+  if (asks == BearingAsks::fitted_load)
+    return record_text(load.loads, load.samples);
+  if (asks == BearingAsks::motion)
+    return record_text(load.radial, load.loads, load.samples);
+  return record_text(load.radial);
+}
+}  // namespace
+
+std::string text_of_bearing_case(const BearingCase &spec, const BearingReading &reading)
+{
+  const BearingLoad &load = spec.load;
+  if (const OilFilmBearing *film = bearing_named(spec.oil_films, load.bearing))
+    return text_of_film_case(load, *film, reading);
   const RollerBearing *bearing = bearing_named(spec.bearings, load.bearing);
   if (!bearing)
     return record_text(load);
-  if (bearing->roller_law != OneRollerLaw::fe)  // the mesh is made for the largest of them
-    load.loads = none.loads;
-  std::string text = record_text(load, inputs_of_bearing(*bearing, {false, loaded_askew(load)}));
-  if (reading.rating)
-    text += record_text(inputs_of_rating(*bearing));
-  if (reading.motion)
-    text += record_text(spec.load.loads, spec.load.samples, spec.motion);
-  return text;
+  LoadedTexts on{*bearing, form_of(load), record_text(load.bearing), text_of_radial(load, reading.asks)};
+  on.beside = record_text(load.axial, load.axial_displacement, load.tilt, load.moment);
+  on.cage   = record_text(load.cage_angle);
+  if (load.axial != 0 && std::isnan(load.axial_displacement))
+    on.axial = record_text(load.axial, load.axial_displacement);
+  on.speed = record_text(load.speed);
+  on.mesh  = record_text(load.loads);  // it is made for the largest of them
+  return text_of_loaded_bearing(on, reading) +
+         (reading.asks == BearingAsks::motion ? record_text(spec.motion) : "");
 }
 
 namespace {
@@ -206,8 +152,7 @@ template <class Text> KeyList keys_of_bearing(const RollerBearing &bearing, cons
 
 std::string text_of_closing_angle(const RollerBearing &b)
 {
-  const BearingInputs inputs = inputs_of_bearing(b);
-  return record_text(closing_cup_angle(b), inputs.designation, inputs.catalogue, inputs.ratings);
+  return record_text(closing_cup_angle(b)) + text_of_source(b);
 }
 
 // Of the bearing with this name, if there is one.
@@ -218,14 +163,13 @@ std::string text_of_closing_angle(const std::vector<RollerBearing> &bearings, co
 }
 }  // namespace
 
-KeyList bearing_keys(const RollerBearing &bearing)
+KeyList bearing_keys(const RollerBearing &bearing, const BearingReading &reading, const LoadForm &form)
 {
-  return keys_of_bearing(bearing, [](const RollerBearing &b) { return record_text(inputs_of_bearing(b)); });
-}
-
-KeyList rating_keys(const RollerBearing &bearing)
-{
-  return keys_of_bearing(bearing, [](const RollerBearing &b) { return record_text(inputs_of_rating(b)); });
+  return keys_of_bearing(bearing, [&](const RollerBearing &b) {
+    LoadedTexts on{b, form};
+    on.axial = form.pushes ? "imposed" : "";
+    return text_of_loaded_bearing(on, reading);
+  });
 }
 
 KeyList closing_angle_keys(const RollerBearing &bearing)
@@ -233,20 +177,20 @@ KeyList closing_angle_keys(const RollerBearing &bearing)
   return keys_of_bearing(bearing, [](const RollerBearing &b) { return text_of_closing_angle(b); });
 }
 
-KeyList seat_load_keys(MovingKeys &keys, const bool backup, const std::string &contact, const std::size_t p)
+namespace {
+std::string name_of(const BearingReading &reading)
 {
-  return keys.of(fmt::format("load of seat {} {} {}", backup, contact, p), [&](const CaseSpec &spec) {
-    return record_text(inputs_of_seat_load(std::get<FourHigh>(spec), backup, contact, p));
-  });
+  return fmt::format("{} {} {}", int(reading.asks), reading.in_time, reading.closed_form);
 }
+}  // namespace
 
-KeyList seat_keys(MovingKeys &keys, const std::size_t i, const std::size_t p, const SeatReading &reading)
+KeyList seat_keys(MovingKeys &keys, const std::size_t i, const std::size_t p, const BearingReading &reading)
 {
   const auto &stand = std::get<FourHigh>(keys.spec());
   const bool backup = i == 0 || i == 3;
   if ((backup ? stand.backup_roll : stand.work_roll).bearing.empty())  // all of its stiffnesses are given
     return keys_in("given", backup && stand.given.count("K_Zy") ? "K_Zy" : fmt::format("Kzc{}", i + 1));
-  return keys.of(fmt::format("seat {} {} {} {} {}", i, p, reading.across, reading.least_speed, reading.rating),
+  return keys.of(fmt::format("seat {} {} {}", i, p, name_of(reading)),
                  [&](const CaseSpec &spec) { return text_of_seat(std::get<FourHigh>(spec), i, p, reading); });
 }
 
@@ -259,9 +203,9 @@ KeyList seat_closing_angle_keys(MovingKeys &keys, const std::size_t i)
   });
 }
 
-KeyList bearing_case_keys(MovingKeys &keys, const BearingCaseReading &reading)
+KeyList bearing_case_keys(MovingKeys &keys, const BearingReading &reading)
 {
-  return keys.of(fmt::format("bearing {} {} {}", reading.rating, reading.least_speed, reading.motion),
+  return keys.of("bearing " + name_of(reading),
                  [&](const CaseSpec &spec) { return text_of_bearing_case(std::get<BearingCase>(spec), reading); });
 }
 

@@ -1,6 +1,7 @@
 #include "core/case/bite_inputs.h"
 #include "core/case/moving_keys.h"
 #include "core/records/record_text.h"
+#include "core/records/rows_of_bite.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -22,7 +23,6 @@ Strip with_laws_as_read(Strip strip)
   return strip;
 }
 
-namespace {
 Strip with_values_of_pass(Strip strip, const Pass &pass)
 {
   const auto take = [](double &value, const double of_pass) { value = std::isnan(of_pass) ? value : of_pass; };
@@ -33,6 +33,7 @@ Strip with_values_of_pass(Strip strip, const Pass &pass)
   return strip;
 }
 
+namespace {
 // The parts of a case that a bite is made of.
 struct BiteParts {
   const Strip &strip;
@@ -74,12 +75,32 @@ MeasuredInputs inputs_of_measured(const BiteParts &parts, const Pass &pass)
   return inputs;
 }
 
+bool may_be_free(const BiteArc arc)
+{
+  return arc == BiteArc::elastic || arc == BiteArc::automatic;
+}
+
+// The backup roll that holds the section of the work roll, where the case asks for a free arc.
+void add_backup(BiteInputs &inputs, const CaseSpec &spec, const BiteSetup &setup, const std::size_t p)
+{
+  const auto *stand  = std::get_if<FourHigh>(&spec);
+  const bool section = setup.arc == BiteArc::elastic ||
+                       (setup.arc == BiteArc::automatic && setup.strip == BiteStrip::elastic_plastic);
+  if (!stand || !section)
+    return;
+  inputs.backup_diameter = stand->backup_roll.barrel_diameter;
+  inputs.backup_length   = std::min(stand->work_roll.barrel_length, stand->backup_roll.barrel_length);
+  inputs.backup_load     = {inputs_of_load(stand->passes[p])};
+}
+
 // The model that gives K4, with its mesh where it has one.
 void add_model(BiteInputs &inputs, const BiteSetup &setup)
 {
   inputs.method = word_of(setup.method);
   if (setup.method != BiteMethod::fe) {
     inputs.theory = word_of(setup.theory);
+    if (may_be_free(inputs.arc))  // the strip decides the arc, and how much of the roll its section needs
+      inputs.flow = word_of(setup.strip);
     return;
   }
   inputs.flow             = word_of(setup.strip);
@@ -115,9 +136,13 @@ BiteInputs inputs_of_bite(const CaseSpec &spec, const std::size_t p, const BiteR
   const bool modelled = reading.by == BiteAnswers::model || fits;
   if (modelled)
     add_model(inputs, setup);
-  const bool elastic_arc   = inputs.arc == BiteArc::elastic || inputs.arc == BiteArc::automatic;
+  const bool free_arc      = reading.free_arc || (modelled && may_be_free(inputs.arc));
   const bool elastic_strip = modelled && setup.method == BiteMethod::fe && setup.strip != BiteStrip::rigid_plastic;
-  if (!elastic_arc && !elastic_strip)
+  if (free_arc)
+    add_backup(inputs, spec, setup, p);
+  if (reading.free_arc)
+    inputs.flow = word_of(setup.strip);
+  if (!free_arc && !elastic_strip && !reading.elastic)
     inputs.strip.youngs_modulus = inputs.strip.poisson_ratio = not_given;
   if (!fits)
     return inputs;
@@ -150,13 +175,15 @@ BiteReading reading_of(const ResultRow &row, const BiteAnswers by)
   reading.by          = by;
   reading.whole_width = has_in_it(row.unit, "N") || has_in_it(row.unit, "m2");  // m2: force per stress
   reading.speed       = has_in_it(row.unit, "s");
+  reading.elastic     = &row == &row::bite::elastic_share;
   return reading;
 }
 
 KeyList bite_keys(MovingKeys &keys, const std::size_t p, const BiteReading &reading)
 {
-  const auto &[by, whole_width, fitted, path_trim, speed] = reading;
-  return keys.of(fmt::format("bite {} {} {} {} {} {}", p, int(by), whole_width, fitted, path_trim, speed),
+  const auto &[by, whole_width, fitted, path_trim, speed, elastic, free_arc] = reading;
+  return keys.of(fmt::format("bite {} {} {} {} {} {} {} {}", p, int(by), whole_width, fitted, path_trim, speed,
+                             elastic, free_arc),
                  [&](const CaseSpec &spec) { return record_text(inputs_of_bite(spec, p, reading)); });
 }
 }  // namespace mill

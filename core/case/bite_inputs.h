@@ -2,6 +2,7 @@
 #include "core/case/kinds.h"
 #include "core/case/pass_inputs.h"
 #include "core/model/bite_setup.h"
+#include "core/model/pass.h"
 #include "core/model/strip.h"
 #include "core/records/key_list.h"
 #include "core/records/result_row.h"
@@ -51,14 +52,17 @@ struct BiteInputs {
   double path_trim = not_given;  ///< -
   std::vector<PassMeasure> fit;  ///< what friction and flow stress are fitted to; empty: not at all
   std::vector<std::string> fit_for;
-  double measured_width = not_given;     ///< m, over which the measured forces act
-  std::vector<MeasuredInputs> measured;  ///< all passes
+  double measured_width = not_given;                              ///< m, over which the measured forces act
+  std::vector<MeasuredInputs> measured;                           ///< all passes
+  double backup_diameter = not_given, backup_length = not_given;  ///< m, of the backup roll on the roll's section
+  std::vector<LoadInputs> backup_load;                            ///< none or one: with which it carries
 };
 
 template <class Io> void each_member(Io &&io, const BiteInputs &record)
 {
   const auto &[strip, roll_diameter, roll, speed, method, theory, flow, arc, elements_along, elements_through,
-               path_trim, fit, fit_for, measured_width, measured] = record;
+               path_trim, fit, fit_for, measured_width, measured, backup_diameter, backup_length, backup_load] =
+      record;
   io("strip", strip);
   io("roll_diameter", roll_diameter);
   io("roll", roll);
@@ -74,6 +78,9 @@ template <class Io> void each_member(Io &&io, const BiteInputs &record)
   io("fit_for", fit_for);
   io("measured_width", measured_width);
   io("measured", measured);
+  io("backup_diameter", backup_diameter);
+  io("backup_length", backup_length);
+  io("backup_load", backup_load);
 }
 
 /// Who answers: the model that gives K4, a slab theory that is compared with it, or the closed form that
@@ -87,10 +94,15 @@ struct BiteReading {
   bool fitted      = true;  ///< by a strip that is fitted where the case asks for it
   bool path_trim   = false;  ///< the plateau along the path
   bool speed       = false;  ///< a speed of the strip
+  bool elastic     = false;  ///< elastic zones of the strip, whatever its model
+  bool free_arc    = false;  ///< a theory that is compared on a free arc
 };
 
 /// A strip whose laws have the constants that they read; those of other laws are absent.
 Strip with_laws_as_read(Strip strip);
+
+/// The strip of a pass: its own thicknesses and tensions, where it gives them.
+Strip with_values_of_pass(Strip strip, const Pass &pass);
 
 /// @param spec  a stand or a bite
 BiteInputs inputs_of_bite(const CaseSpec &spec, std::size_t pass, const BiteReading &reading);

@@ -161,9 +161,11 @@ void add_modulus(CaseRows &all, Frame &frame)
         return EstimateInput{true, kept.modulus, kept.modulus_error};
       },
       [](const EstimateInput &input, Frame &kept) {
+        if (!input.estimate)
+          return false;
         kept.modulus       = input.modulus;
         kept.modulus_error = input.modulus_tolerance;
-        return input.estimate;
+        return true;
       });
 }
 

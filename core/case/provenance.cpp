@@ -24,7 +24,8 @@ KeyList load_keys(const Pass &pass, const std::size_t p)
 
 KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, const std::size_t p)
 {
-  const auto seat = [&](const RollPlace place) { return seat_keys(keys, std::size_t(place), p, {spring.across}); };
+  const BearingReading reading{spring.across ? BearingAsks::across : BearingAsks::along};
+  const auto seat = [&](const RollPlace place) { return seat_keys(keys, std::size_t(place), p, reading); };
   switch (spring.number) {
   case ChainNumber::K3:
     return contact_keys(keys, word_of(ContactName::upper), p);

@@ -26,6 +26,29 @@ double edge(const Index k, const Index n)
   return n < 2 || x == 0 ? 1 : 1 - 0.01 / std::log(1.985 * x);
 }
 
+// Its mean over 64 parts of the slice, with the exponent of the damage.
+double edge_of_thin_slices(const Index k, const Index n)
+{
+  constexpr Index parts = 64;
+  double sum            = 0;
+  for (Index i = 0; i < parts; ++i)
+    sum += std::pow(edge(k * parts + i, n * parts), 4.5);
+  return std::pow(sum / parts, 1 / 4.5);
+}
+
+double end_factor(const EndFactor ends, const Index k, const Index n)
+{
+  switch (ends) {
+  case EndFactor::none:
+    return 1;
+  case EndFactor::standard:
+    return edge(k, n);
+  case EndFactor::thin_slices:
+    return edge_of_thin_slices(k, n);
+  }
+  return 1;
+}
+
 struct SliceRatings {
   double inner, outer;  // N, that a slice bears for 1e6 revolutions
 };
@@ -66,7 +89,7 @@ double basic_life(const double C, const double P)
 }
 
 ReferenceLife reference_life(const RollerBearing &b, const AssemblyState &state, const double C,
-                             const bool edge_factor)
+                             const EndFactor ends)
 {
   if (!(b.roller_diameter > 0 && pitch_diameter(b) > 0))
     throw InputError("bearing." + b.name + ": the life by slices needs roller_diameter and a pitch diameter");
@@ -75,7 +98,7 @@ ReferenceLife reference_life(const RollerBearing &b, const AssemblyState &state,
   Eigen::ArrayXd damage     = Eigen::ArrayXd::Zero(rows);
   for (Index r = 0; r < rows; ++r)
     for (Index k = 0; k < n; ++k) {
-      Eigen::ArrayXd outer = (edge_factor ? edge(k, n) : 1) * state.slice_load.row(k).segment(r * Z, Z).array();
+      Eigen::ArrayXd outer = end_factor(ends, k, n) * state.slice_load.row(k).segment(r * Z, Z).array();
       Eigen::ArrayXd inner = outer;
       for (Index j = 0; j < Z; ++j)
         inner[j] *= state.roller_load(r, j) > 0 ? state.inner_load(r, j) / state.roller_load(r, j) : 0;

@@ -20,12 +20,20 @@ struct ReferenceLife {
   double equivalent_load;    ///< N, P_ref: the load with which (5.34) gives this life
   Eigen::VectorXd row_life;  ///< (rows) revolutions, of each row alone
 };
+/// Factor of the slices near the ends of a roller, (5.36).  That of the standard belongs to its slice and reaches
+/// 2.33 in the last one, however wide that is: a life has its limit only with thin slices.
+enum class EndFactor {
+  none,
+  standard,    ///< of each slice as it is
+  thin_slices  ///< mean over the slice of that of thin ones, in its power 9/2: the limit of many slices
+};
+
 /// The inner ring turns, the load stands still against the outer one.  (5.35) .. (5.37)
 /// @param dynamic_rating  N, C of all rows
-/// @param edge_factor     whether slices near the ends count more, as the standard's (60) does
+/// @param ends            how much more the slices near the ends are loaded
 /// @throws InputError  roller or pitch diameter missing
 ReferenceLife reference_life(const RollerBearing &bearing, const AssemblyState &state, double dynamic_rating,
-                             bool edge_factor = true);
+                             EndFactor ends = EndFactor::standard);
 
 /// Fatigue load limit C_u, N, of a roller bearing: C_0/8.2, less above a pitch diameter of 100 mm.  ISO 281,
 /// (5.38)

@@ -14,6 +14,12 @@ double known_difference(const double a, const double b)
   return std::isfinite(a) && std::isfinite(b) && b != 0 ? difference(a, b) : not_given;
 }
 
+/// The larger one of those that are known; NaN: neither is.
+double larger_known(const double a, const double b)
+{
+  return std::isnan(a) ? b : std::isnan(b) ? a : std::max(a, b);
+}
+
 /// A life goes with C^(10/3), (5.34): its relative error by that of C is added to the rest.
 double with_error_of_C(const double error, const double C_error)
 {
@@ -55,13 +61,14 @@ RatingNumbers rating_numbers(const RollerBearing &b, const ComparedStates &s)
   const auto by_slices =
       compared_number(s, [&](const AssemblyState &state) { return reference_life(b, state, n.C).life; });
   n.L10r_standard     = by_slices.standard;
-  n.L10r_without_edge = reference_life(b, s.at, n.C, false).life;
-  double error        = by_slices.error;
+  n.L10r_without_edge = reference_life(b, s.at, n.C, EndFactor::none).life;
+  n.L10r_thin_slices  = reference_life(b, s.at, n.C, EndFactor::thin_slices).life;
+  double error        = by_slices.error + known_difference(n.L10r_thin_slices, n.slices.life);
   const auto loads    = equivalent_loads(b, s.at.load.head<2>().norm(), s.at.load[2]);
   // A moment alone loads the rollers, and leaves no force but rounding.
   if (loads.dynamic > 1e-9 * s.at.roller_load.sum()) {
     n.load = rated_load(b, s.at, loads, n);
-    error  = std::max(std::isfinite(error) ? error : 0, known_difference(n.load->L10, n.slices.life));
+    error  = larger_known(error, known_difference(n.load->L10, n.slices.life));
   }
   n.L10r_error = with_error_of_C(error, n.C_error);
 
@@ -74,7 +81,7 @@ RatingNumbers rating_numbers(const RollerBearing &b, const ComparedStates &s)
   const double dirt = n.contamination = known_dirt ? b.contamination : usual_contamination;
   n.L10mr                             = modified(kappa, dirt);
   const auto change = [&](const double k, const double e) { return known_difference(modified(k, e), n.L10mr); };
-  double open       = std::isfinite(error) ? error : 0;
+  double open       = error;
   if (!known_oil)
     open += std::max(change(kappa / 2, dirt), change(2 * kappa, dirt));
   if (!known_dirt)

@@ -28,17 +28,18 @@ struct RatingNumbers {
   double C0_by_pressure;     ///< N, 4000 MPa under the heaviest roller
   std::optional<RatedLoad> load;  ///< nothing without radial and axial load
   ReferenceLife slices;           ///< L10r
-  double L10r_error;              ///< -, relative
+  double L10r_error;              ///< -, relative; NaN: unknown
   double L10r_standard;           ///< revolutions, ISO law and rigid rings
   double L10r_without_edge;       ///< revolutions, without the factor of the ends
+  double L10r_thin_slices;        ///< revolutions, with the factor of the ends of thin slices
   double viscosity_ratio;         ///< -, kappa, 1 where it is not given
   double contamination;           ///< -, e_C, 0.3 where it is not given
   double L10mr;                   ///< revolutions, (5.39)
-  double L10mr_error;             ///< -, relative
+  double L10mr_error;             ///< -, relative; NaN: unknown
 };
-/// Error of a life: what companions of the state and ISO 281 change in it; for L10mr also kappa within a factor of
-/// two and e_C within 0.2 .. 0.4 where they are not given; and the error of C, with which a life goes by the power
-/// 10/3.  NaN where that of C is.
+/// Error of a life: what companions of the state and ISO 281 change in it, of a life by slices also what thin
+/// slices do; for L10mr also kappa within a factor of two and e_C within 0.2 .. 0.4 where they are not given; and
+/// the error of C, with which a life goes by the power 10/3.  NaN where that of C is.
 /// @throws InputError  roller or pitch diameter missing
 RatingNumbers rating_numbers(const RollerBearing &bearing, const ComparedStates &states);
 

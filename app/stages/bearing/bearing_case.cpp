@@ -8,6 +8,7 @@
 #include "app/stages/bearing/oil_film_results.h"
 #include "core/case/bearing_inputs.h"
 #include "core/model/case.h"
+#include "core/numerics/log_spacing.h"
 #include "core/records/csv.h"
 #include "core/records/rows_of_bearing.h"
 #include "dynamics/bearing/dynamics.h"
@@ -18,14 +19,6 @@
 
 namespace mill {
 namespace {
-std::vector<double> log_spaced(const std::array<double, 2> &range, const int n)
-{
-  std::vector<double> out;
-  for (int i = 0; i < n; ++i)
-    out.push_back(range[0] * std::pow(range[1] / range[0], double(i) / (n - 1)));
-  return out;
-}
-
 // The mass swings on the computed curve; its force is the same in every direction, as that of a round bearing.
 void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &study)
 {
@@ -62,7 +55,7 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
     p.at     = {"{}, {} at {}",
                 {{spec.load.radial, "kN", ".4g"}, {e.amplitude, "kN", ".4g"}, {e.frequency, "Hz", ".4g"}}};
     p.checks = std::move(checks);
-    p.inputs = bearing_case_keys(*run.keys, {false, false, true});
+    p.inputs = bearing_case_keys(*run.keys, {BearingAsks::motion});
     run.results.add(row.of(), p);
   };
   const double linear = std::sqrt(study.numbers.tangent.value / e.mass) / (2 * M_PI);
@@ -83,26 +76,34 @@ void drive_mass(RunContext &run, const BearingCase &spec, const BearingStudy &st
 }
 }  // namespace
 
+BearingStudy add_bearing_case(RunContext &run, const BearingCase &spec)
+{
+  BearingQuestion q = question_of(spec);
+  if (spec.load.radial > 0)
+    q.loads = evenly_in_logarithm(spec.load.loads[0], spec.load.loads[1], spec.load.samples);
+  q.published            = spec.published;
+  q.published_total      = "Kzc";
+  const auto parts       = bearing_parts(run, q.bearing, bearing::largest_roller_load(q.bearing, q));
+  BearingStudy study     = study_bearing(run, parts, q);
+  const KeysOfRow inputs = [&run](const ResultRow &row) {
+    return bearing_case_keys(*run.keys, reading_of_bearing(row));
+  };
+  add_bearing_results(run, "Kzc", study, inputs, bearing_case_closing_angle_keys(*run.keys));
+  add_published_results(run, "Kzc", study, inputs);
+  add_rating_results(run, study, inputs);
+  return study;
+}
+
 void solve_bearing_case(RunContext &run, const BearingCase &spec)
 {
   if (const OilFilmBearing *film = oil_film_of(spec.oil_films, spec.load.bearing))
     return solve_oil_film_case(run, spec, *film);
-  BearingQuestion q = question_of(spec);
-  if (spec.load.radial > 0)
-    q.loads = log_spaced(spec.load.loads, spec.load.samples);
-  q.published       = spec.published;
-  q.published_total = "Kzc";
-  const auto parts  = bearing_parts(run, q.bearing, bearing::largest_roller_load(q.bearing, q));
-  const auto study  = study_bearing(run, parts, q);
-  const auto inputs = bearing_case_keys(*run.keys);
-  add_bearing_results(run, "Kzc", study, inputs, bearing_case_closing_angle_keys(*run.keys));
-  add_published_results(run, "Kzc", study, inputs);
-  add_rating_results(run, study, bearing_case_keys(*run.keys, {true}));
+  const BearingStudy study = add_bearing_case(run, spec);
   note_bearing(run, "Kzc", study);
   write_bearing(run, study);
   study.readings->keep(run);
-  if (q.cage_angle == 0)  // the field is symmetric about the load line
-    write_chock(run, q.bearing, study.at.roller_load);
+  if (study.question.cage_angle == 0)  // the field is symmetric about the load line
+    write_chock(run, study.question.bearing, study.at.roller_load);
   drive_mass(run, spec, study);
 }
 }  // namespace mill

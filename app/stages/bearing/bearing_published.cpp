@@ -1,4 +1,5 @@
 #include "app/stages/bearing/bearing_published.h"
+#include "core/case/bearing_inputs.h"
 #include "core/numerics/root_search.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_bearing.h"
@@ -96,7 +97,7 @@ Table published_table(const BearingStudy &s)
 }
 
 void add_published_results(RunContext &run, const std::string &prefix, const BearingStudy &s,
-                           const std::vector<std::string> &inputs)
+                           const KeysOfRow &inputs)
 {
   const RollerBearing &b = s.question.bearing;
   const double total     = published(s, s.question.published_total);
@@ -106,12 +107,14 @@ void add_published_results(RunContext &run, const std::string &prefix, const Bea
   Parameter p;
   p.unit         = "N/m";
   p.at           = {"{} on one bearing", {{s.question.radial, "kN"}}};
-  p.inputs       = inputs;
   const auto add = [&](const RowOf<1> &row, const double value, const std::string &method,
                        std::vector<Check> checks) {
     p.value  = value;
     p.method = method;
     p.checks = std::move(checks);
+    p.inputs = inputs(row);
+    if (reading_of_bearing(row).asks == BearingAsks::fitted_load)
+      p.inputs.push_back("published." + s.question.published_total);
     run.results.add(row.of(prefix), p);
   };
   const auto heavy = bearing::heaviest_of_rows(s.at);

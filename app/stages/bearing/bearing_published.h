@@ -1,5 +1,5 @@
 #pragma once
-#include "app/stages/bearing/bearing_study.h"
+#include "app/stages/bearing/bearing_results.h"
 #include "core/records/csv.h"
 
 namespace mill {
@@ -11,5 +11,5 @@ Table published_table(const BearingStudy &study);
 /// gives, and the bearing loads at which tangent and secant take the published total.  Nothing without published
 /// values.
 void add_published_results(RunContext &run, const std::string &prefix, const BearingStudy &study,
-                           const std::vector<std::string> &inputs);
+                           const KeysOfRow &inputs);
 }  // namespace mill

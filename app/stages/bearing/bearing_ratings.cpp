@@ -18,7 +18,7 @@ using bearing::RatingNumbers;
 struct RatingResults {
   RunContext &run;
   const BearingStudy &study;
-  std::vector<std::string> inputs;
+  const KeysOfRow &inputs;
 
   ResultName name(const RowOf<1> &row) const
   {
@@ -32,7 +32,7 @@ struct RatingResults {
     p.unit           = row.unit;
     p.method         = method;
     p.at             = operating_point(study);
-    p.inputs         = inputs;
+    p.inputs         = inputs(row);
     p.checks         = std::move(checks);
     p.error_estimate = error;
     run.results.add(name(row), p);
@@ -100,7 +100,15 @@ void add_lives(RatingResults &out, const RollerBearing &b, const RatingNumbers &
       p.error_lacks = lacking_of_C(b);
   };
   std::vector<Check> checks{{"ISO/TS 16281, rigid rings", n.L10r_standard, ""},
-                            {"without the factor of the ends", n.L10r_without_edge, ""}};
+                            {"without the factor of the ends", n.L10r_without_edge, ""},
+                            {"with that of thin slices", n.L10r_thin_slices,
+                             fmt::format("the factor of the ends is that of the {} slices", b.slices)}};
+  constexpr int least_slices = 30;
+  if (b.slices < least_slices)
+    out.run.assume(fmt::format(
+        "bearing.{}.slices is {}: ISO/TS 16281 takes at least {} slices for a life, since its factor of the ends "
+        "applies to the last slice however wide it is; with thin slices L10r is {:.3g} times as long",
+        b.name, b.slices, least_slices, n.L10r_thin_slices / n.slices.life));
   std::vector<Check> modified;
   const char *by_factor = "load of the rollers by a factor";
   if (n.load) {
@@ -143,7 +151,8 @@ void add_speeds(RatingResults &out, const RollerBearing &b)
       return;
     Parameter timed = *life;
     timed.value /= speed;
-    timed.unit = in_time.unit;
+    timed.unit   = in_time.unit;
+    timed.inputs = out.inputs(in_time);
     timed.method += fmt::format(", at {:.4g} turns of the shaft in a minute", 60 * speed);
     for (Check &check : timed.checks)
       check.value /= speed;
@@ -193,7 +202,7 @@ void add_estimates(RatingResults &out, const RollerBearing &b)
 }
 }  // namespace
 
-void add_rating_results(RunContext &run, const BearingStudy &s, const std::vector<std::string> &inputs)
+void add_rating_results(RunContext &run, const BearingStudy &s, const KeysOfRow &inputs)
 {
   const RollerBearing &b = s.question.bearing;
   if (run.results.find(row::rating::C.of(b.name)))

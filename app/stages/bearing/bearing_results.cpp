@@ -1,6 +1,7 @@
 #include "app/stages/bearing/bearing_results.h"
 #include "core/records/rows_of_bearing.h"
 #include "reduce/bearing/chock_supports.h"
+#include "reduce/bearing/clearance.h"
 #include "reduce/bearing/geometry.h"
 #include <algorithm>
 #include <cmath>
@@ -138,29 +139,29 @@ void add_rollers(const std::string &prefix, const BearingStudy &s, const Add &ad
 }  // namespace
 
 void add_bearing_results(RunContext &run, const std::string &prefix, const BearingStudy &s,
-                         const std::vector<std::string> &inputs, const std::vector<std::string> &of_closing_angle)
+                         const KeysOfRow &inputs, const KeyList &of_closing_angle)
 {
   const Add add = [&](const ResultName &name, const ComparedNumber &number, const bool of_arrangement,
                       const std::string &more) {
-    Parameter p = stated(s, number, inputs);
+    Parameter p = stated(s, number, inputs(name.row()));
     p.unit      = name.row().unit;
     p.checks    = comparisons(s, number, of_arrangement);
     p.method += more;
     run.results.add(name, p);
   };
-  run.results.add(row::bearing::tangent.of(prefix), tangent_of(s, inputs));
+  run.results.add(row::bearing::tangent.of(prefix), tangent_of(s, inputs(row::bearing::tangent)));
   if (s.question.radial > 0) {
-    Parameter secant = stated(s, s.numbers.secant, inputs);
+    Parameter secant = stated(s, s.numbers.secant, inputs(row::bearing::secant));
     secant.checks    = other_models(s, s.numbers.secant);
     run.results.add(row::bearing::secant.of(prefix), secant);
   }
-  run.results.add(row::bearing::tangent_across.of(prefix), across_of(s, inputs));
+  run.results.add(row::bearing::tangent_across.of(prefix), across_of(s, inputs(row::bearing::tangent_across)));
   add_stiffnesses(prefix, s, add);
   add_motions(prefix, s, add);
   add_rollers(prefix, s, add);
   const auto state = [&](const RowOf<1> &row, const double value, const std::string &more,
                          std::vector<Check> checks) {
-    Parameter p = plain(s, inputs);
+    Parameter p = plain(s, inputs(row));
     p.value     = value;
     p.unit      = row.unit;
     p.checks    = std::move(checks);
@@ -252,7 +253,7 @@ void note_bearing(RunContext &run, const std::string &prefix, const BearingStudy
          fmt::format("of {} rollers of a row {} carr{} {}", b.rollers_per_row, loaded, loaded == 1 ? "ies" : "y",
                      s.question.radial > 0 ? fmt::format("{:.4g} kN", s.question.radial / 1e3) : "the load"),
          fmt::format("with a clearance of {:.4g} mm the stiffness depends on the position of the cage",
-                     1e3 * b.radial_clearance),
+                     1e3 * bearing::diametral_clearance(b)),
          "",
          {prefix}});
   const double heaviest = s.at.roller_load.maxCoeff();

@@ -11,6 +11,7 @@
 #include "core/model/contact_settings.h"
 #include "core/model/four_high.h"
 #include "core/model/roll.h"
+#include "core/model/seat_load.h"
 #include "core/records/rows_of_bearing.h"
 #include "dynamics/response/mill_model.h"
 #include "reduce/stand/lumped_stand.h"
@@ -39,30 +40,23 @@ std::array<Seat, 4> seats_of(const FourHigh &s)
            {"Kzc4", "backup_roll", &s.backup_roll, &s.lower_contact, true, true}}};
 }
 
-/// Radial load of one bearing and where it comes from.
-struct SeatLoad {
-  double value;  // N
-  std::string message;
-  bool assumed = false;
-};
-
-// Vertical: half the rolling force on a backup bearing, bending on that of a work roll; across: half of what the
-// offset of the rolls pushes sideways, F e / (R1 + R2).
 SeatLoad load_of(const FourHigh &stand, const Seat &seat, const double F)
 {
-  if (!std::isnan(seat.roll->bearing_load))
-    return {seat.roll->bearing_load, std::string(seat.section) + ".bearing_load"};
-  const double between = (stand.work_roll.barrel_diameter + stand.backup_roll.barrel_diameter) / 2;
-  const double across  = 0.5 * F * std::abs(seat.contact->axis_offset) / between;
-  const double bending = 0.5 * std::abs(stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1]);
+  return seat_load(stand, seat.backup, *seat.contact, F);
+}
+
+// Where the load of a seat comes from.
+std::string source_of(const SeatLoad &load, const Seat &seat)
+{
+  if (load.given)
+    return std::string(seat.section) + ".bearing_load";
   const std::string sideways =
-      across > 0 ? fmt::format(" and {:.4g} kN across from the rolls' offset", across / 1e3) : "";
+      load.across > 0 ? fmt::format(" and {:.4g} kN across from the rolls' offset", load.across / 1e3) : "";
   if (seat.backup)
-    return {std::hypot((F + 2 * bending) / 2, across),
-            "half the rolling force" + std::string(bending > 0 ? ", bending added" : "") + sideways};
-  if (bending > 0)
-    return {std::hypot(bending, across), "the bending force of its chock" + sideways};
-  return {std::hypot(F / 20, across), "a twentieth of the rolling force for balance and bending" + sideways, true};
+    return "half the rolling force" + std::string(load.bending > 0 ? ", bending added" : "") + sideways;
+  if (load.bending > 0)
+    return "the bending force of its chock" + sideways;
+  return "a twentieth of the rolling force for balance and bending" + sideways;
 }
 
 // So many values over a range of so much around one, evenly spaced in the logarithm.
@@ -130,7 +124,7 @@ public:
     if (warned)
       return;
     warned = true;
-    add_oil_film_results(run, study, inputs, seat_keys(*run.keys, i, pass, {false, true}));
+    add_oil_film_results(run, study, inputs, seat_keys(*run.keys, i, pass, {BearingAsks::least_speed}));
     write_oil_film(run, study);
     note_oil_film(run, study, true);
   }
@@ -152,24 +146,26 @@ Parameter both(Parameter bearing)
 }
 
 // Ratings and life are added once for a bearing that both rolls have, so that they state the keys of both seats.
-KeyList rating_inputs(const RunContext &run, const FourHigh &stand, const std::string &bearing)
+KeyList rating_inputs(const RunContext &run, const FourHigh &stand, const std::string &bearing,
+                      const ResultRow &row)
 {
   KeyList inputs;
   const auto seats = seats_of(stand);
   for (const std::size_t i : {0u, 1u})
     if (seats[i].roll->bearing == bearing && !stand.given.count(seats[i].name))
-      inputs = joined(std::move(inputs), seat_keys(*run.keys, i, 0, {false, false, true}));
+      inputs = joined(std::move(inputs), seat_keys(*run.keys, i, 0, reading_of_bearing(row)));
   return inputs;
 }
 
 void report_seat(RunContext &run, const FourHigh &stand, const Seat &seat, const SeatLoad &load,
-                 const BearingStudy &study, const KeyList &inputs, const KeyList &of_closing_angle)
+                 const BearingStudy &study, const KeysOfRow &inputs, const KeyList &of_closing_angle)
 {
   add_bearing_results(run, seat.name, study, inputs, of_closing_angle);
   if (seat.lower)
     return;  // it has the same bearings as the upper half
   add_published_results(run, seat.name, study, inputs);
-  add_rating_results(run, study, rating_inputs(run, stand, seat.roll->bearing));
+  add_rating_results(run, study,
+                     [&](const ResultRow &row) { return rating_inputs(run, stand, seat.roll->bearing, row); });
   write_bearing(run, study);
   note_bearing(run, seat.name, study);
   const auto &bending = seat.roll->bending_force;
@@ -177,14 +173,14 @@ void report_seat(RunContext &run, const FourHigh &stand, const Seat &seat, const
     run.assume(fmt::format(
         "work_roll.bending_force differs between the chocks: {} is that of a bearing under the mean", seat.name));
   if (load.assumed)
-    run.assume(std::string(seat.section) + ".bearing_load is not given: " + load.message);
+    run.assume(std::string(seat.section) + ".bearing_load is not given: " + source_of(load, seat));
 }
 
 // Where a bearing carries half the rolling force and nothing else.
 bool follows_half_the_force(const FourHigh &stand, const Seat &seat)
 {
-  return std::isnan(seat.roll->bearing_load) && seat.contact->axis_offset == 0 &&
-         stand.work_roll.bending_force[0] + stand.work_roll.bending_force[1] == 0;
+  const SeatLoad load = load_of(stand, seat, 1);
+  return seat.backup && !load.given && load.across == 0 && load.bending == 0;
 }
 
 // Both bearings of a roll over the rolling force.
@@ -278,15 +274,17 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
       if (!done.count(key))
         done[key] = study_bearing(run, parts.at(seat.roll->bearing), question(seat, load.value, p == 0));
       const BearingStudy &study = done.at(key);
-      const KeyList inputs      = seat_keys(*run.keys, i, p);
-      out[p].Kzc[i]             = tangent_of(study, inputs);
+      const KeysOfRow inputs    = [&, i, p](const ResultRow &row) {
+        return seat_keys(*run.keys, i, p, reading_of_bearing(row));
+      };
+      out[p].Kzc[i] = tangent_of(study, inputs(row::bearing::tangent));
       if (!across.count(key))
         across[key] = bearing_across(run, study);
       out[p].Kzc_across[i]        = across.at(key);
-      out[p].Kzc_across[i].inputs = seat_keys(*run.keys, i, p, {true});
+      out[p].Kzc_across[i].inputs = inputs(row::bearing::tangent_across);
       if (p == 0)
         report_seat(run, stand, seat, load, study, inputs, seat_closing_angle_keys(*run.keys, i));
-      if (p == 0 && seat.backup && follows_half_the_force(stand, seat))
+      if (p == 0 && follows_half_the_force(stand, seat))
         out[p].backup_deflection[i == 0 ? 0 : 1] = over_the_force(study);
     }
     for (const auto &[key, study] : done)

@@ -1,5 +1,6 @@
 #pragma once
 #include "app/run/run_context.h"
+#include "app/stages/bearing/bearing_study.h"
 #include "reduce/chain/mill_modulus.h"
 #include <array>
 #include <vector>
@@ -39,6 +40,9 @@ std::vector<StandBearings> solve_bearings(RunContext &run, const FourHigh &stand
 /// @param inputs  of the chain
 void add_films(LumpedModel &chain, const FourHigh &stand, const std::array<double, 2> &damper,
                const reduce::ChainInputs &inputs);
+
+/// Solves the roller bearing of kind = "bearing" and adds its results; no curves, no sentences.
+BearingStudy add_bearing_case(RunContext &run, const BearingCase &spec);
 
 /// The same for kind = "bearing": Kzc.*, curves, and the motion of a mass on the bearing when one is given.
 void solve_bearing_case(RunContext &run, const BearingCase &spec);

@@ -63,9 +63,12 @@ LoadedState LoadedBearing::solve(const BearingLoading &load, const Progress &pro
   run.progress             = progress;
   const BearingParts parts = bearing_parts(run, drawn, bearing::largest_roller_load(question.bearing, question));
   const BearingStudy study = study_bearing(run, parts, question);
-  const KeyList inputs     = bearing_keys(drawn);
+  const LoadForm form{load.tilt != 0, load.axial != 0};
+  const KeysOfRow inputs = [&](const ResultRow &row) {
+    return bearing_keys(drawn, reading_of_bearing(row), form);
+  };
   add_bearing_results(run, family::bearing, study, inputs, closing_angle_keys(drawn));
-  add_rating_results(run, study, joined(inputs, rating_keys(drawn)));
+  add_rating_results(run, study, inputs);
   return {study.at, std::move(run.results), drawn.name};
 }
 }  // namespace mill

@@ -2,6 +2,7 @@
 #include "app/stages/bearing/oil_film_results.h"
 #include "core/base/files.h"
 #include "core/case/bearing_inputs.h"
+#include "core/numerics/log_spacing.h"
 #include "core/records/csv.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_bearing.h"
@@ -12,14 +13,6 @@ namespace mill {
 namespace {
 using bearing::OilFilmState;
 using States = std::vector<std::optional<OilFilmState>>;
-
-std::vector<double> evenly(const std::array<double, 2> &range, const int n)
-{
-  std::vector<double> out;
-  for (int i = 0; i < n; ++i)
-    out.push_back(range[0] * std::pow(range[1] / range[0], double(i) / (n - 1)));
-  return out;
-}
 
 // Columns of the states; empty points are NaN.
 void add_states(Table &t, const States &states)
@@ -128,17 +121,17 @@ void solve_oil_film_case(RunContext &run, const BearingCase &spec, const OilFilm
   OilFilmQuestion q;
   q.bearing   = film;
   q.load      = {spec.load.radial, 2 * M_PI * spec.load.speed, {spec.load.tilt, spec.load.tilt_across}};
-  q.loads     = evenly(spec.load.loads, spec.load.samples);
+  q.loads     = evenly_in_logarithm(spec.load.loads[0], spec.load.loads[1], spec.load.samples);
   auto speeds = spec.load.speeds;
   if (std::isnan(speeds[0]))
     speeds = {spec.load.speed / 4, spec.load.speed * 4};
-  q.speeds          = evenly({2 * M_PI * speeds[0], 2 * M_PI * speeds[1]}, spec.load.samples);
+  q.speeds          = evenly_in_logarithm(2 * M_PI * speeds[0], 2 * M_PI * speeds[1], spec.load.samples);
   q.speed_key       = "load.speed";
   const auto study  = study_oil_film(run, q);
   const auto inputs = bearing_case_keys(*run.keys);
   run.results.add(row::bearing::tangent.of(family::bearing), film_stiffness(study, inputs));
   run.results.add(row::bearing::tangent_across.of(family::bearing), film_stiffness(study, inputs, true));
-  add_oil_film_results(run, study, inputs, bearing_case_keys(*run.keys, {false, true}));
+  add_oil_film_results(run, study, inputs, bearing_case_keys(*run.keys, {BearingAsks::least_speed}));
   write_oil_film(run, study);
   note_oil_film(run, study, false);
 }

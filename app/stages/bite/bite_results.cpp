@@ -91,10 +91,12 @@ void add_every_model(RunContext &run, const BiteStudy &s, const BiteKeys &keys)
       continue;
     const auto by  = answer.key == word_of(BiteModel::fe) ? BiteAnswers::model : BiteAnswers::compared;
     const auto add = [&](const RowOf<2> &row, const double value) {
-      Parameter p = plain(s, answer);
-      p.inputs    = keys(reading_of(row, by));
-      p.unit      = row.unit;
-      p.value     = value;
+      Parameter p         = plain(s, answer);
+      BiteReading reading = reading_of(row, by);
+      reading.free_arc    = answer.key == word_of(BiteModel::karman_elastic_arc);
+      p.inputs            = keys(reading);
+      p.unit              = row.unit;
+      p.value             = value;
       run.results.add(row.of(s.question.pass, answer.key), p);
     };
     add(row::bite_model::force, answer.state.force);

@@ -106,15 +106,7 @@ void add_study(RunContext &run, const BiteStudy &study, const BiteKeys &keys)
 bite::RollBite bite_of(const Strip &strip, const Pass &pass, const double roll_diameter, const Material &roll)
 {
   bite::RollBite bite;
-  bite.strip             = strip;
-  const auto use_default = [](double &value, const double of_pass) {
-    if (!std::isnan(of_pass))
-      value = of_pass;
-  };
-  use_default(bite.strip.entry_thickness, pass.entry_thickness);
-  use_default(bite.strip.exit_thickness, pass.exit_thickness);
-  use_default(bite.strip.entry_tension, pass.entry_tension);
-  use_default(bite.strip.exit_tension, pass.exit_tension);
+  bite.strip       = with_values_of_pass(strip, pass);
   bite.roll_radius = 0.5 * roll_diameter;
   bite.roll        = roll;
   bite.roll_speed  = pass.speed;

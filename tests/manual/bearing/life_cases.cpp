@@ -26,7 +26,7 @@ std::vector<Check> rating_life()
     const RollerBearing b = bearing_266();
     const double C        = bearing::ratings(b).dynamic;
     const auto state      = bearing::BearingAssembly(bearing::rigid_model(b)).solve(bearing::radial_drive(F * kN));
-    const auto life       = bearing::reference_life(b, state, C, false);
+    const auto life       = bearing::reference_life(b, state, C, bearing::EndFactor::none);
     checks.push_back(relative(fmt::format("L10r of even slices, {:g} kN", F), "1e6 rev", life.life / 1e6,
                               0.9854 * std::pow(C / (0.83 * F * kN), 4), 5e-3));
     checks.push_back(reported(fmt::format("L10r with the factor of the ends, {:g} kN", F), "1e6 rev",

@@ -11,8 +11,10 @@
 #include "core/case/provenance.h"
 #include "core/records/record_text.h"
 #include "reduce/bite/members.h"
+#include "reduce/chain/line_contact.h"
 #include "tests/support/changed_rows.h"
 #include "tests/support/film_pass.h"
+#include <algorithm>
 #include <filesystem>
 #include <gtest/gtest.h>
 #include <map>
@@ -68,6 +70,12 @@ Texts texts_of(const FourHigh &stand)
     BiteQuestion section;
     section.bite  = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
     section.setup = stand.bite;
+    section.backup_half_width =
+        reduce::line_contact({stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter,
+                              std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length),
+                              stand.steel},
+                             pass.load)
+            .half_width;
     texts["bite sections"] += section_inputs(section);
     const FlowQuestion q{bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel), stand.bite, ""};
     texts["bite"] += flow_inputs(q, nullptr);
@@ -306,13 +314,13 @@ TEST(CacheKeys, EveryRowOfAFourHighEntersOrIsListedAsNotEntering)
          "rings " +
              no_other_profile + rated);
   const auto sections =
-      head + records + after_the_springs + frame + of("pass.#", "load entry_tension exit_tension speed") +
-      of("steel", no_inertia) + std::vector<std::string>{"bearing.*", "backup_roll.*", "contact.*"} +
+      head + records + after_the_springs + frame + of("pass.#", "entry_tension exit_tension speed") +
+      of("steel", no_inertia) + std::vector<std::string>{"bearing.*", "contact.*"} +
+      of("backup_roll", "neck_diameter neck_length bearing_span" + profile + seat) +
       of("strip", "width initial_thickness entry_tension exit_tension youngs_modulus poisson_ratio") +
       std::vector<std::string>{"strip.f*"} +
       of("bite", "method theory samples path_trim arc mesh elements_along elements_through fit fit_for") +
-      of("work_roll",
-         "barrel_length neck_diameter total_length bearing_span axial_shift bending_force" + profile + seat);
+      of("work_roll", "neck_diameter total_length bearing_span axial_shift bending_force" + profile + seat);
   const auto loads   = of("pass.#", "load") + of("work_roll", "bearing_load") + of("backup_roll", "bearing_load");
   const auto bearing = not_seen_by_a_bearing() + loads;
   const auto vibration =

@@ -1,8 +1,11 @@
+#include "app/stages/bite/bite_stage.h"
 #include "app/trace/closed_form_chain.h"
 #include "app/trace/trace.h"
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
+#include "core/records/rows_of_bite.h"
+#include "reduce/bite/slab/regime.h"
 #include "tests/support/changed_rows.h"
 #include <gtest/gtest.h>
 
@@ -86,5 +89,58 @@ TEST(ResultInputs, EveryRowThatAStageMayReadIsChanged)
       if (!fits(other, key.name) && !fits_any(beside, key.name) &&
           !(fits("model.*", key.name) && all_bearings(the_case).empty()))
         EXPECT_TRUE(holds(all, key.name)) << key.name << " of " << file;
+  }
+}
+
+// A slab theory on an arc that is left open asks the strip which arc it is.
+TEST(ResultInputs, TheStripDecidesTheArcOfASlabTheory)
+{
+  const auto inputs = [](const std::string &arc) {
+    const Case the_case =
+        read_case("cases/cold-strip.toml", {"bite.method=slab", "bite.strip=auto", "bite.arc=" + arc});
+    MovingKeys keys(the_case.spec);
+    return bite_keys(keys, 0);
+  };
+  EXPECT_TRUE(holds(inputs("auto"), "bite.strip"));
+  EXPECT_TRUE(holds(inputs("elastic"), "bite.strip")) << "its section of the roll reaches farther";
+  EXPECT_FALSE(holds(inputs("hitchcock"), "bite.strip"));
+  EXPECT_FALSE(holds(inputs("rigid"), "bite.strip"));
+}
+
+TEST(ResultInputs, ElasticZonesReadTheModulusOfTheStripOnAnyArc)
+{
+  const auto bite_of_case = [](const std::vector<std::string> &sets) {
+    const auto spec = std::get<BiteCase>(read_case("cases/cold-strip.toml", sets).spec);
+    return bite_of(spec.strip, spec.passes[0], spec.roll_diameter, spec.steel);
+  };
+  EXPECT_NE(bite::regime_of(bite_of_case({})).elastic_share,
+            bite::regime_of(bite_of_case({"strip.youngs_modulus=100 GPa"})).elastic_share);
+  const Case the_case =
+      read_case("cases/cold-strip.toml", {"bite.method=slab", "bite.strip=auto", "bite.arc=hitchcock"});
+  MovingKeys keys(the_case.spec);
+  const auto reads_modulus = [&](const ResultRow &row, const BiteAnswers by, const bool free_arc) {
+    BiteReading reading = reading_of(row, by);
+    reading.free_arc    = free_arc;
+    return holds(bite_keys(keys, 0, reading), "strip.youngs_modulus");
+  };
+  EXPECT_TRUE(reads_modulus(row::bite::elastic_share, BiteAnswers::model, false));
+  EXPECT_TRUE(reads_modulus(row::bite_model::force, BiteAnswers::compared, true)) << "karman-elastic-arc";
+  EXPECT_FALSE(reads_modulus(row::bite_model::force, BiteAnswers::compared, false)) << "karman on a circle";
+  EXPECT_FALSE(reads_modulus(row::bite::force, BiteAnswers::model, false));
+}
+
+// The section of the work roll that gives a free arc is held where the backup roll carries it.
+TEST(ResultInputs, TheBackupRollIsAnInputOfAFreeArc)
+{
+  const auto inputs = [](const std::string &arc) {
+    const Case the_case = read_case(demo, {"bite.arc=" + arc});
+    MovingKeys keys(the_case.spec);
+    return bite_keys(keys, 0);
+  };
+  const KeyList of_section{"backup_roll.barrel_diameter", "backup_roll.barrel_length", "work_roll.barrel_length",
+                           "pass.0.force"};
+  for (const std::string &key : of_section) {
+    EXPECT_TRUE(holds(inputs("elastic"), key)) << key;
+    EXPECT_FALSE(holds(inputs("hitchcock"), key)) << key;
   }
 }

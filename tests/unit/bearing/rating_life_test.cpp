@@ -52,7 +52,7 @@ TEST(RatingLife, EvenSlicesWithoutClearanceGiveTheStandardsOwnLoad)
       b.rows              = rows;
       b.width *= rows / 4.;
       const double C = ratings(b).dynamic, F = 1e6 * rows / 4;
-      const auto life = reference_life(b, solved_life(b, F), C, false);
+      const auto life = reference_life(b, solved_life(b, F), C, EndFactor::none);
       EXPECT_TRUE(
           near(life.life, 0.9854e6 * std::pow(C / (0.83 * F), 4), within(1e-4, "printed digits of the ratio")))
           << angle << " " << rows;
@@ -73,7 +73,7 @@ TEST(RatingLife, FallsWithTheFourthPowerOfLoadAndWithTilt)
   const double one = value_at(5e5, 0);
   EXPECT_TRUE(near(value_at(1e6, 0), one / 16, within(1e-9, "one power law without clearance and profile")));
   EXPECT_LT(value_at(5e5, 3e-4), 0.9 * one);
-  EXPECT_LT(one, reference_life(b, solved_life(b, 5e5), C, false).life);
+  EXPECT_LT(one, reference_life(b, solved_life(b, 5e5), C, EndFactor::none).life);
   b.radial_clearance = 1e-4;
   EXPECT_LT(value_at(5e5, 0), one);
   b.radial_clearance = -2e-5;  // a light interference loads more rollers

@@ -68,8 +68,9 @@ TEST(RatingNumbers, AMakersRatingJudgesTheFormulaAndTheLives)
   EXPECT_TRUE(near(n.C_error, 0.1 / 1.1, within(1e-12, "formula against maker")));
   EXPECT_TRUE(near(n.load->L10_error, std::hypot(n.slices.life / n.load->L10 - 1, by_C(0.1 / 1.1)),
                    within(1e-12, "two causes")));
-  EXPECT_TRUE(near(n.L10r_error, std::hypot(n.load->L10 / n.slices.life - 1, by_C(0.1 / 1.1)),
-                   within(1e-12, "two causes; the companion changes nothing")));
+  const double thin = n.L10r_thin_slices / n.slices.life - 1, by_load = std::abs(n.load->L10 / n.slices.life - 1);
+  EXPECT_TRUE(near(n.L10r_error, std::hypot(std::max(thin, by_load), by_C(0.1 / 1.1)),
+                   within(1e-12, "slices and C; the companion changes nothing")));
   b.estimated = {"roller_length"};
   EXPECT_TRUE(std::isnan(rating_numbers(b, rated_states(b)).C_error)) << "the rollers follow from the rating";
 }
@@ -94,6 +95,42 @@ TEST(RatingNumbers, OilAndDirtThatAreNotGivenWidenTheModifiedLife)
   EXPECT_TRUE(near(open.L10mr_error - given.L10mr_error,
                    std::max(change(0.5, 0.3), change(2, 0.3)) + std::max(change(1, 0.2), change(1, 0.4)),
                    within(1e-9, "a factor of two, and 0.2 .. 0.4")));
+}
+
+// The factor of the ends belongs to the last slice however wide that is.  Even slices carry the same load for each
+// length, so that many of them are the limit of few.
+TEST(RatingNumbers, TheErrorOfALifeCoversTheNumberOfSlices)
+{
+  RollerBearing b    = cylindrical_rated();
+  b.profile          = RollerProfile::none;
+  b.dynamic_rating   = ratings(b).dynamic;
+  b.slices           = 1001;
+  const double limit = rating_numbers(b, rated_states(b)).slices.life;
+  for (const int slices : {11, 41}) {
+    b.slices              = slices;
+    const RatingNumbers n = rating_numbers(b, rated_states(b));
+    EXPECT_TRUE(near(n.L10r_thin_slices, limit, within(0.05, "1001 slices against 704 and more")));
+    EXPECT_GT(limit / n.slices.life, 1.5) << "what " << slices << " slices lack";
+    EXPECT_GE(n.L10r_error * (1 + 0.05), limit / n.slices.life - 1) << slices;
+    EXPECT_GE(n.L10mr_error * (1 + 0.05), limit / n.slices.life - 1) << slices;
+  }
+}
+
+TEST(RatingNumbers, AnUnknownErrorIsUnknownOfBothLives)
+{
+  RollerBearing b   = cylindrical_rated();
+  b.dynamic_rating  = ratings(b).dynamic;
+  b.viscosity_ratio = 1;
+  b.contamination   = 0.3;
+  RingLoading moment;
+  moment.value[4]      = 2e4;
+  moment.prescribed[4] = false;
+  ComparedStates s     = rated_states(b, moment);
+  s.companions.clear();
+  const RatingNumbers n = rating_numbers(b, s);
+  EXPECT_FALSE(n.load) << "so that ISO 281 judges nothing";
+  EXPECT_TRUE(std::isnan(n.L10r_error));
+  EXPECT_TRUE(std::isnan(n.L10mr_error));
 }
 
 TEST(RatingNumbers, AMomentAloneHasNoEquivalentLoad)

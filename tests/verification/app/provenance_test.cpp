@@ -1,4 +1,5 @@
 #include "app/stages/bearing/bearing_model.h"
+#include "app/stages/bite/bite_roll_stage.h"
 #include "app/stages/bite/bite_stage.h"
 #include "app/stages/bite/strip_flow_stage.h"
 #include "app/stages/contact/contact_model.h"
@@ -8,11 +9,14 @@
 #include "app/trace/closed_form_parts.h"
 #include "core/base/files.h"
 #include "core/base/units.h"
+#include "core/model/seat_load.h"
 #include "core/records/record_text.h"
 #include "core/records/rows_of_stand.h"
+#include "reduce/chain/line_contact.h"
 #include "tests/support/changed_rows.h"
 #include "tests/support/run_results.h"
 #include "tests/support/short_records.h"
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <gtest/gtest.h>
@@ -30,6 +34,25 @@ using Results = std::vector<ClosedFormResult>;
 double load_of(const Pass &pass)
 {
   return std::isnan(pass.load) ? force_of(pass).force.mean() : pass.load;
+}
+
+// Elements of the strip, and the section of the roll on its backup roll where the arc is free.
+std::string text_of_bite(const FourHigh &stand)
+{
+  const Pass &pass = stand.passes[0];
+  const auto bite  = bite_of(stand.strip, pass, stand.work_roll.barrel_diameter, stand.steel);
+  std::string text = flow_inputs({bite, stand.bite, ""}, nullptr);
+  if (stand.bite.arc != BiteArc::elastic)
+    return text;
+  BiteQuestion q;
+  q.bite  = bite;
+  q.setup = stand.bite;
+  q.backup_half_width =
+      reduce::line_contact({stand.work_roll.barrel_diameter, stand.backup_roll.barrel_diameter,
+                            std::min(stand.work_roll.barrel_length, stand.backup_roll.barrel_length), stand.steel},
+                           load_of(pass))
+          .half_width;
+  return text + section_inputs(q);
 }
 
 // What the finite elements behind a result are made from; nothing for the others.
@@ -62,14 +85,10 @@ std::string text_of(const FourHigh &stand, const std::string &name)
     std::string text = roller_inputs(bearing, 1e5) + ring_inputs(bearing);
     for (std::size_t p = 0; p < stand.passes.size(); ++p)
       for (const ContactSettings *contact : {&stand.upper_contact, &stand.lower_contact})
-        text += number_text(bearing_load(stand, backup, *contact, load_of(stand.passes[p])));
+        text += number_text(seat_load(stand, backup, *contact, load_of(stand.passes[p])).value);
     return text;
   }
-  return name == "K4" && stand.bite.method == BiteMethod::fe
-             ? flow_inputs({bite_of(stand.strip, stand.passes[0], stand.work_roll.barrel_diameter, stand.steel),
-                            stand.bite, ""},
-                           nullptr)
-             : "";
+  return name == "K4" && stand.bite.method == BiteMethod::fe ? text_of_bite(stand) : "";
 }
 
 std::string text_of(const Case &the_case, const std::string &name)
