@@ -10,8 +10,6 @@
 #include <regex>
 #include <thread>
 
-using namespace mill;
-
 namespace {
 // One second at 1 kHz from sample `s` on, constant.
 std::string second_from(const int s)
