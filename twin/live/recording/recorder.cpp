@@ -213,9 +213,9 @@ void Recorder::State::close()
   background.run(
       [name = part->name, file = part->file, text, tell = note, folder = settings.folder, kept = settings.kept] {
         try {
-          const int trouble = named_after_all_is_written(file, name);
-          if (trouble != 0) {
-            tell("recording", fmt::format("{}.npy: {}", name, std::strerror(trouble)));
+          const int refused = named_after_all_is_written(file, name);
+          if (refused != 0) {
+            tell("recording", fmt::format("{}.npy: {}", name, std::strerror(refused)));
             return;
           }
           write_atomically(name + ".json", text);
