@@ -112,7 +112,7 @@ void read_row(SpaceAnswer &a, const bool point)
     return two_rows ? 0.5 * (v[n / 2 - 1] + v[n / 2]) : v[a.row];
   };
   a.half_width    = middle(s.half_width);
-  a.peak_pressure = middle(s.peak_pressure);
+  a.peak_pressure = middle(s.line_load) > 0 ? middle(s.peak_pressure) : not_given;
 }
 
 const char *const too_narrow = "half space: the contact is wider than the grid";

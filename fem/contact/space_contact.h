@@ -10,7 +10,7 @@ struct SpaceAnswer {
   double tangent       = 0;      ///< N/m
   int row              = 0;      ///< next to mid-length; of a point contact that with the largest line load
   double half_width    = 0;      ///< m, there; mean of both rows at mid-length where none lies on it
-  double peak_pressure = 0;      ///< Pa, there
+  double peak_pressure = 0;      ///< Pa, there; NaN: nothing is carried there
   double length        = 0;      ///< m, of what carries
   double length_step   = 0;      ///< m, rows at which it ends short of a face, where it is of whole rows; else 0
   bool cut             = false;  ///< the contact reaches an end of the faces

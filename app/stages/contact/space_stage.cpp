@@ -72,6 +72,10 @@ void add_scalars(RunContext &run, const TwoCylinders &pair, const SpaceNumbers &
               compared(s.half_width, point ? ellipse : "Hertz, line (3.2)", load_note));
   add_pressed(run, row::space::peak_pressure, load, s.peak_pressure,
               compared(s.peak_pressure, point ? ellipse : "Hertz, line (3.3)", load_note));
+  if (std::isnan(s.peak_pressure.value))
+    run.assume(
+        "contact.space: nothing is carried at mid-length, so half width and peak pressure there are left out; "
+        "the pressures along the contact are in curves/contact-space-length.csv");
   add_pressed(run, row::space::approach, load, s.approach, std::move(approach));
   add_pressed(run, row::space::tangent, load, s.tangent,
               compared(s.tangent, point ? ellipse : lundberg, point ? "" : "even line load at every load"));

@@ -133,6 +133,33 @@ TEST(Bodies, UnlikeCylindersDifferFromCattaneo)
   EXPECT_TRUE(near(width.column("shear")->sum() * step, 150e3, within(1e-9, "shear carries the tangential load")));
 }
 
+// A face that is hollow at mid-length carries at its ends.
+TEST(Bodies, WhatIsNotLoadedAtMidLengthHasNoPressureThere)
+{
+  const std::string name = scratch("hollow.toml");
+  std::ofstream(name) << R"(schema = 1
+kind = "two-cylinders"
+title = "hollow roller"
+[upper]
+diameter = "25 mm"
+length = "40 mm"
+profile = "table"
+profile_table = [["0 mm", "0 um"], ["20 mm", "-10 um"]]
+[lower]
+shape = "plane"
+[contact.space]
+loads = ["200 N", "4000 N"]
+at = "2000 N"
+)";
+  const auto values = run(name, "hollow", few);
+  EXPECT_FALSE(values.contains("contact.space.peak_pressure"));
+  EXPECT_FALSE(values.contains("contact.space.half_width"));
+  EXPECT_LT(of(values, "contact.space.loaded_length"), 0.04);
+  std::ifstream file(scratch("hollow") + "/results.json");
+  const auto remarks = nlohmann::json::parse(file).at("assumptions").dump();
+  EXPECT_NE(remarks.find("nothing is carried at mid-length"), std::string::npos) << remarks;
+}
+
 TEST(Bodies, AContactAsWideAsItsBodyIsWarnedOf)
 {
   const std::string out = scratch("wide");
