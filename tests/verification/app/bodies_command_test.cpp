@@ -136,7 +136,7 @@ TEST(Bodies, UnlikeCylindersDifferFromCattaneo)
 // A face that is hollow at mid-length carries at its ends.
 TEST(Bodies, WhatIsNotLoadedAtMidLengthHasNoPressureThere)
 {
-  const std::string name = scratch("hollow.toml");
+  const std::string name = scratch("hollow-case") + "/hollow.toml";
   std::ofstream(name) << R"(schema = 1
 kind = "two-cylinders"
 title = "hollow roller"
