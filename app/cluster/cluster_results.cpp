@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <tuple>
 
 namespace mill {
 namespace {
@@ -36,6 +37,12 @@ bool has_fitted_support(const ClusterStand &stand)
 }
 
 const char *const static_method = "equilibrium of the stack, damped Newton (38.11)";
+
+// A law would otherwise be the check of itself.
+bool is_same(const cluster::ContactLaw &a, const cluster::ContactLaw &b)
+{
+  return std::tie(a.form, a.k, a.p, a.length, a.S, a.T) == std::tie(b.form, b.k, b.p, b.length, b.S, b.T);
+}
 
 double displacement(const ClusterPassRun &pass, const std::size_t roll, const int direction)
 {
@@ -73,7 +80,9 @@ void add_contact(RunContext &run, const ClusterStand &stand, const ClusterPassRu
     for (ClusterContact &contact : variant.contacts)
       if (contact.like.empty())
         contact.law = law;
-    const auto other   = cluster::stack_of(variant, *pass.pass, pass.force.value).contacts[i].law;
+    const auto other = cluster::stack_of(variant, *pass.pass, pass.force.value).contacts[i].law;
+    if (is_same(other, c.law))
+      continue;
     const double depth = cluster::approach(other, f);
     approach.checks.push_back({named, depth, ""});
     tangent.checks.push_back({named, cluster::tangent(other, depth), ""});
@@ -139,7 +148,7 @@ ClusterPassRecord pass_record(const ClusterStand &stand, const ClusterPassRun &p
     const cluster::Contact &c = state.stack.contacts[i];
     const double f            = state.rest.contact_loads[i],
                  d            = cluster::contact_state(state.stack, c, state.rest.u).approach;
-    r.contacts.push_back({c.name, f, d, cluster::contact_tangent(c, d), d > 0 ? f / d : not_given});
+    r.contacts.push_back({c.name, f, d, cluster::contact_tangent(c, d), !c.strip && d > 0 ? f / d : not_given});
   }
   const cluster::Tangent K =
       cluster::tangent(state.stack, state.stack.coupled ? cluster::with_rotation(state.rest.u) : state.rest.u);

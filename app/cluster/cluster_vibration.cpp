@@ -140,10 +140,10 @@ void write_backbones(RunContext &run, const ClusterPassRun &pass)
 {
   if (pass.state.stack.coupled)
     return;
-  double least = 0;  // smallest approach of a contact under load
+  double least = 0;  // smallest approach of a contact under load; that of the strip is from its state at rest
   for (const cluster::Contact &c : pass.state.stack.contacts)
     if (const double d = cluster::contact_state(pass.state.stack, c, pass.state.rest.u).approach;
-        d > 0 && (least == 0 || d < least))
+        !c.strip && d > 0 && (least == 0 || d < least))
       least = d;
   if (least == 0)
     return;

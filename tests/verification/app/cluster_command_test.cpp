@@ -191,6 +191,9 @@ TEST(ClusterCommand, ResultsKeepTheCaseOfNamesAndFitsStateTheirNumbers)
   EXPECT_FALSE(enters("pass.1.load") || enters("support.0.fitted") || enters("stack.flattening_modulus") ||
                enters("pass.0.loss_factor"));
   EXPECT_TRUE(holds(mill::read_text(folder + "/report.html"), "E vertical"));
+  const std::string laws = all.at("cluster.pass 1.W-I.approach").at("checks").dump();
+  EXPECT_TRUE(holds(laws, "Johnson (38.5)")) << laws;
+  EXPECT_FALSE(holds(laws, "Palmgren (38.4)")) << "its own law says nothing of it: " << laws;
 }
 
 // A law that begins at zero has no stress at the entry of the first pass; that of the exit is taken, (39.4).
