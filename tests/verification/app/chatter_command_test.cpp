@@ -270,6 +270,11 @@ TEST(ChatterCommand, AnUndampedStandUnderCoulombsFrictionHasOnlyWhatIsDefinedThe
   const auto results = results_of("undamped");
   for (const auto &check : results.at("values").at("chatter.2.unstable_roots").at("checks"))
     EXPECT_GE(check.at("value").get<double>(), 0) << check.dump();  // Nyquist's curve meets a pole there
+  const auto &critical = results.at("values").at("chatter.2.critical_speed");
+  const auto &routh    = critical.at("checks").at(0);
+  ASSERT_EQ(routh.at("name"), "Routh's array in extended precision") << critical.dump();
+  EXPECT_TRUE(near(routh.at("value").get<double>(), critical.at("value").get<double>(),
+                   within_absolute(1e-6, "tolerance of the search by Routh's array")));
   // Durations of 1, 2 and 4 s are tried.
   const std::string assumptions = results.at("assumptions").dump();
   EXPECT_NE(assumptions.find("has not settled after 4 s"), std::string::npos) << assumptions;
