@@ -184,9 +184,10 @@ void add_growth(RunContext &run, const ChatterStudy &s, const std::string &metho
   if (s.routh_unstable >= 0 && s.working) {
     const auto roots = dynamics::eigenvalues(dynamics::chatter_matrix(s.question.stand, s.working->by));
     const auto n     = std::count_if(roots.begin(), roots.end(), grows);
-    working(row::chatter::unstable_roots, double(n), not_given,
-            {{"Routh's array in extended precision", double(s.routh_unstable), ""},
-             {"Nyquist's criterion", double(s.nyquist_unstable), ""}});
+    std::vector<Check> checks{{"Routh's array in extended precision", double(s.routh_unstable), ""}};
+    if (s.nyquist_unstable >= 0)
+      checks.push_back({"Nyquist's criterion", double(s.nyquist_unstable), ""});
+    working(row::chatter::unstable_roots, double(n), not_given, checks);
   }
 }
 
@@ -421,12 +422,12 @@ std::vector<ChatterConclusion> conclusions(const ChatterStudy &s)
   const auto add         = [&](const std::string &text, const bool holds, const std::string &detail) {
     out.push_back({text, holds, detail});
   };
-  add("There is a searches speed", all_cross,
-      all_cross ? "in every variant" : "one variant has no searches speed in the range searched");
+  add("There is a critical speed", all_cross,
+      all_cross ? "in every variant" : "one variant has no critical speed in the range searched");
   const bool fitted =
       std::any_of(s.question.variants.begin(), s.question.variants.end(),
                   [&](const NamedStand &v) { return v.stand.entry_distance != s.question.stand.entry_distance; });
-  add("The searches speed", (*fast)->speed / (*slow)->speed < 1.05,
+  add("The critical speed", (*fast)->speed / (*slow)->speed < 1.05,
       span((*slow)->speed, (*fast)->speed, "m/s") +
           (fitted ? "; the variants also differ in their distances: where these were fitted to this speed, the "
                     "agreement is not evidence"
@@ -448,8 +449,11 @@ std::vector<ChatterConclusion> conclusions(const ChatterStudy &s)
   add("The back tension lags the gap",
       same([](const auto *m) { return std::abs(m->entry_tension_phase + 90) < 60; }),
       extent(&dynamics::ChatterMode::entry_tension_phase, "deg"));
-  add("Friction follows the force", same([](const auto *m) { return std::abs(m->force_to_friction) < 30; }),
-      extent(&dynamics::ChatterMode::force_to_friction, "deg"));
+  const bool friction_moves =
+      std::all_of(modes.begin(), modes.end(), [](const auto *m) { return std::isfinite(m->force_to_friction); });
+  if (friction_moves)  // a constant coefficient has no phase
+    add("Friction follows the force", same([](const auto *m) { return std::abs(m->force_to_friction) < 30; }),
+        extent(&dynamics::ChatterMode::force_to_friction, "deg"));
   return out;
 }
 }  // namespace mill

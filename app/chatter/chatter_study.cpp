@@ -89,24 +89,33 @@ void search_models(ChatterStudy &s, const dynamics::SpeedRange &range)
                 std::to_string(q.structures.size()) + (q.structure.empty() ? "" : ", " + q.structure);
 }
 
+// What a second method gives; an edge of the bite or a root on the axis leaves it without an answer.
+template <class Value, class Method> void where_defined(Value &value, const Method &method)
+{
+  try {
+    value = method();
+  } catch (const InputError &) {
+    // no steady bite so near the edge of the range
+  } catch (const SolverError &) {
+    // a root on the axis: the method is not defined there
+  }
+}
+
 // Number of unstable roots by two methods without eigenvalues, and the critical speed by one of them.
 void count_roots(ChatterStudy &s)
 {
   const ChatterQuestion &q = s.question;
-  try {
-    if (s.working) {
-      const Eigen::MatrixXd A = dynamics::chatter_matrix(q.stand, s.working->by);
-      s.routh_unstable        = dynamics::unstable_roots(A);
-      s.nyquist_unstable      = dynamics::nyquist_count(q.stand, s.working->by).unstable;
-    }
-    if (s.found.verdict == Verdict::crossing) {
-      const double v   = s.found.speed;
-      s.speed_by_routh = dynamics::boundary_by_routh(dynamics::matrix_at_speed(q.stand, q.bite, q.scheme),
-                                                     v * (1 - 1e-3), v * (1 + 1e-3));
-    }
-  } catch (const SolverError &) {
-    // a root on the axis: neither count is defined there
+  if (s.working) {
+    where_defined(s.routh_unstable,
+                  [&] { return dynamics::unstable_roots(dynamics::chatter_matrix(q.stand, s.working->by)); });
+    where_defined(s.nyquist_unstable, [&] { return dynamics::nyquist_count(q.stand, s.working->by).unstable; });
   }
+  const double v = s.found.speed;
+  if (s.found.verdict == Verdict::crossing)
+    where_defined(s.speed_by_routh, [&] {
+      return dynamics::boundary_by_routh(dynamics::matrix_at_speed(q.stand, q.bite, q.scheme), v * (1 - 1e-3),
+                                         v * (1 + 1e-3));
+    });
 }
 
 void follow_roots(ChatterStudy &s)
@@ -176,9 +185,10 @@ void simulate_nonlinear(ChatterStudy &s)
     // time than growing up to it.
     const double draft = q.condition.entry_thickness - q.condition.exit_thickness;
     const auto start   = dynamics::critical_mode(q.stand, point.by, 0.5 * draft);
-    for (options.duration = 1; options.duration <= 4; options.duration *= 2) {
-      s.run   = dynamics::nonlinear_run(q.stand, point, q.scheme, start, options);
-      s.cycle = dynamics::limit_cycle(*s.run);
+    for (const double duration : {1, 2, 4}) {
+      options.duration = duration;
+      s.run            = dynamics::nonlinear_run(q.stand, point, q.scheme, start, options);
+      s.cycle          = dynamics::limit_cycle(*s.run);
       if (s.cycle.settled || !s.run->stopped.empty())
         break;
     }

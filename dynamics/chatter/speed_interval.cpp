@@ -109,9 +109,11 @@ SpeedInterval speed_interval(const SpeedQuestion &q, const StandSpeed &critical,
     interval.shares.push_back({n.name, n.error, slope, slope * n.error});
   }
   interval.error = move.norm();  // (27.11)
+  if (!std::isfinite(interval.error))
+    return interval;  // a slope that has no value: neither end is known
   std::stable_sort(interval.shares.begin(), interval.shares.end(),
                    [](const auto &a, const auto &b) { return std::abs(a.move) > std::abs(b.move); });
-  if (!(interval.error > 0)) {
+  if (interval.error == 0) {
     interval.low = interval.high = critical.speed;
     return interval;
   }

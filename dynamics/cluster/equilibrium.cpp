@@ -224,8 +224,11 @@ Equilibrium settle(Stack &stack, const EquilibriumOptions &options)
       c.free_length = contact_state(stack, c, e.u).distance;
       relaxed       = true;
     }
-  if (relaxed)
-    e.least_root = least_root(stack, e.u);
+  if (relaxed) {  // the common rolling of a train has a root of zero, which is rounding of either sign
+    Stack flat   = stack;
+    flat.coupled = false;
+    e.least_root = least_root(flat, e.u);
+  }
   return e;
 }
 }  // namespace mill::cluster

@@ -46,25 +46,27 @@ void add_structure(UncertainNumbers &all, const FourHigh &stand,
 {
   std::string without;
   for (const reduce::ModalSensitivity &input : inputs) {
-    const bool stated       = !std::isnan(input.error);
-    const double error      = stated ? input.error : usual_error::spring_or_mass;
+    const bool stated  = !std::isnan(input.error);
+    const double error = stated ? input.error : usual_error::spring_or_mass;
+    if (error == 0)  // a tolerance of 0 %: the number is exact
+      continue;
     const std::string name  = number_behind(stand, input.name);
-    const Eigen::MatrixXd K = error * input.dK.topLeftCorner(n, n), M = error * input.dM.topLeftCorner(n, n);
+    const Eigen::MatrixXd K = input.dK.topLeftCorner(n, n), M = input.dM.topLeftCorner(n, n);
     if (!stated)
       without += (without.empty() ? "" : ", ") + input.name;
     const auto same = std::find_if(all.numbers.begin(), all.numbers.end(),
                                    [&](const UncertainNumber &one) { return one.name == name; });
     if (same == all.numbers.end()) {
       UncertainNumber number{name, error};
-      number.structure = {K / error, M / error};
+      number.structure = {K, M};
       all.numbers.push_back(std::move(number));
       continue;
     }
     UncertainNumber &number = *same;
     // Of two errors the larger one is that of the number; the other input moves by its part of it.
     const double larger = std::max(number.error, error);
-    number.structure.dK = (number.error * number.structure.dK + K) / larger;
-    number.structure.dM = (number.error * number.structure.dM + M) / larger;
+    number.structure.dK = (number.error * number.structure.dK + error * K) / larger;
+    number.structure.dM = (number.error * number.structure.dM + error * M) / larger;
     number.error        = larger;
   }
   if (!without.empty())

@@ -219,3 +219,31 @@ TEST(SpeedInterval, HoldsNineteenOfTwentyDrawnStands)
       << below << " below, " << above << " above " << interval.low << " to " << interval.high << " m/s";
   EXPECT_LT(share, 0.95 + 3 * deviation) << interval.low << " to " << interval.high << " m/s";
 }
+
+TEST(SpeedInterval, ANumberWithoutASlopeLeavesTheEndsUnknown)
+{
+  const DrawnStand drawn;
+  SpeedQuestion q     = question_of(drawn.modes);
+  q.range             = {1, 60};
+  const auto critical = critical_speed(q.stand, q.bite, q.scheme, q.range);
+  auto numbers        = drawn.numbers;
+  numbers[0].structure.dK.setConstant(not_given);
+  const SpeedInterval unknown = speed_interval(q, critical, numbers);
+  EXPECT_TRUE(std::isnan(unknown.error));
+  EXPECT_TRUE(std::isnan(unknown.low) && std::isnan(unknown.high)) << unknown.low << " to " << unknown.high;
+}
+
+TEST(SpeedInterval, ExactNumbersGiveTheCriticalSpeedItself)
+{
+  const DrawnStand drawn;
+  SpeedQuestion q     = question_of(drawn.modes);
+  q.range             = {1, 60};
+  const auto critical = critical_speed(q.stand, q.bite, q.scheme, q.range);
+  auto numbers        = drawn.numbers;
+  for (UncertainNumber &number : numbers)
+    number.error = 0;
+  const SpeedInterval exact = speed_interval(q, critical, numbers);
+  EXPECT_EQ(exact.error, 0);
+  EXPECT_EQ(exact.low, critical.speed);
+  EXPECT_EQ(exact.high, critical.speed);
+}

@@ -52,6 +52,17 @@ const std::string &condition_2()
   static const std::string path = written("condition-2", with_condition_2(published_text()));
   return path;
 }
+// Condition 2 with Coulomb's friction on a stand that nothing damps.
+std::string undamped_with_coulomb()
+{
+  std::string text = with_condition_2(published_text());
+  text.erase(text.find("[oil]"), text.find("# Bodies from the top") - text.find("[oil]"));
+  text.insert(text.find("[strip]") + 7, "\nfriction = 0.0283");
+  const auto dampings = text.find("dampings");
+  text.replace(dampings, text.find(']', dampings) + 1 - dampings,
+               "dampings = [\"0 N s/m\", \"0 N s/m\", \"0 N s/m\", \"0 N s/m\", \"0 N s/m\", \"0 N s/m\"]");
+  return written("undamped", text);
+}
 const auto search = within(1e-5, "root finding and the settled bite are far below the digits of the reference");
 }  // namespace
 
@@ -250,4 +261,29 @@ TEST(ChatterCommand, TheTemplateRuns)
   const auto outcome = chatter(path, "template", "-q");
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_GT(value(results_of("template"), "chatter.2.critical_speed"), 5.0);
+}
+
+TEST(ChatterCommand, AnUndampedStandUnderCoulombsFrictionHasOnlyWhatIsDefinedThere)
+{
+  const auto outcome = chatter(undamped_with_coulomb(), "undamped", "-q");
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const auto results = results_of("undamped");
+  for (const auto &check : results.at("values").at("chatter.2.unstable_roots").at("checks"))
+    EXPECT_GE(check.at("value").get<double>(), 0) << check.dump();  // Nyquist's curve meets a pole there
+  const auto &critical = results.at("values").at("chatter.2.critical_speed");
+  const auto &routh    = critical.at("checks").at(0);
+  ASSERT_EQ(routh.at("name"), "Routh's array in extended precision") << critical.dump();
+  EXPECT_TRUE(near(routh.at("value").get<double>(), critical.at("value").get<double>(),
+                   within_absolute(1e-6, "tolerance of the search by Routh's array")));
+  // Durations of 1, 2 and 4 s are tried.
+  const std::string assumptions = results.at("assumptions").dump();
+  EXPECT_NE(assumptions.find("has not settled after 4 s"), std::string::npos) << assumptions;
+  std::ifstream in(scratch("undamped") + "/curves/chatter-2.json");
+  const auto conclusions = nlohmann::json::parse(in).at("conclusions");
+  EXPECT_EQ(conclusions.at(0).at("text"), "There is a critical speed");
+  EXPECT_EQ(conclusions.at(1).at("text"), "The critical speed");
+  for (const auto &one : conclusions) {
+    EXPECT_NE(one.at("text"), "Friction follows the force") << "a constant coefficient has no phase";
+    EXPECT_EQ(one.at("detail").get<std::string>().find("nan"), std::string::npos) << one.dump();
+  }
 }

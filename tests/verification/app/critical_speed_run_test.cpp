@@ -1,4 +1,6 @@
+#include "app/stages/stability/uncertain_numbers.h"
 #include "core/base/files.h"
+#include "core/model/four_high.h"
 #include "tests/support/coarse_run.h"
 #include "tests/support/near.h"
 #include <fmt/format.h>
@@ -139,4 +141,25 @@ TEST(CriticalSpeed, OfABiteThatDoesNotConvergeIsASentence)
   EXPECT_EQ(verdict.at("id"), "not-searched");
   EXPECT_NE(verdict.at("sentence").get<std::string>().find("has no steady state at 8 m/s"), std::string::npos)
       << verdict;
+}
+
+// A tolerance of 0 % makes a number exact; of two inputs from one number the other one remains.
+TEST(CriticalSpeed, ANumberWithAToleranceOfZeroIsNotAmongTheUncertainOnes)
+{
+  const auto input = [](const char *name, const double error, const double dK) {
+    return mill::reduce::ModalSensitivity{
+        name, error, {}, Eigen::MatrixXd::Constant(1, 1, dK), Eigen::MatrixXd::Zero(1, 1)};
+  };
+  const auto all = mill::uncertain_numbers(
+      {}, mill::FourHigh(), mill::bite::RollBite(),
+      {input("K2", 0, 1), input("K3", 0, 1), input("K5", 0.1, 2), input("K1", 0.2, 3), input("K7", 0.1, 4)}, 1);
+  ASSERT_GE(all.numbers.size(), 2u);
+  EXPECT_EQ(all.numbers[0].name, "K3_and_K5");
+  EXPECT_EQ(all.numbers[0].error, 0.1);
+  EXPECT_EQ(all.numbers[0].structure.dK(0, 0), 2);
+  EXPECT_EQ(all.numbers[1].name, "K1_and_K7");
+  EXPECT_EQ(all.numbers[1].error, 0.2);
+  EXPECT_TRUE(near(all.numbers[1].structure.dK(0, 0), 3 + 0.5 * 4, within(1e-14, "half of the larger error")));
+  for (std::size_t i = 2; i < all.numbers.size(); ++i)
+    EXPECT_EQ(all.numbers[i].structure.dK.size(), 0) << all.numbers[i].name;
 }

@@ -146,3 +146,15 @@ TEST(OtherStacks, WithCoupledSpinTheRollsTurnTogetherFreely)
   };
   EXPECT_TRUE(near(vertical(coupled, 0), vertical(free, 0), within(1e-2, "control rolls slip on W")));
 }
+
+TEST(OtherStacks, TwoHalvesWithCoupledSpinDoNotBuckle)
+{
+  const Case the_case         = read_case("cases/six-high.toml");
+  ClusterStand stand          = *std::get<ClusterCase>(the_case.spec).stand;
+  const double force          = 8e6;
+  stand.stack.strip_stiffness = 5e9;
+  const auto free             = cluster::pass_state(stand, stand.schedule[0], force);
+  stand.stack.spin            = ClusterSpin::coupled;
+  const auto coupled          = cluster::pass_state(stand, stand.schedule[0], force);
+  EXPECT_TRUE(near(coupled.rest.least_root, free.rest.least_root, within(1e-12, "nothing turns at rest", 1)));
+}
