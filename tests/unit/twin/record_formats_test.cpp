@@ -359,6 +359,24 @@ TEST_F(RecordFormats, UnevenUniversalFilesAreReadInEveryWidth)
   }
 }
 
+// Three numbers in a field make a row longer than its field names say.
+TEST_F(RecordFormats, FieldsOfSeveralNumbersInArraysOfNumpyAreRefused)
+{
+  std::string head =
+      "{'descr': [('t', '<f8'), ('a [g]', '<f4', (3,))], 'fortran_order': False, 'shape': (3000,), }";
+  head.resize(117, ' ');
+  const std::string array =
+      "\x93NUMPY" + std::string("\1\0\x76\0", 4) + head + "\n" + std::string(3000 * (8 + 3 * 4), '\1');
+  const std::string reason = "holds several numbers in one field of a structured array; save a field for each";
+  file("r.json", R"({"rate": 1000})");
+  EXPECT_EQ(refusal("r.npy", array), "r.npy " + reason);
+  // an archive is read without it
+  const std::string archive =
+      zip({{"a.npy", npy(swings(), "(3000,)")}, {"fs.npy", npy({1000}, "()")}, {"run.npy", array}});
+  EXPECT_EQ(refusal("s.npz", archive, in_g({"a"})), "accepted");
+  EXPECT_NE(refusal("s.npz", archive, in_g({"a", "run.t"})), "accepted");
+}
+
 TEST_F(RecordFormats, NamesThatAreNotUtf8AreMadeValidInEveryFormat)
 {
   const auto expect_name = [&](const RawRecord &record) { EXPECT_EQ(record.channels[0].name, "Kr\u00e4fte"); };
