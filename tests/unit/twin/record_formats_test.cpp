@@ -377,6 +377,24 @@ TEST_F(RecordFormats, FieldsOfSeveralNumbersInArraysOfNumpyAreRefused)
   EXPECT_NE(refusal("s.npz", archive, in_g({"a", "run.t"})), "accepted");
 }
 
+TEST_F(RecordFormats, BytesOfABinaryUniversalFileEndWithTheFile)
+{
+  const auto binary = [](const std::string &n_bytes, const std::size_t n_there) {
+    UffSet set;
+    set.entity      = "chock";
+    set.numbers     = std::string(n_there, '\0') + "\n";
+    std::string all = uff(set);
+    return all.replace(all.find("    58\n"), 7,
+                       "    58b     1     2          11" + std::string(12 - n_bytes.size(), ' ') + n_bytes + "\n");
+  };
+  const auto record = read("r.uff", binary("12000", 4 * n));
+  ASSERT_EQ(record.n_samples(), n);
+  EXPECT_EQ(record.channels[0].value[n - 1], 0);
+  for (const auto &[written, shown] : {std::pair("1e300", "1e+300"), std::pair("inf", "inf")})
+    EXPECT_EQ(refusal("s.uff", binary(written, 4)),
+              "the file ends inside the " + std::string(shown) + " byte of numbers that follow here");
+}
+
 TEST_F(RecordFormats, NamesThatAreNotUtf8AreMadeValidInEveryFormat)
 {
   const auto expect_name = [&](const RawRecord &record) { EXPECT_EQ(record.channels[0].name, "Kr\u00e4fte"); };
