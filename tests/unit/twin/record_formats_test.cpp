@@ -395,6 +395,27 @@ TEST_F(RecordFormats, BytesOfABinaryUniversalFileEndWithTheFile)
               "the file ends inside the " + std::string(shown) + " byte of numbers that follow here");
 }
 
+TEST_F(RecordFormats, SoundFilesOfMoreThan4GiBSayTheirSizeElsewhere)
+{
+  const std::string usual = wav(48000, {std::vector<int>(n, 7)});
+  const std::string form = usual.substr(12, 24), samples = usual.substr(44);
+  const std::string behind = "LIST" + little(400, 4) + std::string(400, 'x');
+  const auto large         = [&](const std::size_t size) {
+    const std::string chunks = "WAVEds64" + little(28, 4) + little(72 + size + behind.size(), 8) +
+                               little(size, 8) + little(n, 8) + little(0, 4) + form + "data" +
+                               little(0xFFFFFFFF, 4);
+    return "RF64" + little(0xFFFFFFFF, 4) + chunks + samples + behind;
+  };
+  ReadOptions scaled;
+  scaled.scales[""] = "1 g/V";
+  const auto record = read("r.wav", large(samples.size()), scaled);
+  EXPECT_EQ(record.n_samples(), n);
+  EXPECT_FALSE(has_note(record, "the head says more samples than the file holds"));
+  EXPECT_EQ(record.channels[0].value.minCoeff(), record.channels[0].value.maxCoeff());
+  // a recorder that was switched off has not written the size yet
+  EXPECT_TRUE(has_note(read("s.wav", large(0), scaled), "the head says more samples than the file holds"));
+}
+
 TEST_F(RecordFormats, NamesThatAreNotUtf8AreMadeValidInEveryFormat)
 {
   const auto expect_name = [&](const RawRecord &record) { EXPECT_EQ(record.channels[0].name, "Kr\u00e4fte"); };
