@@ -416,6 +416,50 @@ TEST_F(RecordFormats, SoundFilesOfMoreThan4GiBSayTheirSizeElsewhere)
   EXPECT_TRUE(has_note(read("s.wav", large(0), scaled), "the head says more samples than the file holds"));
 }
 
+namespace {
+// Runs of 1500 samples without a column of times, each with its own step and start.
+std::string lvm_runs(const std::string &time, const std::vector<std::pair<std::string, std::string>> &runs)
+{
+  std::string text =
+      "LabVIEW Measurement\nX_Columns\tNo\nDate\t2026/03/14\nTime\t" + time + "\n***End_of_Header***\n";
+  for (const auto &[start, step] : runs) {
+    text += "Channels\t1\nY_Unit_Label\tg\nX0\t" + start + "\nDelta_X\t" + step +
+            "\n***End_of_Header***\nX_Value\tchock\n";
+    for (int i = 0; i < n / 2; ++i)
+      text += "\t" + printed("%.6f", 0.01 * ((37 * i) % 101 - 50)) + "\n";
+  }
+  return text;
+}
+}  // namespace
+
+TEST_F(RecordFormats, TimesOfLabViewMayHaveNoFraction)
+{
+  ReadOptions options;
+  options.zone     = "UTC";
+  const auto start = [&](const std::string &time) {
+    return read("r.lvm", lvm_runs(time, {{"0", "0.001"}, {"0", "0.001"}}), options).start.value_or(0);
+  };
+  EXPECT_EQ(start("10:23:45"), 1773483825.0);  // date -u -d 2026-03-14T10:23:45Z +%s
+  EXPECT_TRUE(near(start("10:23:45.123456789"), 1773483825.123456,
+                   within_absolute(1e-6, "a double of 2e9 s resolves 2e-7 s")));
+}
+
+TEST_F(RecordFormats, RunsOfLabViewThatDoNotFollowEachOtherAreRefused)
+{
+  const auto answer = [&](const std::vector<std::pair<std::string, std::string>> &runs) {
+    return refusal("r.lvm", lvm_runs("10:00:00", runs));
+  };
+  EXPECT_EQ(answer({{"0", "0.001"}, {"0", "0.001"}}), "accepted");
+  EXPECT_EQ(answer({{"0", "0.001"}, {"1.5", "0.001"}}), "accepted");
+  EXPECT_EQ(
+      answer({{"0", "0.001"}, {"0", "5E-5"}}),
+      "this run has a step of 5e-05 s, the one before it of 0.001 s, and there is no column of times; export "
+      "each run as a file of its own, or with X_Columns One");
+  EXPECT_EQ(answer({{"0", "0.001"}, {"3600", "0.001"}}),
+            "this run begins at 3600 s, where the one before it ends at 1.5 s, and there is no column of times; "
+            "export each run as a file of its own, or with X_Columns One");
+}
+
 TEST_F(RecordFormats, NamesThatAreNotUtf8AreMadeValidInEveryFormat)
 {
   const auto expect_name = [&](const RawRecord &record) { EXPECT_EQ(record.channels[0].name, "Kr\u00e4fte"); };
