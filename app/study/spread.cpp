@@ -123,6 +123,22 @@ std::vector<double> in_one_unit(const std::string &written, const KnownKey &key,
   return values;
 }
 
+// A percentage is of the mean: the mean itself is a value, and so is each end where there is no mean.
+void require_no_share(const std::string &written, const Shape &shape, const std::vector<WrittenNumber> &numbers,
+                      const std::size_t mean, const std::string &common)
+{
+  const bool uniform = shape.kind == Spread::Kind::uniform;
+  for (std::size_t i = 0; i < numbers.size(); ++i) {
+    if (!is_of_mean(numbers[i].unit, common) || !(uniform || i == mean))
+      continue;
+    refuse_spread(written, uniform
+                               ? "uniform has no mean that a percentage would be of; write both ends as values"
+                               : number_text(numbers[i].number) +
+                                     " % would be of the mean, which it stands for; write the mean as a value, "
+                                     "or leave it out to take that of the case");
+  }
+}
+
 Spread spread_of(const std::string &written, const Shape &shape, const std::vector<double> &v)
 {
   Spread s;
@@ -227,6 +243,7 @@ UncertainKey uncertain_key(const Case &the_case, const std::vector<std::string> 
       refuse_spread(written, "the case has no value of " + key.name + " as the mean; write it: " + shape.takes);
     numbers.insert(numbers.begin() + std::ptrdiff_t(place), {mean, common});
   }
+  require_no_share(written, shape, numbers, place, common);
   const auto middle = in_one_unit(written, key, common, {numbers[place]}, not_given);
   UncertainKey uncertain{{key.name, key.path, key.row.meaning, common, {}, {}, key.row.kind == Kind::pair},
                          spread_of(written, shape, in_one_unit(written, key, common, numbers, middle[0])),

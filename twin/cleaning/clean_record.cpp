@@ -20,10 +20,12 @@ double nan()
 void fill_short_gaps(CleanChannel &channel, const double rate, const std::vector<CleaningEvent> &of_all,
                      std::vector<CleaningEvent> &events)
 {
+  auto next            = of_all.begin();  // both lists are in the order of time
   const auto is_listed = [&](const Eigen::Index first, const Eigen::Index n) {
-    return std::any_of(of_all.begin(), of_all.end(), [&](const CleaningEvent &e) {
-      return e.fault == CleaningFault::gap && e.count == n && std::llround(e.from * rate) == first;
+    next = std::find_if(next, of_all.end(), [&](const CleaningEvent &e) {
+      return e.fault == CleaningFault::gap && std::llround(e.from * rate) >= first;
     });
+    return next != of_all.end() && next->count == n && std::llround(next->from * rate) == first;
   };
   Eigen::VectorXd &x = channel.value;
   for (Eigen::Index i = 0; i < x.size();) {

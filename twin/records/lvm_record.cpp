@@ -26,6 +26,9 @@ constexpr auto words_of(HeadKey)
   return choice_words<HeadKey>("Decimal_Separator", "X_Columns", "Date", "Time");
 }
 
+constexpr const char *no_times =
+    ", and there is no column of times; export each run as a file of its own, or with X_Columns One";
+
 class LvmReader {
 public:
   LvmReader(const std::string &path, const ReadOptions &read_options) : source(path), options(read_options)
@@ -85,8 +88,15 @@ private:
       if (key == HeadKey::date && start_date.empty())
         start_date = cells[1];
       if (key == HeadKey::time && start_time.empty())
-        start_time = cells[1].substr(0, std::min(cells[1].find_first_of(".,") + 7, cells[1].size()));
+        start_time = to_microseconds(cells[1]);
     }
+  }
+
+  // LabVIEW writes more digits of a second than a time is read with.
+  static std::string to_microseconds(const std::string &time)
+  {
+    const auto sign = time.find_first_of(".,");
+    return sign == std::string::npos ? time : time.substr(0, sign + 7);
   }
 
   void take(const std::string_view line)
@@ -136,6 +146,14 @@ private:
     multi = x_columns == XColumns::multi;
     if (!head_place.line)
       head_place = place();
+    require_same_step(n_channels);
+    require_follows();
+  }
+
+  // One step for all channels; where no column says the times, one for all runs.
+  void require_same_step(const std::size_t n_channels)
+  {
+    const double before = delta;
     for (std::size_t c = 0; c < n_channels; ++c) {
       const double step = key_number("Delta_X", c);
       if (c == 0)
@@ -145,6 +163,23 @@ private:
                                               "channels of one sampling rate",
                                               c + 1, step, delta));
     }
+    if (x_columns == XColumns::no && std::abs(delta - before) > 1e-6 * std::abs(before))
+      throw InputError(place(), fmt::format("this run has a step of {:.6g} s, the one before it of {:.6g} s{}",
+                                            delta, before, no_times));
+  }
+
+  // A run begins where the one before it ends, or at the same number as the first: recorders that begin each at 0.
+  void require_follows()
+  {
+    const double start = key_number("X0", 0);
+    if (values[0].empty())
+      first_start = start;
+    const double end = first_start + delta * double(values[0].size());
+    if (x_columns == XColumns::no && start != first_start &&
+        std::abs(start - end) > 0.5 * delta + 1e-6 * std::abs(start))
+      throw InputError(place(),
+                       fmt::format("this run begins at {:.9g} s, where the one before it ends at {:.9g} s{}",
+                                   start, end, no_times));
   }
 
   std::size_t cell_of(const std::size_t channel) const
@@ -224,7 +259,7 @@ private:
   std::vector<std::vector<double>> values;
   std::vector<double> times;
   Place head_place;
-  double delta      = std::numeric_limits<double>::quiet_NaN();  // s
+  double delta = std::numeric_limits<double>::quiet_NaN(), first_start = 0;  // s
   bool names_follow = false, multi = false;
 };
 }  // namespace

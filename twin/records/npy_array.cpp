@@ -59,6 +59,16 @@ std::vector<double> numbers_in(const std::string &text)
   return numbers;
 }
 
+// A field of several numbers has their shape as third element of its tuple: digits outside of the quotes.
+bool has_shapes(const std::string &descr)
+{
+  bool quoted = false;
+  return std::any_of(descr.begin(), descr.end(), [&](const char c) {
+    quoted ^= c == '\'';
+    return !quoted && c >= '0' && c <= '9';
+  });
+}
+
 NpyLayout layout_of_header(const std::string &header, const std::string &path)
 {
   NpyLayout layout;
@@ -69,6 +79,8 @@ NpyLayout layout_of_header(const std::string &header, const std::string &path)
   if (fields) {
     if (shape.size() != 1 || words.size() % 2 != 0)
       refuse_npy(path, "holds a structured array that is not one-dimensional, or with fields inside fields");
+    if (has_shapes(descr))
+      refuse_npy(path, "holds several numbers in one field of a structured array; save a field for each");
     for (std::size_t i = 0; i < words.size(); i += 2) {
       BinaryType type;
       if (!type_of_descriptor(words[i + 1], type))

@@ -31,10 +31,13 @@ public:
       line.remove_suffix(1);
     return true;
   }
-  std::string_view bytes(const std::size_t n)
+  // So many bytes as a head says, which may be any number.
+  std::string_view bytes(const double wanted_bytes)
   {
-    if (text.size() - position < n)
-      throw InputError(here(), fmt::format("the file ends inside the {} byte of numbers that follow here", n));
+    if (!(wanted_bytes <= double(text.size() - position)))
+      throw InputError(here(),
+                       fmt::format("the file ends inside the {} byte of numbers that follow here", wanted_bytes));
+    const auto n    = std::size_t(std::max(0.0, wanted_bytes));
     const auto view = std::string_view(text).substr(position, n);
     number += int(std::count(view.begin(), view.end(), '\n'));
     position += n;
@@ -234,7 +237,7 @@ private:
       if (set.n_bytes > 0 && set.n_bytes < double(size))
         throw InputError(set.place,
                          fmt::format("the head says {} byte, {} samples need {}", set.n_bytes, set.n, size));
-      const auto bytes = text.bytes(set.n_bytes > 0 ? std::size_t(set.n_bytes) : size);
+      const auto bytes = text.bytes(set.n_bytes > 0 ? set.n_bytes : double(size));
       values.reserve(n);
       for (std::size_t i = 0; i < n; ++i)
         values.push_back(number_at(bytes.data() + i * std::size_t(type.size), type));
@@ -312,7 +315,7 @@ private:
     if (!set.is_time_record()) {
       ++n_other;
       if (set.binary)
-        text.bytes(std::size_t(std::max(0.0, std::min(set.n_bytes, 1e12))));
+        text.bytes(set.n_bytes);
       skip_set();
       return;
     }

@@ -6,7 +6,8 @@
 #include <fmt/format.h>
 
 // Sound files: PCM of 8 to 32 bit and floating point, RIFF and RF64 with one run of samples.
-// Source: Microsoft and IBM, Multimedia Programming Interface and Data Specifications 1.0 (1991), chapter 3.
+// Sources: Microsoft and IBM, Multimedia Programming Interface and Data Specifications 1.0 (1991), chapter 3; EBU
+// Tech 3306, RF64: an extended file format for audio (2009).
 namespace mill::twin {
 namespace {
 // First four bytes of a file, and of the chunks of it that are read.
@@ -15,10 +16,10 @@ constexpr auto words_of(WavForm)
 {
   return choice_words<WavForm>("RIFF", "RF64");
 }
-enum class WavChunk { format, samples };
+enum class WavChunk { format, samples, sizes };
 constexpr auto words_of(WavChunk)
 {
-  return choice_words<WavChunk>("fmt ", "data");
+  return choice_words<WavChunk>("fmt ", "data", "ds64");
 }
 
 struct WavFormat {
@@ -27,6 +28,7 @@ struct WavFormat {
 };
 
 constexpr int most_wav_channels = 1024;
+constexpr double size_elsewhere = 0xFFFFFFFF;  // of a chunk: it is in 'ds64'
 
 [[noreturn]] void refuse_wav(const std::string &file, const std::string &what)
 {
@@ -67,6 +69,14 @@ double wav_sample(const char *bytes, const WavFormat &format)
   return number_at(bytes, {'i', format.bits / 8, false}) / std::ldexp(1.0, format.bits - 1);
 }
 
+// Bytes of the samples by the chunk 'ds64' of an RF64 file: behind the 8 bytes of the size of the file.  0: not
+// written, as by a recorder that was switched off.
+double size_of_samples(InputFile &file)
+{
+  char bytes[16] = {};
+  return file.read(bytes, 16) == 16 ? number_at(&bytes[8], {'u', 8, false}) : 0;
+}
+
 std::vector<Eigen::VectorXd> wav_samples(InputFile &file, const WavFormat &format, const double size,
                                          const std::string &path)
 {
@@ -98,7 +108,7 @@ RawRecord read_wav_record(const std::string &path, const ReadOptions &options)
   record.file   = path;
   record.format = "WAV";
   WavFormat format;
-  double position = 12;
+  double position = 12, long_size = 0;
   while (true) {
     std::string chunk(8, '\0');
     file.go_to(std::size_t(position));
@@ -112,9 +122,13 @@ RawRecord read_wav_record(const std::string &path, const ReadOptions &options)
       bytes.resize(file.read(bytes.data(), bytes.size()));
       format = wav_format(bytes, path);
     }
+    if (kind == WavChunk::sizes)
+      long_size = size_of_samples(file);
     if (kind == WavChunk::samples) {
       if (format.coding == 0)
         refuse_wav(path, "has samples before it says how they are written (chunk 'fmt ')");
+      if (size == size_elsewhere && long_size > 0)
+        size = long_size;
       if (size > left) {  // a recorder that was switched off, or more than 4 GiB
         record.notes.push_back("the head says more samples than the file holds; those there are were read");
         size = left;

@@ -85,6 +85,22 @@ TEST(Spread, RefusalsNameTheFaultAndTheRemedy)
   EXPECT_NE(outside.find("truncated(mean, sd, low, high)"), std::string::npos) << outside;
 }
 
+TEST(Spread, APercentageIsNotAMean)
+{
+  const std::string remedy =
+      "100 % would be of the mean, which it stands for; write the mean as a value, or leave "
+      "it out to take that of the case";
+  for (const std::string written :
+       {"strip.friction~normal(100 %, 5 %)", "strip.width~tolerance(100 %, 5 %)",
+        "strip.friction~triangular(0.05, 100 %, 0.15)", "strip.friction~truncated(100 %, 5 %, 0.05, 0.15)"})
+    EXPECT_EQ(refusal(written), "--vary \"" + written + "\": " + remedy);
+  for (const std::string written : {"strip.friction~uniform(90 %, 110 %)", "strip.width~uniform(900 mm, 110 %)"})
+    EXPECT_NE(
+        refusal(written).find("uniform has no mean that a percentage would be of; write both ends as values"),
+        std::string::npos)
+        << refusal(written);
+}
+
 TEST(Spread, ShareOutsideIsThatOfTheNormalLaw)
 {
   Spread spread;

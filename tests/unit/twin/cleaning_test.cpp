@@ -115,6 +115,28 @@ TEST(Cleaning, ShortGapsAreFilledLongOnesCut)
   EXPECT_TRUE(near(clean.events[1].from, 2.0, within_absolute(1e-9, "sample number over the rate, rounding")));
 }
 
+// Every fifth row is missing for all channels: each gap of the rows is looked up once.
+TEST(Cleaning, GapsOfTheRowsAreNotListedForEachChannelAgain)
+{
+  const Eigen::Index n = 400000, n_gaps = n / 4 - 1;
+  RawRecord record = even(noise(n), 0);
+  record.time      = Eigen::VectorXd(n);
+  for (Eigen::Index i = 0; i < n; ++i)
+    record.time[i] = 1e-3 * double(i + i / 4);
+  Eigen::VectorXd &x = record.channels[0].value;
+  x[1] = x[3] = x[4]      = std::nan("");  // a cell, and two on both sides of a gap
+  const CleanRecord clean = clean_record(std::move(record));
+  std::vector<CleaningEvent> of_rows, of_channel;
+  for (const CleaningEvent &event : clean.events)
+    (event.channel.empty() ? of_rows : of_channel).push_back(event);
+  EXPECT_EQ(of_rows.size(), std::size_t(n_gaps));
+  ASSERT_EQ(of_channel.size(), 2u);
+  EXPECT_EQ(of_channel[0].count, 1);
+  EXPECT_TRUE(near(of_channel[0].from, 1e-3, within_absolute(1e-9, "sample number over the rate, rounding")));
+  EXPECT_EQ(of_channel[1].count, 3);
+  EXPECT_TRUE(near(of_channel[1].from, 3e-3, within_absolute(1e-9, "sample number over the rate, rounding")));
+}
+
 // A gap of 300 s at 1 MHz would be 2.4 GB of missing samples for each channel.
 TEST(Cleaning, ShortensAGapThatIsMuchLongerThanTheRecord)
 {

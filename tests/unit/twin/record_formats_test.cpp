@@ -359,6 +359,107 @@ TEST_F(RecordFormats, UnevenUniversalFilesAreReadInEveryWidth)
   }
 }
 
+// Three numbers in a field make a row longer than its field names say.
+TEST_F(RecordFormats, FieldsOfSeveralNumbersInArraysOfNumpyAreRefused)
+{
+  std::string head =
+      "{'descr': [('t', '<f8'), ('a [g]', '<f4', (3,))], 'fortran_order': False, 'shape': (3000,), }";
+  head.resize(117, ' ');
+  const std::string array =
+      "\x93NUMPY" + std::string("\1\0\x76\0", 4) + head + "\n" + std::string(3000 * (8 + 3 * 4), '\1');
+  const std::string reason = "holds several numbers in one field of a structured array; save a field for each";
+  file("r.json", R"({"rate": 1000})");
+  EXPECT_EQ(refusal("r.npy", array), "r.npy " + reason);
+  // an archive is read without it
+  const std::string archive =
+      zip({{"a.npy", npy(swings(), "(3000,)")}, {"fs.npy", npy({1000}, "()")}, {"run.npy", array}});
+  EXPECT_EQ(refusal("s.npz", archive, in_g({"a"})), "accepted");
+  EXPECT_NE(refusal("s.npz", archive, in_g({"a", "run.t"})), "accepted");
+}
+
+TEST_F(RecordFormats, BytesOfABinaryUniversalFileEndWithTheFile)
+{
+  const auto binary = [](const std::string &n_bytes, const std::size_t n_there) {
+    UffSet set;
+    set.entity      = "chock";
+    set.numbers     = std::string(n_there, '\0') + "\n";
+    std::string all = uff(set);
+    return all.replace(all.find("    58\n"), 7,
+                       "    58b     1     2          11" + std::string(12 - n_bytes.size(), ' ') + n_bytes + "\n");
+  };
+  const auto record = read("r.uff", binary("12000", 4 * n));
+  ASSERT_EQ(record.n_samples(), n);
+  EXPECT_EQ(record.channels[0].value[n - 1], 0);
+  for (const auto &[written, shown] : {std::pair("1e300", "1e+300"), std::pair("inf", "inf")})
+    EXPECT_EQ(refusal("s.uff", binary(written, 4)),
+              "the file ends inside the " + std::string(shown) + " byte of numbers that follow here");
+}
+
+TEST_F(RecordFormats, SoundFilesOfMoreThan4GiBSayTheirSizeElsewhere)
+{
+  const std::string usual = wav(48000, {std::vector<int>(n, 7)});
+  const std::string form = usual.substr(12, 24), samples = usual.substr(44);
+  const std::string behind = "LIST" + little(400, 4) + std::string(400, 'x');
+  const auto large         = [&](const std::size_t size) {
+    const std::string chunks = "WAVEds64" + little(28, 4) + little(72 + size + behind.size(), 8) +
+                               little(size, 8) + little(n, 8) + little(0, 4) + form + "data" +
+                               little(0xFFFFFFFF, 4);
+    return "RF64" + little(0xFFFFFFFF, 4) + chunks + samples + behind;
+  };
+  ReadOptions scaled;
+  scaled.scales[""] = "1 g/V";
+  const auto record = read("r.wav", large(samples.size()), scaled);
+  EXPECT_EQ(record.n_samples(), n);
+  EXPECT_FALSE(has_note(record, "the head says more samples than the file holds"));
+  EXPECT_EQ(record.channels[0].value.minCoeff(), record.channels[0].value.maxCoeff());
+  // a recorder that was switched off has not written the size yet
+  EXPECT_TRUE(has_note(read("s.wav", large(0), scaled), "the head says more samples than the file holds"));
+}
+
+namespace {
+// Runs of 1500 samples without a column of times, each with its own step and start.
+std::string lvm_runs(const std::string &time, const std::vector<std::pair<std::string, std::string>> &runs)
+{
+  std::string text =
+      "LabVIEW Measurement\nX_Columns\tNo\nDate\t2026/03/14\nTime\t" + time + "\n***End_of_Header***\n";
+  for (const auto &[start, step] : runs) {
+    text += "Channels\t1\nY_Unit_Label\tg\nX0\t" + start + "\nDelta_X\t" + step +
+            "\n***End_of_Header***\nX_Value\tchock\n";
+    for (int i = 0; i < n / 2; ++i)
+      text += "\t" + printed("%.6f", 0.01 * ((37 * i) % 101 - 50)) + "\n";
+  }
+  return text;
+}
+}  // namespace
+
+TEST_F(RecordFormats, TimesOfLabViewMayHaveNoFraction)
+{
+  ReadOptions options;
+  options.zone     = "UTC";
+  const auto start = [&](const std::string &time) {
+    return read("r.lvm", lvm_runs(time, {{"0", "0.001"}, {"0", "0.001"}}), options).start.value_or(0);
+  };
+  EXPECT_EQ(start("10:23:45"), 1773483825.0);  // date -u -d 2026-03-14T10:23:45Z +%s
+  EXPECT_TRUE(near(start("10:23:45.123456789"), 1773483825.123456,
+                   within_absolute(1e-6, "a double of 2e9 s resolves 2e-7 s")));
+}
+
+TEST_F(RecordFormats, RunsOfLabViewThatDoNotFollowEachOtherAreRefused)
+{
+  const auto answer = [&](const std::vector<std::pair<std::string, std::string>> &runs) {
+    return refusal("r.lvm", lvm_runs("10:00:00", runs));
+  };
+  EXPECT_EQ(answer({{"0", "0.001"}, {"0", "0.001"}}), "accepted");
+  EXPECT_EQ(answer({{"0", "0.001"}, {"1.5", "0.001"}}), "accepted");
+  EXPECT_EQ(
+      answer({{"0", "0.001"}, {"0", "5E-5"}}),
+      "this run has a step of 5e-05 s, the one before it of 0.001 s, and there is no column of times; export "
+      "each run as a file of its own, or with X_Columns One");
+  EXPECT_EQ(answer({{"0", "0.001"}, {"3600", "0.001"}}),
+            "this run begins at 3600 s, where the one before it ends at 1.5 s, and there is no column of times; "
+            "export each run as a file of its own, or with X_Columns One");
+}
+
 TEST_F(RecordFormats, NamesThatAreNotUtf8AreMadeValidInEveryFormat)
 {
   const auto expect_name = [&](const RawRecord &record) { EXPECT_EQ(record.channels[0].name, "Kr\u00e4fte"); };
