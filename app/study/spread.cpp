@@ -123,7 +123,7 @@ std::vector<double> in_one_unit(const std::string &written, const KnownKey &key,
   return values;
 }
 
-// A percentage is of the mean: the mean itself is a value, and so is each end where there is no mean.
+// A percentage is of the mean: the mean itself is a value, and so is each end of a law without a mean.
 void require_no_share(const std::string &written, const Shape &shape, const std::vector<WrittenNumber> &numbers,
                       const std::size_t mean, const std::string &common)
 {

@@ -27,7 +27,7 @@ constexpr auto words_of(HeadKey)
 }
 
 constexpr const char *no_times =
-    ", and there is no column of times; export each run as a file of its own, or with X_Columns One";
+    ", and no column says the times; export each run as a file of its own, or with X_Columns One";
 
 class LvmReader {
 public:

@@ -27,7 +27,7 @@ std::vector<std::int64_t> shown_by(const LiveAlarms &alarms)
 }
 }  // namespace
 
-// Where there is no room for all, those that are over go first, the oldest of them before the others: the first
+// If they do not all fit, those that are over go first, the oldest of them before the others: the first
 // alarm of a shift may be open still.
 TEST(LiveAlarms, AnOpenAlarmStaysWhileOthersAreOver)
 {

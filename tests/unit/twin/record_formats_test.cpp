@@ -451,12 +451,11 @@ TEST_F(RecordFormats, RunsOfLabViewThatDoNotFollowEachOtherAreRefused)
   };
   EXPECT_EQ(answer({{"0", "0.001"}, {"0", "0.001"}}), "accepted");
   EXPECT_EQ(answer({{"0", "0.001"}, {"1.5", "0.001"}}), "accepted");
-  EXPECT_EQ(
-      answer({{"0", "0.001"}, {"0", "5E-5"}}),
-      "this run has a step of 5e-05 s, the one before it of 0.001 s, and there is no column of times; export "
-      "each run as a file of its own, or with X_Columns One");
+  EXPECT_EQ(answer({{"0", "0.001"}, {"0", "5E-5"}}),
+            "this run has a step of 5e-05 s, the one before it of 0.001 s, and no column says the times; export "
+            "each run as a file of its own, or with X_Columns One");
   EXPECT_EQ(answer({{"0", "0.001"}, {"3600", "0.001"}}),
-            "this run begins at 3600 s, where the one before it ends at 1.5 s, and there is no column of times; "
+            "this run begins at 3600 s, where the one before it ends at 1.5 s, and no column says the times; "
             "export each run as a file of its own, or with X_Columns One");
 }
 
