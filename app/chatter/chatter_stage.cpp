@@ -76,6 +76,8 @@ void solve_chatter_case(RunContext &run, const ChatterCase &spec)
   if (!failure)
     try {
       solve_tandem(run, spec);
+    } catch (const SystemError &) {  // a full disk says nothing about the tandem
+      throw;
     } catch (const InputError &e) {  // the stands for themselves have their answer
       run.warn(warning_of(WarningId::chatter_refused, e));
     } catch (const SolverError &e) {
