@@ -107,7 +107,7 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
                       line.stands[i].name, needed, speed, given));
   }
   try {
-    const auto root = dynamics::DelaySpectrum(dynamics::tandem_system(line, *point)).rightmost();
+    const auto root = dynamics::tandem_root(line, speed);
     Parameter growth;
     growth.value  = root.real();
     growth.unit   = "1/s";
