@@ -122,7 +122,10 @@ void add_bite(RunContext &run, const ChatterStudy &s)
   const bite::BiteState &k = s.karman ? *s.karman : none;
   const auto other         = [&](const double value) { return s.karman ? value : not_given; };
   by_karman(row::bite::force, state.force, other(k.force), c.published_force, c.measured_force);
-  by_karman(row::bite::friction, state.friction, other(k.friction), c.published_friction, not_given);
+  // A coefficient that is given is the same in every theory: it would be compared with itself.
+  const bool of_bite = follows_bite(s.question.bite.strip.friction);
+  by_karman(row::bite::friction, state.friction, of_bite ? other(k.friction) : not_given, c.published_friction,
+            not_given);
   by_karman(row::bite::film_thickness, state.film_thickness, other(k.film_thickness), not_given, not_given);
   by_karman(row::bite::flattened_radius, state.flattened_radius, other(k.flattened_radius), not_given, not_given);
   by_karman(row::bite::forward_slip, state.forward_slip, other(k.forward_slip), not_given, not_given);

@@ -74,7 +74,16 @@ void solve_chatter_case(RunContext &run, const ChatterCase &spec)
     run.progress.at("chatter", double(i + 1) / double(spec.conditions.size()));
   }
   if (!failure)
-    solve_tandem(run, spec);
+    try {
+      solve_tandem(run, spec);
+    } catch (const SystemError &) {  // a full disk says nothing about the tandem
+      throw;
+    } catch (const InputError &e) {  // the stands for themselves have their answer
+      run.warn(warning_of(WarningId::chatter_refused, e));
+    } catch (const SolverError &e) {
+      failure = std::current_exception();
+      run.warn(warning_of(WarningId::chatter_refused, e));
+    }
   run.assume(
       "the flattened radius and the far ends of the strip do not follow the vibration; friction forces have no "
       "part in the vertical force; the far stands run at constant speed");

@@ -330,10 +330,9 @@ ModelBand band_of(const std::vector<OtherSearch> &structures)
       band.low  = std::fmin(band.low, model.found.speed);
       band.high = std::fmax(band.high, model.found.speed);
     } else
-      band.without.push_back(model.name + " " +
-                             (model.found.verdict == Verdict::stable     ? "stable"
-                              : model.found.verdict == Verdict::unstable ? "unstable at every speed"
-                                                                         : "unstable below"));
+      band.without.push_back(
+          model.name + " " +
+          (model.found.verdict == Verdict::unstable ? "unstable at every speed" : word_of(model.found.verdict)));
   return band;
 }
 

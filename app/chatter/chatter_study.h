@@ -106,8 +106,7 @@ struct ModelBand {
 };
 ModelBand band_of(const std::vector<OtherSearch> &structures);
 
-/// Everything about one condition, on the worst of the models of its stand: the one with the lowest critical
-/// speed; without one, that whose vibration grows most or decays least.  theory.md 25.7
+/// Everything about one condition, on the most detailed of the models of its stand.  theory.md 25.7
 /// @throws InputError, SolverError  no bite at any speed of the range
 ChatterStudy study_chatter(RunContext &run, const ChatterQuestion &question);
 }  // namespace mill

@@ -2,6 +2,8 @@
 #include "app/chatter/chatter_question.h"
 #include "app/chatter/chatter_stage.h"
 #include "app/run/curve_files.h"
+#include "app/run/error_warnings.h"
+#include "core/base/errors.h"
 #include "core/base/si_unit.h"
 #include "core/records/chatter_record.h"
 #include "core/records/csv.h"
@@ -11,6 +13,7 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
+#include <optional>
 
 namespace mill {
 namespace {
@@ -75,12 +78,36 @@ Warning no_bite(const double speed, const std::string &why)
           {"chatter.tandem"}};
 }
 
+// The steady state of the line; without one the run says so.
+std::optional<dynamics::TandemPoint> steady_point(RunContext &run, const dynamics::TandemLine &line,
+                                                  const double speed)
+{
+  try {
+    return dynamics::tandem_point(line, speed);
+  } catch (const InputError &e) {
+    run.warn(no_bite(speed, e.problems.front().message));
+  } catch (const SolverError &e) {
+    run.warn(no_bite(speed, e.report.what));
+  }
+  return std::nullopt;
+}
+
 // At the speed at which the last condition works; mass flow then sets the speeds of the others.
 void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, const double speed)
 {
+  const auto point = steady_point(run, line, speed);
+  if (!point)
+    return;
+  for (std::size_t i = 0; i + 1 < line.stands.size(); ++i) {
+    const double given = line.stands[i].bite.roll_speed, needed = point->stands[i].bite.roll_speed;
+    if (std::abs(given / needed - 1) > 0.01)
+      run.assume(
+          fmt::format("tandem: mass flow makes the rolls of stand {} turn at {:.4g} m/s when the last stand works "
+                      "at {:.4g} m/s; its condition gives {:.4g} m/s, and its own results are for that speed",
+                      line.stands[i].name, needed, speed, given));
+  }
   try {
-    const auto root  = dynamics::tandem_root(line, speed);
-    const auto point = dynamics::tandem_point(line, speed);
+    const auto root = dynamics::tandem_root(line, speed);
     Parameter growth;
     growth.value  = root.real();
     growth.unit   = "1/s";
@@ -95,18 +122,10 @@ void judge_working_speed(RunContext &run, const dynamics::TandemLine &line, cons
                             std::log(2) / root.real()),
                 "",
                 {"chatter.tandem"}});
-    for (std::size_t i = 0; i + 1 < line.stands.size(); ++i) {
-      const double given = line.stands[i].bite.roll_speed, needed = point.stands[i].bite.roll_speed;
-      if (std::abs(given / needed - 1) > 0.01)
-        run.assume(fmt::format(
-            "tandem: mass flow makes the rolls of stand {} turn at {:.4g} m/s when the last stand works "
-            "at {:.4g} m/s; its condition gives {:.4g} m/s, and its own results are for that speed",
-            line.stands[i].name, needed, speed, given));
-    }
   } catch (const InputError &e) {
-    run.warn(no_bite(speed, e.problems.front().message));
+    run.warn(warning_of(WarningId::chatter_refused, e));
   } catch (const SolverError &e) {
-    run.warn(no_bite(speed, e.report.what));
+    run.warn(warning_of(WarningId::chatter_refused, e));
   }
 }
 

@@ -72,6 +72,12 @@ struct StackNumberSets {
   const char *other_method;
 };
 
+// Zero by symmetry is zero but for rounding, which differs between meshes, engines and bearings.
+double without_rounding(const std::string &unit, const double value)
+{
+  return is_in(unit, SiUnit::metre) && std::abs(value) < 1e-12 ? 0 : value;
+}
+
 // By how much the results move, relative to each, with the errors of the bearings that hold rolls.
 struct BearingErrors {
   std::map<std::string, double> square;               // by the name of the result: sum over the bearings
@@ -100,7 +106,8 @@ BearingErrors bearing_errors(const StackInput &input, const Stack &stack, const 
     const bool known           = std::isfinite(error);
     const StackNumbers changed = numbers_of(with_softer_bearing(stack, name, known ? error : unknown));
     for (std::size_t i = 0; i < held.size(); ++i) {
-      const double change = held[i].value == 0 ? 0 : changed[i].value / held[i].value - 1;
+      const double value  = without_rounding(held[i].unit, held[i].value);
+      const double change = value == 0 ? 0 : changed[i].value / value - 1;
       if (known)
         errors.square[held[i].name] += change * change;
       else if (std::abs(change) > moves)
@@ -141,22 +148,19 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
     checks[number.name] = number.value;
   for (std::size_t i = 0; i < fine.size(); ++i) {
     const StackNumber &number = fine[i];
-    // Zero by symmetry is zero but for rounding, which differs between meshes and engines.
-    const auto without_rounding = [&](const double value) {
-      return is_in(number.unit, SiUnit::metre) && std::abs(value) < 1e-12 ? 0 : value;
-    };
+    const auto rounded_off    = [&](const double value) { return without_rounding(number.unit, value); };
     Parameter p;
-    p.value  = without_rounding(number.value);
+    p.value  = rounded_off(number.value);
     p.unit   = number.unit;
     p.method = number.method;
     p.at     = {"{}", {{force, "kN", ".5g"}}};
     p.inputs = inputs;
     p.checks = number.checks;
     for (Check &check : p.checks)
-      check.value = without_rounding(check.value);
+      check.value = rounded_off(check.value);
     p.source = number.source;
     if (const auto check = checks.find(number.name); check != checks.end() && number.source != Source::given)
-      p.checks.push_back({other_method, without_rounding(check->second),
+      p.checks.push_back({other_method, rounded_off(check->second),
                           "shoulders, the surface of the rolls around their contacts and the flattening at the "
                           "edges of the strip are in the condensed rolls only"});
     p.error_estimate = p.value == 0 || p.value == coarse[i].value ? 0 : mesh_pair_error(p.value, coarse[i].value);

@@ -80,13 +80,18 @@ bool may_be_free(const BiteArc arc)
   return arc == BiteArc::elastic || arc == BiteArc::automatic;
 }
 
-// The backup roll that holds the section of the work roll, where the case asks for a free arc.
-void add_backup(BiteInputs &inputs, const CaseSpec &spec, const BiteSetup &setup, const std::size_t p)
+// Whether the case asks for a free arc, whatever the bite is like.
+bool asks_free_arc(const BiteSetup &setup)
 {
-  const auto *stand  = std::get_if<FourHigh>(&spec);
-  const bool section = setup.arc == BiteArc::elastic ||
-                       (setup.arc == BiteArc::automatic && setup.strip == BiteStrip::elastic_plastic);
-  if (!stand || !section)
+  return setup.arc == BiteArc::elastic ||
+         (setup.arc == BiteArc::automatic && setup.strip == BiteStrip::elastic_plastic);
+}
+
+// The backup roll that holds the section of the work roll.
+void add_backup(BiteInputs &inputs, const CaseSpec &spec, const std::size_t p)
+{
+  const auto *stand = std::get_if<FourHigh>(&spec);
+  if (!stand)
     return;
   inputs.backup_diameter = stand->backup_roll.barrel_diameter;
   inputs.backup_length   = std::min(stand->work_roll.barrel_length, stand->backup_roll.barrel_length);
@@ -138,8 +143,8 @@ BiteInputs inputs_of_bite(const CaseSpec &spec, const std::size_t p, const BiteR
     add_model(inputs, setup);
   const bool free_arc      = reading.free_arc || (modelled && may_be_free(inputs.arc));
   const bool elastic_strip = modelled && setup.method == BiteMethod::fe && setup.strip != BiteStrip::rigid_plastic;
-  if (free_arc)
-    add_backup(inputs, spec, setup, p);
+  if (reading.section || (free_arc && asks_free_arc(setup)))
+    add_backup(inputs, spec, p);
   if (reading.free_arc)
     inputs.flow = word_of(setup.strip);
   if (!free_arc && !elastic_strip && !reading.elastic)
@@ -181,9 +186,9 @@ BiteReading reading_of(const ResultRow &row, const BiteAnswers by)
 
 KeyList bite_keys(MovingKeys &keys, const std::size_t p, const BiteReading &reading)
 {
-  const auto &[by, whole_width, fitted, path_trim, speed, elastic, free_arc] = reading;
-  return keys.of(fmt::format("bite {} {} {} {} {} {} {} {}", p, int(by), whole_width, fitted, path_trim, speed,
-                             elastic, free_arc),
+  const auto &[by, whole_width, fitted, path_trim, speed, elastic, free_arc, section] = reading;
+  return keys.of(fmt::format("bite {} {} {} {} {} {} {} {} {}", p, int(by), whole_width, fitted, path_trim, speed,
+                             elastic, free_arc, section),
                  [&](const CaseSpec &spec) { return record_text(inputs_of_bite(spec, p, reading)); });
 }
 }  // namespace mill

@@ -96,6 +96,8 @@ struct BiteReading {
   bool speed       = false;  ///< a speed of the strip
   bool elastic     = false;  ///< elastic zones of the strip, whatever its model
   bool free_arc    = false;  ///< a theory that is compared on a free arc
+  bool section = false;  ///< on the section of the work roll, which the backup roll holds, where the bite itself
+                         ///< has decided that the arc is free
 };
 
 /// A strip whose laws have the constants that they read; those of other laws are absent.

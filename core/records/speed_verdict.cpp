@@ -60,8 +60,16 @@ std::string why_not_searched(const SpeedVerdict &v)
   return fmt::format("{} {} not given", keys_text(v.missing), v.missing.size() == 1 ? "is" : "are");
 }
 
+std::string gap_text(const SpeedVerdict &v)
+{
+  return fmt::format("the critical speed lies between {:.3f} and {:.3f} m/s, where the search has no answer",
+                     v.gap[0], v.gap[1]);
+}
+
 std::string unstable_sentence(const SpeedVerdict &v)
 {
+  if (!std::isnan(v.gap[0]))
+    return fmt::format("Unstable: the {} grows at {}; {}.", v.mode, speed_text(v.speed), gap_text(v));
   if (v.speed < v.critical || std::isnan(v.critical))
     return fmt::format("Unstable: the {} grows at {}; no speed {} is critical.", v.mode, speed_text(v.speed),
                        range_text(v));
@@ -164,6 +172,9 @@ std::string sentence_of(const SpeedVerdict &v)
     if (!std::isnan(v.critical))
       return fmt::format("At {}, stable again above the critical speed of {}; the {} becomes unstable there.",
                          speed_text(v.speed), critical_text(v), v.mode);
+    if (!std::isnan(v.gap[0]))
+      return fmt::format("At {}, stable; {}; the {} has the least damping.", speed_text(v.speed), gap_text(v),
+                         v.mode);
     return fmt::format("At {}, without a critical speed {}; the {} has the least damping.", speed_text(v.speed),
                        range_text(v), v.mode);
   case SpeedFinding::not_searched:
@@ -194,6 +205,8 @@ nlohmann::ordered_json json_of(const SpeedVerdict &v)
   add("critical_speed_high_by_inputs", v.by_inputs[1]);
   for (const SpeedInput &input : v.inputs)
     json["inputs"].push_back({{"name", input.name}, {"error", input.error}, {"slope", input.slope}});
+  if (!std::isnan(v.gap[0]))
+    json["critical_speed_between"] = v.gap;
   if (v.range[1] > 0)
     json["range"] = v.range;
   if (!v.mode.empty())
@@ -220,6 +233,7 @@ SpeedVerdict speed_verdict_of(const nlohmann::json &json)
   v.remedy    = json.value("remedy", "");
   v.missing   = json.value("missing", std::vector<std::string>());
   v.range     = json.value("range", v.range);
+  v.gap       = json.value("critical_speed_between", v.gap);
   v.speed     = json.value("speed", v.speed);
   v.critical  = json.value("critical_speed", v.critical);
   v.low       = json.value("critical_speed_low", v.low);

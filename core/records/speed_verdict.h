@@ -33,6 +33,9 @@ struct SpeedVerdict {
   std::array<double, 2> by_inputs{std::numeric_limits<double>::quiet_NaN(),
                                   std::numeric_limits<double>::quiet_NaN()};  ///< m/s, low and high before the
                                                                               ///< other models widen them
+  /// m/s, the last stable and the first unstable speed around speeds without an answer, if the critical speed lies
+  /// between them; NaN otherwise
+  std::array<double, 2> gap{std::numeric_limits<double>::quiet_NaN(), std::numeric_limits<double>::quiet_NaN()};
   std::vector<SpeedInput> inputs;                               ///< the one that moves the speed most first
   std::array<double, 2> range{};                                ///< m/s, searched
   std::string mode;                                             ///< "gap mode at 107 Hz (third octave)"

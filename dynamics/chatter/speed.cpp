@@ -5,6 +5,7 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <map>
+#include <optional>
 #include <utility>
 
 namespace mill::dynamics {
@@ -232,6 +233,20 @@ Sample extreme_growth(const Samples &samples, const RootsAtSpeed &roots, const d
   return extreme;
 }
 
+// The lowest pair of samples, stable and unstable, with nothing but samples without a bite between them.
+std::optional<std::pair<std::size_t, std::size_t>> gap_to_growth(const Samples &samples)
+{
+  std::size_t last = samples.size();
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!has_bite(samples[i]))
+      continue;
+    if (last + 1 < i && samples[last].unstable == 0 && samples[i].unstable > 0)
+      return std::make_pair(last, i);
+    last = i;
+  }
+  return std::nullopt;
+}
+
 void judge(CriticalSpeed &result, const Samples &samples, const RootsAtSpeed &roots, const SpeedRange &range)
 {
   const auto bite_of = [](const Sample &s) { return has_bite(s); };
@@ -248,13 +263,22 @@ void judge(CriticalSpeed &result, const Samples &samples, const RootsAtSpeed &ro
     result.below = std::prev(first)->no_bite;
   if (last != samples.rbegin())
     result.above = std::prev(last)->no_bite;
-  for (const Crossing &c : result.crossings)
-    if (c.of_stand && c.upward) {
-      result.verdict   = Verdict::crossing;
-      result.speed     = c.speed;
-      result.frequency = c.frequency;
-      return;
-    }
+  const auto upward  = std::find_if(result.crossings.begin(), result.crossings.end(),
+                                    [](const Crossing &c) { return c.of_stand && c.upward; });
+  const auto gap     = gap_to_growth(samples);
+  const bool crosses = upward != result.crossings.end();
+  if (gap && !(crosses && upward->speed < samples[gap->first].speed)) {
+    result.verdict    = Verdict::unstable_beyond_gap;
+    result.gap        = {samples[gap->first].speed, samples[gap->second].speed};
+    result.gap_reason = samples[gap->first + 1].no_bite;
+    return;
+  }
+  if (crosses) {
+    result.verdict   = Verdict::crossing;
+    result.speed     = upward->speed;
+    result.frequency = upward->frequency;
+    return;
+  }
   const auto grows     = [](const Sample &s) { return has_bite(s) && s.unstable > 0; };
   const auto rests     = [](const Sample &s) { return has_bite(s) && s.unstable == 0; };
   const bool some_grow = std::any_of(samples.begin(), samples.end(), grows),
@@ -357,11 +381,19 @@ std::string sentence(const CriticalSpeed &critical, const SpeedRange &range)
            edges();
   case Verdict::unstable_below: {
     double last = critical.lowest_bite;
+    for (const SpeedPoint &point : critical.points)  // where a gap without a bite hides the change
+      if (point.unstable > 0)
+        last = point.speed;
     for (const Crossing &c : critical.crossings)
       if (c.of_stand)
-        last = c.speed;
+        last = std::max(last, c.speed);
     return fmt::format("unstable up to {:.3f} m/s and stable above, so that no speed is critical", last) + edges();
   }
+  case Verdict::unstable_beyond_gap:
+    return fmt::format("stable at {:.3f} m/s and unstable from {:.3f} m/s; the critical speed lies between them, "
+                       "where the search has no answer ({})",
+                       critical.gap[0], critical.gap[1], critical.gap_reason) +
+           edges();
   case Verdict::no_bite:
     return fmt::format("no steady bite from {:.4g} to {:.4g} m/s ({})", range.from, range.to, critical.below);
   }

@@ -3,6 +3,7 @@
 #include "dynamics/chatter/chatter.h"
 #include "reduce/bite/linear/linear_coefficients.h"
 #include <Eigen/Core>
+#include <array>
 #include <complex>
 #include <functional>
 #include <optional>
@@ -63,7 +64,11 @@ struct CriticalSpeed {
   double highest_bite = not_given;  ///< m/s
   std::string below;                ///< why the bite ends just below lowest_bite; empty: end of the range
   std::string above;                ///< the same above highest_bite
-  std::vector<SpeedPoint> points;   ///< by speed
+  /// m/s, the last stable and the first unstable speed on both sides of speeds without an answer; nan unless
+  /// Verdict::unstable_beyond_gap
+  std::array<double, 2> gap{not_given, not_given};
+  std::string gap_reason;          ///< why there is none just above gap[0]
+  std::vector<SpeedPoint> points;  ///< by speed
 };
 
 /// Scans the range, halves the intervals in which a root may cross the axis twice unseen (judged by the bend of

@@ -67,7 +67,8 @@ struct TandemShare {
   double phase = 0;  ///< deg, -180..180, against the largest one
 };
 
-/// Growth over speed of the last stand.
+/// Growth over speed of the last stand.  Where the roots with delay are not found, full, frequency and loop_gain
+/// are nan and unstable is -1.
 struct TandemCurves {
   Eigen::VectorXd speed;       ///< (k) m/s, of the rolls of the last stand; speeds without a bite are left out
   Eigen::MatrixXd roll_speed;  ///< (N, k) m/s
@@ -87,7 +88,7 @@ struct TandemStudy {
   CriticalSpeed tension;               ///< shared tension only
   CriticalSpeed full;                  ///< with transport
   double any_delay = not_given;        ///< m/s, up to which the tandem is stable for any distances; nan: nowhere
-  std::vector<TandemShare> share;      ///< (N) at the full critical speed
+  std::vector<TandemShare> share;      ///< (N) at the full critical speed; empty where its root does not settle
   std::complex<double> critical_root;  ///< 1/s, there
   TandemPoint point;                   ///< steady state there; empty without a crossing
   TandemCurves curves;                 ///< over the range

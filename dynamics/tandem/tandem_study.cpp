@@ -61,17 +61,23 @@ TandemCurves curves(const TandemLine &line, Points &points, const Eigen::VectorX
       c.roll_speed(i, j) = point.stands[i].bite.roll_speed;
     for (Eigen::Index i = 0; i + 1 < stands; ++i)
       c.delay(i, j) = point.delay[i];
-    const DelaySpectrum spectrum(tandem_system(line, point));
-    const Complex root = spectrum.rightmost(near);
-    near               = {root};
-    c.alone[j]         = -INFINITY;
+    c.alone[j] = -INFINITY;
     for (Eigen::Index i = 0; i < stands; ++i)
       c.alone[j] = std::max(c.alone[j], growth_rate(stand_alone(line, point, std::size_t(i))));
-    c.tension[j]   = spectrum.poles().real().maxCoeff();
-    c.full[j]      = root.real();
-    c.frequency[j] = std::abs(root.imag()) / (2 * M_PI);
-    c.loop_gain[j] = spectrum.loop_gain();
-    c.unstable[j]  = root.real() > 0 ? spectrum.roots_right_of(0) : 0;
+    c.tension[j] = growth_rate(tandem_matrix(line, point, TandemCoupling::tension));
+    c.full[j] = c.frequency[j] = c.loop_gain[j] = not_given;
+    c.unstable[j]                               = -1;
+    try {
+      const DelaySpectrum spectrum(tandem_system(line, point));
+      c.loop_gain[j]     = spectrum.loop_gain();
+      const Complex root = spectrum.rightmost(near);
+      near               = {root};
+      c.full[j]          = root.real();
+      c.frequency[j]     = std::abs(root.imag()) / (2 * M_PI);
+      c.unstable[j]      = root.real() > 0 ? spectrum.roots_right_of(0) : 0;
+    } catch (const InputError &) {   // more stands than the roots are searched for
+    } catch (const SolverError &) {  // what was found before stays
+    }
   }
   return c;
 }
@@ -130,6 +136,10 @@ std::vector<std::string> conclusions(const TandemStudy &s, const SpeedRange &ran
     text.push_back(fmt::format(
         "The waviness that arrives later (regeneration) moves the critical speed by {:+.2f} m/s ({:+.1f} %).",
         s.full.speed - s.tension.speed, 100 * (s.full.speed / s.tension.speed - 1)));
+  if (const auto without = (s.curves.unstable.array() < 0).count(); without > 0)
+    text.push_back(fmt::format("At {} of {} speeds the roots with the delay of the strip were not found; their "
+                               "growth is left out.",
+                               without, s.curves.unstable.size()));
   if (std::isfinite(s.any_delay))
     text.push_back(
         fmt::format("Up to {:.2f} m/s the tandem is stable for any distances between its stands.", s.any_delay));
@@ -186,6 +196,8 @@ TandemStudy tandem_study(const TandemLine &line, const SpeedRange &range, const 
         range);
     if (safe.verdict == Verdict::crossing && safe.crossings.front().upward)
       study.any_delay = safe.speed;
+    if (safe.verdict == Verdict::unstable_beyond_gap && safe.crossings.empty())
+      study.any_delay = safe.gap[0];
   }
   if (study.full.verdict == Verdict::crossing) {
     study.point = points.at(study.full.speed);
@@ -208,10 +220,13 @@ TandemStudy tandem_study(const TandemLine &line, const SpeedRange &range, const 
         study.point          = points.at(study.full.speed);
       }
     }
-    const DelaySpectrum spectrum(tandem_system(line, study.point));
-    const DelayRoot top = spectrum.polished(spectrum.rightmost());
-    study.critical_root = top.value;
-    study.share         = shares(line, top);
+    try {
+      const DelaySpectrum spectrum(tandem_system(line, study.point));
+      const DelayRoot top = spectrum.polished(spectrum.rightmost());
+      study.critical_root = top.value;
+      study.share         = shares(line, top);
+    } catch (const SolverError &) {  // the critical speed stands without its shape
+    }
     if (lobe > 0)
       study.lobes = curves(line, points,
                            Eigen::VectorXd::LinSpaced(81, std::max(range.from, study.full.speed - 4 * lobe),

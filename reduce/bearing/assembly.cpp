@@ -337,6 +337,18 @@ struct BearingAssembly::Implementation {
   }
 
   // ---- result
+  // The rollers that carry.  The laws are steepest where contact begins: a roller at its edge, whose approach is
+  // rounding, would have a fifth of the slope of the heaviest one and more.
+  RollerForces carrying(const RollerForces &all) const
+  {
+    RollerForces out           = all;
+    const Eigen::RowVectorXd Q = all.slice_load.colwise().sum();
+    for (Index i = 0; i < count(); ++i)
+      if (!carries(Q[i], Q.maxCoeff()))
+        out.on_raceway[std::size_t(i)] = 0;
+    return out;
+  }
+
   AssemblyState state(const Point &point, const RingLoading &loading, const int iterations) const
   {
     const RollerBearing &b = model.bearing;
@@ -344,7 +356,7 @@ struct BearingAssembly::Implementation {
     AssemblyState s;
     s.motion      = point.motion;
     s.load        = point.force;
-    s.tangent     = stiffness(point, places.press).tangent;
+    s.tangent     = bearing_stiffness(carrying(point.rollers), places.press, flexibility, point.imbalance).tangent;
     s.azimuth     = places.azimuth;
     s.iterations  = iterations;
     s.residual    = residual(point, loading);

@@ -48,6 +48,8 @@ std::string verdict_in_words(const std::string &verdict, const double speed)
     return verdict + " throughout";
   case StabilityFinding::unstable_below:
     return "unstable at low speed, stable above";
+  case StabilityFinding::unstable_beyond_gap:
+    return "stable at low speed, unstable above speeds without an answer";
   case StabilityFinding::no_bite:
     break;
   }

@@ -83,6 +83,9 @@ std::string speed_card(const SpeedVerdict &v, const std::string &of_pass)
 {
   if (v.finding == SpeedFinding::not_searched)
     return "";
+  if (std::isfinite(v.gap[0]))
+    return tile("critical speed" + of_pass, fixed(v.gap[0], 3) + " to " + fixed(v.gap[1], 3), "m/s",
+                "the search has no answer there", "", speed_state(v));
   if (std::isnan(v.critical)) {
     if (!(v.range[1] > 0))  // of kind chatter: its table has the range
       return std::isnan(v.growth)

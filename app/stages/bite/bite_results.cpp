@@ -64,6 +64,19 @@ double combined_in(const BiteAnswer &a)
   return a.stiffness.combined;
 }
 
+// Whether the study has made the section of the work roll, which the backup roll holds.
+bool has_section(const BiteStudy &s)
+{
+  return s.flexibility.position.size() > 0;
+}
+
+// What the results of the model that gives K4 read.
+BiteReading chosen_reading(const BiteStudy &s, BiteReading reading = {})
+{
+  reading.section = has_section(s) && fem::on_free_arc(s);
+  return reading;
+}
+
 struct Adder {
   RunContext &run;
   const BiteStudy &study;
@@ -78,7 +91,7 @@ struct Adder {
     p.value          = value;
     p.error_estimate = error;
     p.checks         = std::move(checks);
-    p.inputs         = keys(reading_of(row, BiteAnswers::model));
+    p.inputs         = keys(chosen_reading(study, reading_of(row, BiteAnswers::model)));
     p.method += more;
     run.results.add(row.of(study.question.pass), p);
   }
@@ -94,9 +107,13 @@ void add_every_model(RunContext &run, const BiteStudy &s, const BiteKeys &keys)
       Parameter p         = plain(s, answer);
       BiteReading reading = reading_of(row, by);
       reading.free_arc    = answer.key == word_of(BiteModel::karman_elastic_arc);
-      p.inputs            = keys(reading);
-      p.unit              = row.unit;
-      p.value             = value;
+      if (by == BiteAnswers::model)
+        reading = chosen_reading(s, reading);
+      else
+        reading.section = reading.free_arc && has_section(s);
+      p.inputs = keys(reading);
+      p.unit   = row.unit;
+      p.value  = value;
       run.results.add(row.of(s.question.pass, answer.key), p);
     };
     add(row::bite_model::force, answer.state.force);
@@ -115,7 +132,7 @@ void add_balances(RunContext &run, const BiteStudy &s, const BiteKeys &keys)
   const fem::StripFlow &f = s.flow->fine;
   const auto add          = [&](const RowOf<2> &row, const double value, const char *how) {
     Parameter p = plain(s, *s.find("fe"));
-    p.inputs    = keys(reading_of(row, BiteAnswers::model));
+    p.inputs    = keys(chosen_reading(s, reading_of(row, BiteAnswers::model)));
     p.unit      = row.unit;
     p.value     = value;
     p.method += how;
@@ -274,8 +291,8 @@ BiteSpring bite_spring(const BiteStudy &s, const BiteKeys &keys)
   spring.combined.checks = comparisons(s, combined_in);
   spring.combined.error_estimate = numbers.combined_error;
   for (Parameter *number : {&spring.plastic_slope, &spring.flattening, &spring.combined})
-    number->inputs = keys({});
-  BiteReading path;
+    number->inputs = keys(chosen_reading(s));
+  BiteReading path           = chosen_reading(s);
   path.path_trim             = true;
   spring.path_plateau.inputs = keys(path);
   return spring;

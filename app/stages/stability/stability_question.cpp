@@ -111,6 +111,7 @@ SpeedVerdict verdict_of(const StabilityQuestion &q, const Stability &s)
   v.range   = {q.leading.range.from, q.leading.range.to};
   v.growth  = s.growth;
   v.damping = s.gap.damping();
+  v.gap     = s.critical.gap;
   if (s.critical.verdict == Verdict::crossing) {
     v.critical  = s.critical.speed;
     v.by_inputs = s.by_inputs;

@@ -22,7 +22,8 @@ void keep_worst_known(FitAnswer &answer)
   for (Eigen::Index j = 0, k = 0; j < point.x.size(); ++j)
     if (j != which)
       x[k++] = point.x[j];
-  answer.best = *fit_point(answer.problem, x);
+  const auto same = fit_point(answer.problem, x);
+  answer.best     = same ? *same : feasible_start(answer.problem);  // a number that stood at its bound
 }
 
 // How far the worst known direction reaches at this point.

@@ -129,18 +129,23 @@ TEST(ResultInputs, ElasticZonesReadTheModulusOfTheStripOnAnyArc)
   EXPECT_FALSE(reads_modulus(row::bite::force, BiteAnswers::model, false));
 }
 
-// The section of the work roll that gives a free arc is held where the backup roll carries it.
+// The section of the work roll that gives a free arc is held where the backup roll carries it.  Where arc and
+// strip are left open the bite decides, and the model says which one it was.
 TEST(ResultInputs, TheBackupRollIsAnInputOfAFreeArc)
 {
-  const auto inputs = [](const std::string &arc) {
+  const auto inputs = [](const std::string &arc, const bool section = false) {
     const Case the_case = read_case(demo, {"bite.arc=" + arc});
     MovingKeys keys(the_case.spec);
-    return bite_keys(keys, 0);
+    BiteReading reading;
+    reading.section = section;
+    return bite_keys(keys, 0, reading);
   };
   const KeyList of_section{"backup_roll.barrel_diameter", "backup_roll.barrel_length", "work_roll.barrel_length",
                            "pass.0.force"};
   for (const std::string &key : of_section) {
     EXPECT_TRUE(holds(inputs("elastic"), key)) << key;
     EXPECT_FALSE(holds(inputs("hitchcock"), key)) << key;
+    EXPECT_TRUE(holds(inputs("auto", true), key)) << key;
+    EXPECT_FALSE(holds(inputs("auto", false), key)) << key;
   }
 }

@@ -259,6 +259,31 @@ TEST(BearingAssembly, RollerAtRightAnglesCarriesNothing)
   }
 }
 
+// Rollers of the power law at 90 deg, without profile: a tangent across the load has the slopes of the 15 rollers
+// of each row that are pressed, and nothing of the two at the edge of contact, whatever the rounding of their
+// cosine. A turn of the cage by whole pitches leaves the bearing as it is.
+TEST(BearingAssembly, TheTangentAcrossHasNothingOfRollersAtRightAngles)
+{
+  RollerBearing b   = demo_bearing(20);
+  b.rollers_per_row = 32;
+  const double c    = std::cos(b.cup_angle);
+  for (const int pitches : {0, 1, 2, 5, 8, 16}) {
+    BearingModel model = rigid_model(b);
+    model.cage_angle   = 2 * M_PI / 32 * pitches;
+    const auto loading = radial_drive(1e6);
+    const auto state   = BearingAssembly(model).solve(loading);
+    double across      = 0;
+    for (int j = -7; j <= 7; ++j) {
+      const double psi = 2 * M_PI / 32 * j, d = c * state.motion[0] * std::cos(psi);
+      across += 4 * 10. / 9 * roller_constant(OneRollerLaw::iso, b.roller_length) * std::pow(d, 1. / 9) *
+                std::pow(c * std::sin(psi), 2);  // (5.2), (5.14)
+    }
+    EXPECT_TRUE(near(stiffness_along(state, loading, 1), across,
+                     within(1e-9, "equilibrium to 1e-10 of the load, its slope of power 1/9")))
+        << pitches;
+  }
+}
+
 // A turn of the ring presses roller j by (p x n).theta: worked out from the vectors, row by row.
 TEST(BearingAssembly, ATurnPressesByItsFullMoment)
 {

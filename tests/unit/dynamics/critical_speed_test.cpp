@@ -169,6 +169,45 @@ TEST(CriticalSpeed, EdgesOfTheBiteAreFoundWithTheirReason)
   EXPECT_EQ(sentence(none, {22, 30}), "no steady bite from 22 to 30 m/s (the rolls skid)");
 }
 
+// Growth v - 12 with no answer between 11.25 and 12.625 m/s, which halving the grid meets: the crossing at 12 m/s
+// lies in the gap.
+TEST(CriticalSpeed, ACrossingInAGapOfSpeedsIsNamedByTheGap)
+{
+  const auto with_gap = [](const std::function<double(double)> &growth) {
+    return [growth](const double v) -> Eigen::VectorXcd {
+      if (v > 11.25 && v < 12.625)
+        throw SolverError({"roots not found", "", "", "", ""});
+      return roots_of({{growth, 100}})(v);
+    };
+  };
+  const auto edge            = within(1e-3 / 12, "the edges are searched to 1e-3 m/s");
+  const CriticalSpeed rising = crossings_of_roots(with_gap([](double v) { return v - 12; }));
+  EXPECT_EQ(rising.verdict, Verdict::unstable_beyond_gap);
+  EXPECT_TRUE(std::isnan(rising.speed));
+  EXPECT_TRUE(near(rising.gap[0], 11.25, edge));
+  EXPECT_TRUE(near(rising.gap[1], 12.625, edge));
+  EXPECT_EQ(rising.gap_reason, "roots not found");
+  EXPECT_EQ(sentence(rising, {}), "stable at 11.250 m/s and unstable from 12.625 m/s; the critical speed lies "
+                                  "between them, where the search has no answer (roots not found)");
+
+  // Stable again above 15 m/s and unstable above 20 m/s: the lowest change to growth is still that of the gap.
+  const CriticalSpeed twice =
+      crossings_of_roots(with_gap([](double v) { return (v - 12) * (v - 15) * (v - 20) / 100; }));
+  EXPECT_EQ(twice.verdict, Verdict::unstable_beyond_gap);
+  EXPECT_TRUE(near(twice.gap[0], 11.25, edge));
+
+  // A crossing below the gap is the critical speed, whatever the gap hides.
+  const CriticalSpeed before =
+      crossings_of_roots(with_gap([](double v) { return (v - 5) * (v - 8) * (v - 12) / 100; }));
+  EXPECT_EQ(before.verdict, Verdict::crossing);
+  EXPECT_TRUE(near(before.speed, 5, within(2e-10 / 5, "the search ends at 1e-10 m/s, on either side")));
+
+  // Falling growth crosses in the gap: unstable below only, up to its lower edge at least.
+  const CriticalSpeed falling = crossings_of_roots(with_gap([](double v) { return 12 - v; }));
+  EXPECT_EQ(falling.verdict, Verdict::unstable_below);
+  EXPECT_EQ(sentence(falling, {}), "unstable up to 11.250 m/s and stable above, so that no speed is critical");
+}
+
 // Creeping away without vibration: one real root.
 TEST(CriticalSpeed, FindsARealRootWithoutFrequency)
 {

@@ -2,6 +2,7 @@
 #include "core/records/result_names.h"
 #include "report/page/sections.h"
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 using namespace mill::report;
 using mill::not_given;
@@ -121,6 +122,31 @@ TEST(FirstScreen, StatesTheRangeThatHasNoCriticalSpeed)
   run.manifest.speeds = {v};
   EXPECT_TRUE(says(first_screen(run), "card bad")) << first_screen(run);
   EXPECT_TRUE(says(first_screen(run), "<b>unstable</b>"));
+}
+
+// Between 12.1 and 12.4 m/s the bite had no answer, and the critical speed lies there: it is not said to be
+// absent.
+TEST(FirstScreen, StatesTheGapThatHidesACriticalSpeed)
+{
+  mill::SpeedVerdict v;
+  v.finding = mill::SpeedFinding::stable;
+  v.speed   = 10;
+  v.range   = {1, 30};
+  v.gap     = {12.1, 12.4};
+  v.mode    = "gap mode at 107 Hz";
+  EXPECT_EQ(sentence_of(v),
+            "At 10.0 m/s, stable; the critical speed lies between 12.100 and 12.400 m/s, where the "
+            "search has no answer; the gap mode at 107 Hz has the least damping.");
+  v.finding = mill::SpeedFinding::unstable;
+  v.speed   = 16;
+  EXPECT_EQ(sentence_of(v), "Unstable: the gap mode at 107 Hz grows at 16.0 m/s; the critical speed lies between "
+                            "12.100 and 12.400 m/s, where the search has no answer.");
+  EXPECT_EQ(sentence_of(mill::speed_verdict_of(json_of(v))), sentence_of(v));
+  mill::report::Run run = four_high();
+  run.manifest.speeds   = {v};
+  EXPECT_TRUE(says(first_screen(run), "<span>critical speed</span><b>12.100 to 12.400</b> m/s"))
+      << first_screen(run);
+  EXPECT_TRUE(says(first_screen(run), "card bad"));
 }
 
 TEST(FirstScreen, BeginsAWarningWithACapitalAndLeavesKeysAsTheyAre)

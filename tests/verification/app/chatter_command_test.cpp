@@ -200,6 +200,10 @@ TEST(ChatterCommand, ConstantFriction)
   const auto results = results_of("constant");
   EXPECT_TRUE(near(value(results, "chatter.1.critical_speed"), 21.201916245263902, search));
   EXPECT_TRUE(near(value(results, "chatter.2.critical_speed"), 19.738938604434455, search));
+  const auto &friction = results.at("values").at("bite.1.friction");
+  EXPECT_EQ(friction.at("value").get<double>(), 0.04);
+  EXPECT_FALSE(friction.contains("error_estimate")) << "a given coefficient is the same in every theory";
+  EXPECT_EQ(friction.dump().find("Bland and Ford"), std::string::npos) << friction.dump();
 }
 
 // The stand of a lumped model, by its path.

@@ -296,6 +296,41 @@ TEST(DelayMotion, IsExactForASignalThatIsACubic)
             "motion with delay: step 0.000000 s and duration 3.000000 s have to be above 0");
 }
 
+// Fourteen stands have thirteen delays, one more than the roots are searched for: what does not need them stays.
+TEST(Tandem, WithoutRootsOfTheDelayTheRestOfAStudyStays)
+{
+  TandemLine line;
+  double thickness = 2e-3;
+  for (int i = 0; i < 14; ++i) {
+    const double exit = 0.93 * thickness;
+    line.stands.push_back({"", structure(), pass(thickness, exit, 150e6, 150e6)});
+    thickness = exit;
+  }
+  line.distance.assign(13, 4.5);
+  line.entry_distance = line.exit_distance = 4.5;
+  SpeedRange range;
+  range.from          = 10;
+  range.to            = 12;
+  const TandemStudy s = tandem_study(line, range, 3);
+  EXPECT_EQ(s.full.verdict, Verdict::no_bite);
+  ASSERT_EQ(s.stand.size(), 14u);
+  for (const CriticalSpeed &alone : s.stand)
+    EXPECT_NE(alone.verdict, Verdict::no_bite);
+  EXPECT_NE(s.tension.verdict, Verdict::no_bite);
+  ASSERT_EQ(s.curves.speed.size(), 3);
+  for (Eigen::Index j = 0; j < 3; ++j) {
+    const double tension =
+        growth_rate(tandem_matrix(line, tandem_point(line, s.curves.speed[j]), TandemCoupling::tension));
+    EXPECT_TRUE(near(s.curves.tension[j], tension,
+                     within(1e-8 / std::abs(tension), "1/s: eigenvalues of one matrix, states settled to 1e-10")));
+    EXPECT_TRUE(std::isfinite(s.curves.alone[j]));
+    EXPECT_TRUE(std::isnan(s.curves.full[j]) && std::isnan(s.curves.loop_gain[j]));
+    EXPECT_EQ(s.curves.unstable[j], -1);
+  }
+  EXPECT_EQ(s.sentences.back(), "At 3 of 3 speeds the roots with the delay of the strip were not found; their "
+                                "growth is left out.");
+}
+
 TEST(Tandem, StudyStatesTheEffectOfTensionAndDelay)
 {
   TandemLine line = three_stands();
