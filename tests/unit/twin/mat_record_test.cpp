@@ -101,3 +101,19 @@ TEST_F(MatRecord, AClockWithoutANameIsPointedOutWhereTheRateIsMissing)
   options.units["data_1"] = "s";
   EXPECT_EQ(read("s.mat", mat_file(mat_array("data", both, 2)), options).time[2000], 1.0);
 }
+
+// MATLAB keeps the values of its objects in an array of bytes without a name, often longer than the channels.
+TEST_F(MatRecord, ObjectsOfMatlabAreNamedAndLeftOut)
+{
+  const std::string behind = mat_array("", std::vector<double>(5000, 1));
+  const auto record        = read("r.mat",
+                                  mat_file(mat_object("run", "table") + mat_object("when", "datetime") +
+                                           mat_array("a", swings()) + mat_array("fs", {1000}) + behind),
+                                  in_g({"a"}));
+  expect_swing(record, "a");
+  EXPECT_EQ(record.channels.size(), 1u);
+  EXPECT_TRUE(
+      has_note(record, "not used, because not an array of real numbers: 'run' (table), 'when' (datetime)"));
+  EXPECT_EQ(refusal("s.mat", mat_file(mat_object("run", "table") + behind)),
+            "s.mat holds no numeric vector; it holds 'run' (table); save the channels as vectors of numbers");
+}
