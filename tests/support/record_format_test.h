@@ -57,7 +57,7 @@ struct UffSet {
   int node = 1, direction = 3, function = 1, axis_kind = 17;
   std::string numbers;
   int type = 2, even = 1;
-  double step = 1e-3;
+  double first = 0, step = 1e-3;
 };
 
 inline std::string uff(const UffSet &set)
@@ -65,7 +65,7 @@ inline std::string uff(const UffSet &set)
   char head[400];
   std::snprintf(head, sizeof head, "%5d%10d%5d%10d %-10s%10d%4d %-10s%10d%4d\n%10d%10d%10d%13.5E%13.5E%13.5E\n",
                 set.function, 0, 0, 0, set.entity.c_str(), set.node, set.direction, "NONE", 0, 0, set.type, n,
-                set.even, 0.0, set.step, 0.0);
+                set.even, set.first, set.step, 0.0);
   const auto axis = [](const int kind, const std::string &label, const std::string &unit) {
     char line[200];
     std::snprintf(line, sizeof line, "%10d%5d%5d%5d %-20s %-20s\n", kind, 0, 0, 0, label.c_str(), unit.c_str());

@@ -7,12 +7,13 @@ using namespace mill::record_format;
 
 namespace {
 // Pairs of time and value, so many on a line.
-std::string pairs(const char *abscissa, const char *ordinate, const int on_a_line)
+std::string pairs(const char *abscissa, const char *ordinate, const int on_a_line, const double stretch = 1,
+                  const double later = 0)
 {
   std::string text;
   const auto values = swings();
   for (int i = 0; i < n; ++i)
-    text += printed(abscissa, i / 2000.0) + printed(ordinate, values[std::size_t(i)]) +
+    text += printed(abscissa, later + stretch * i / 2000.0) + printed(ordinate, values[std::size_t(i)]) +
             (i % on_a_line == on_a_line - 1 || i + 1 == n ? "\n" : "");
   return text;
 }
@@ -106,4 +107,53 @@ TEST_F(UffRecord, BytesOfABinaryUniversalFileEndWithTheFile)
   for (const auto &[written, shown] : {std::pair("1e300", "1e+300"), std::pair("inf", "inf")})
     EXPECT_EQ(refusal("s.uff", binary(written, 4)),
               "the file ends inside the " + std::string(shown) + " byte of numbers that follow here");
+}
+
+// The times of the first data set held for all of them.
+TEST_F(UffRecord, ChannelsOfUniversalFilesHaveTheTimesOfTheFirst)
+{
+  const auto uneven = [](const double stretch, const double later) {
+    UffSet set;
+    set.numbers = pairs("%20.12E", "%20.12E", 2, stretch, later);
+    set.type    = 4;
+    set.even    = 0;
+    set.step    = 0;
+    return set;
+  };
+  const auto answer = [&](UffSet one, UffSet two, const ReadOptions &options = {}) {
+    one.id1 = "one";
+    two.id1 = "two";
+    return refusal("r.uff", uff(one) + uff(two), options);
+  };
+  const std::string together = "; one file holds channels that were recorded together";
+  EXPECT_EQ(answer(uneven(1, 0), uneven(1, 0)), "accepted");
+  EXPECT_EQ(answer(uneven(1, 0), uneven(1.3, 0)), "'two' has other times than 'one' before it" + together);
+  EXPECT_EQ(answer(uneven(1, 0), uneven(1, 0.4)),
+            "'two' has other times than 'one' before it, it begins at 0.4 s and not at 0 s" + together);
+  UffSet even;
+  even.numbers = even_numbers();
+  UffSet later = even, in_milliseconds = even;
+  later.first               = 3;
+  in_milliseconds.axis_unit = "ms";
+  EXPECT_EQ(answer(even, even), "accepted");
+  EXPECT_EQ(answer(even, later),
+            "'two' has other times than 'one' before it, it begins at 3 s and not at 0 s" + together);
+  EXPECT_EQ(answer(even, in_milliseconds), "'two' has other times than 'one' before it" + together);
+  ReadOptions given;
+  given.rate = 1000;
+  EXPECT_EQ(answer(even, later, given), "accepted") << "who gives the rate says what holds";
+}
+
+// 1e300 as a code is a number that no integer holds.
+TEST_F(UffRecord, CodesOfUniversalFilesMayBeAnyNumber)
+{
+  UffSet set;
+  set.numbers      = even_numbers();
+  std::string text = uff(set);
+  for (const char *code : {"1e300", "-1e99", "  inf", "  nan"}) {
+    text.replace(text.find("         0    0         0 NONE") - 5, 5, code);
+    EXPECT_NE(refusal("r.uff", text).find("no data set 58 of this file is a real time response"),
+              std::string::npos)
+        << code;
+  }
 }
