@@ -77,9 +77,38 @@ TEST_F(LvmRecord, RunsOfLabViewThatDoNotFollowEachOtherAreRefused)
   EXPECT_EQ(answer({{"0", "0.001"}, {"0", "0.001"}}), "accepted");
   EXPECT_EQ(answer({{"0", "0.001"}, {"1.5", "0.001"}}), "accepted");
   EXPECT_EQ(answer({{"0", "0.001"}, {"0", "5E-5"}}),
-            "this run has a step of 5e-05 s, the one before it of 0.001 s, and no column says the times; export "
-            "each run as a file of its own, or with X_Columns One");
+            "this run has a step of 5e-05 s, the one before it of 0.001 s; export each run as a file of its own");
   EXPECT_EQ(answer({{"0", "0.001"}, {"3600", "0.001"}}),
             "this run begins at 3600 s, where the one before it ends at 1.5 s, and no column says the times; "
-            "export each run as a file of its own, or with X_Columns One");
+            "export each run as a file of its own");
+}
+
+namespace {
+// Two channels with a time each, of which the second has another step and start.
+std::string two_clocks(const double step, const double start)
+{
+  std::string text =
+      "LabVIEW Measurement\nX_Columns\tMulti\n***End_of_Header***\nChannels\t2\nY_Unit_Label\tg\tg\n"
+      "Delta_X\t0.001\t0.001\n***End_of_Header***\nX_Value\tone\tX_Value\ttwo\n";
+  for (int i = 0; i < n; ++i)
+    text += printed("%.6f", i * 1e-3) + "\t" + printed("%.6f", swings()[std::size_t(i)]) + "\t" +
+            printed("%.6f", start + i * step) + "\t" + printed("%.6f", i % 7) + "\n";
+  return text;
+}
+}  // namespace
+
+TEST_F(LvmRecord, ChannelsOfLabViewHaveOneClock)
+{
+  EXPECT_EQ(refusal("r.lvm", two_clocks(1e-3, 0)), "accepted");
+  EXPECT_EQ(refusal("r.lvm", two_clocks(1e-3, 4e-4)), "accepted") << "read in turn, within a step";
+  EXPECT_EQ(refusal("r.lvm", two_clocks(1e-3, 0.25)),
+            "channel 2 has the time 0.25 s, channel 1 0 s; export channels that were recorded together");
+  EXPECT_EQ(refusal("r.lvm", two_clocks(2e-3, 0)),
+            "channel 2 has the time 0.002 s, channel 1 0.001 s; export channels that were recorded together");
+  std::string starts = lvm_runs("10:00:00", {{"0\t0.5", "0.001\t0.001"}, {"0\t0.5", "0.001\t0.001"}});
+  for (auto position = starts.find("Channels\t1"); position != std::string::npos;
+       position      = starts.find("Channels\t1"))
+    starts.replace(position, 10, "Channels\t2");
+  EXPECT_EQ(refusal("r.lvm", starts),
+            "channel 2 begins at 0.5 s, channel 1 0 s; export channels that were recorded together");
 }
