@@ -54,3 +54,15 @@ TEST_F(WavRecord, SoundFilesOfMoreThan4GiBSayTheirSizeElsewhere)
   // a recorder that was switched off has not written the size yet
   EXPECT_TRUE(has_note(read("s.wav", large(0), scaled), "the head says more samples than the file holds"));
 }
+
+// 24 bit in containers of four byte: read as three byte each, every later sample is another one.
+TEST_F(WavRecord, BytesBetweenTheSamplesAreRefused)
+{
+  std::string file = wav(48000, {std::vector<int>(n, 7), std::vector<int>(n, 8)});
+  EXPECT_EQ(refusal("r.wav", file).substr(0, 22), "r.wav holds 2 channels");
+  file.replace(32, 2, little(8, 2));  // bytes of a row
+  EXPECT_EQ(refusal("r.wav", file), "r.wav has rows of 8 byte, where 2 channels of 16 bit take 4; save it as PCM "
+                                    "without bytes between the samples");
+  EXPECT_EQ(refusal("s.wav", file.substr(0, 30)),
+            "s.wav ends inside its head; it was cut off while it was written or copied");
+}
