@@ -50,6 +50,14 @@ inline std::string mat_structure(const std::string &name,
                          element(1, name) + element(5, little(32, 4)) + element(1, names) + values);
 }
 
+/// A table, a string or another object of MATLAB: its values are in an array without a name at the end of the
+/// file.
+inline std::string mat_object(const std::string &name, const std::string &type)
+{
+  return element(14, element(6, little(17, 4) + little(0, 4)) + element(1, name) + element(1, "MCOS") +
+                         element(1, type) + mat_array("", {0xDD000000, 2, 1, 1, 1, 1}));
+}
+
 /// Blocks of deflate that hold the bytes as they are.
 inline std::string stored_blocks(const std::string &data)
 {
@@ -73,6 +81,18 @@ inline std::string zlib_stream(const std::string &data)
   const std::uint32_t sum = b << 16 | a;
   const std::string check{char(sum >> 24), char(sum >> 16 & 0xFF), char(sum >> 8 & 0xFF), char(sum & 0xFF)};
   return "\x78\x01" + stored_blocks(data) + check;
+}
+
+/// CRC-32 of a zip archive, bit by bit.
+inline std::uint32_t crc32_of(const std::string &data)
+{
+  std::uint32_t rest = 0xFFFFFFFF;
+  for (const char c : data) {
+    rest ^= static_cast<unsigned char>(c);
+    for (int bit = 0; bit < 8; ++bit)
+      rest = rest >> 1 ^ (rest & 1 ? 0xEDB88320u : 0u);
+  }
+  return ~rest;
 }
 
 /// A variable as MATLAB saves it unless it is asked for another form.
@@ -104,11 +124,12 @@ inline std::string zip(const std::vector<std::pair<std::string, std::string>> &f
   for (const auto &[name, data] : files) {
     const std::string packed = stored_blocks(data);
     const std::string sizes =
-        little(0, 4) + little(packed.size(), 4) + little(data.size(), 4) + little(name.size(), 2) + little(0, 2);
+        little(packed.size(), 4) + little(data.size(), 4) + little(name.size(), 2) + little(0, 2);
     const std::string offset = little(all.size(), 4);
-    all += "PK\3\4" + little(20, 2) + little(0, 2) + little(8, 2) + little(0, 4) + sizes + name + packed;
-    directory += "PK\1\2" + little(20, 2) + little(20, 2) + little(0, 2) + little(8, 2) + little(0, 4) + sizes +
-                 little(0, 2) + little(0, 2) + little(0, 2) + little(0, 4) + offset + name;
+    const std::string check  = little(crc32_of(data), 4);
+    all += "PK\3\4" + little(20, 2) + little(0, 2) + little(8, 2) + little(0, 4) + check + sizes + name + packed;
+    directory += "PK\1\2" + little(20, 2) + little(20, 2) + little(0, 2) + little(8, 2) + little(0, 4) + check +
+                 sizes + little(0, 2) + little(0, 2) + little(0, 2) + little(0, 4) + offset + name;
   }
   return all + directory + "PK\5\6" + little(0, 4) + little(files.size(), 2) + little(files.size(), 2) +
          little(directory.size(), 4) + little(all.size(), 4) + little(0, 2);

@@ -94,6 +94,7 @@ ClockDelay clock_delay(const FittedStand &stand, const Fit &fit, const MeasuredR
   // A large delay has spoilt the fit: dampings run away, and with them the phases of the stand.  Not those of the
   // case.
   double highest = -1;
+  start << fit.estimate, 0.0;  // kept where the pieces are too short for an H1
   for (const Eigen::VectorXd &theta : {fit.estimate, prior}) {
     const PhaseDelay delay =
         best_of_phases(stand_at(stand, fit.unknowns, theta), data.places, pieces, rate, low, high);

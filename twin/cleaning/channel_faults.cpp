@@ -28,7 +28,7 @@ template <class AtLevel> HeldLevel held(const Eigen::VectorXd &value, const AtLe
 
 template <class AtLevel>
 void list_clips(const CleanChannel &channel, const Eigen::VectorXd &value, const double rate,
-                const AtLevel &at_level, std::vector<CleaningEvent> &events)
+                const AtLevel &at_level, EventList &events)
 {
   // neighbouring clips within 0.1 s are one entry of the list
   const auto apart = Eigen::Index(0.1 * rate);
@@ -52,8 +52,7 @@ void list_clips(const CleanChannel &channel, const Eigen::VectorXd &value, const
 }
 }  // namespace
 
-void find_clipping(CleanChannel &channel, const Eigen::VectorXd &value, const double rate,
-                   std::vector<CleaningEvent> &events)
+void find_clipping(CleanChannel &channel, const Eigen::VectorXd &value, const double rate, EventList &events)
 {
   double low = std::numeric_limits<double>::infinity(), high = -low;
   Eigen::Index n = 0;
@@ -85,7 +84,7 @@ void find_clipping(CleanChannel &channel, const Eigen::VectorXd &value, const do
         events);
 }
 
-void cut_stuck(CleanChannel &channel, const double rate, std::vector<CleaningEvent> &events)
+void cut_stuck(CleanChannel &channel, const double rate, EventList &events)
 {
   const Eigen::Index shortest = std::max(fewest_stuck, Eigen::Index(std::ceil(shortest_stuck * rate)));
   std::vector<Span> kept;

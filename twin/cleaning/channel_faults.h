@@ -1,5 +1,5 @@
 #pragma once
-#include "twin/cleaning/clean_record.h"
+#include "twin/cleaning/event_list.h"
 
 // The faults of one channel, each found and treated separately.
 namespace mill::twin {
@@ -7,11 +7,10 @@ namespace mill::twin {
 /// of the samples have.  Fills clip_low, clip_high, clipped, clipped_share; values are not changed.
 /// @param value  (m) as recorded, NaN where nothing is
 /// @param at     s, of a sample by its index
-void find_clipping(CleanChannel &channel, const Eigen::VectorXd &value, double rate,
-                   std::vector<CleaningEvent> &events);
+void find_clipping(CleanChannel &channel, const Eigen::VectorXd &value, double rate, EventList &events);
 
 /// Cuts pieces in which the value stays the same for 5 ms and 50 samples, except at a clip level.
-void cut_stuck(CleanChannel &channel, double rate, std::vector<CleaningEvent> &events);
+void cut_stuck(CleanChannel &channel, double rate, EventList &events);
 
 /// Takes the line through all pieces off.
 void take_off_drift(CleanChannel &channel, double rate);

@@ -8,8 +8,18 @@
 
 namespace mill::twin {
 namespace {
-constexpr Eigen::Index longest_filled = 2;    // samples
-constexpr std::size_t most_listed     = 200;  // events of one channel
+constexpr Eigen::Index longest_filled = 2;  // samples
+constexpr const char *cut_here        = "record cut here";
+
+const char *filling_word(const bool uneven)
+{
+  return uneven ? "filled by the cubic spline" : "filled linearly";
+}
+
+// Rows that are not there, for all channels at once, in samples of the grid.
+struct RowGap {
+  Eigen::Index first, n;
+};
 
 double nan()
 {
@@ -17,15 +27,13 @@ double nan()
 }
 
 // Runs of NaN: short ones between numbers are filled, all are listed but those of rows that are missing for all.
-void fill_short_gaps(CleanChannel &channel, const double rate, const std::vector<CleaningEvent> &of_all,
-                     std::vector<CleaningEvent> &events)
+void fill_short_gaps(CleanChannel &channel, const double rate, const std::vector<RowGap> &of_all,
+                     EventList &events)
 {
   auto next            = of_all.begin();  // both lists are in the order of time
   const auto is_listed = [&](const Eigen::Index first, const Eigen::Index n) {
-    next = std::find_if(next, of_all.end(), [&](const CleaningEvent &e) {
-      return e.fault == CleaningFault::gap && std::llround(e.from * rate) >= first;
-    });
-    return next != of_all.end() && next->count == n && std::llround(next->from * rate) == first;
+    next = std::find_if(next, of_all.end(), [&](const RowGap &gap) { return gap.first >= first; });
+    return next != of_all.end() && next->n == n && next->first == first;
   };
   Eigen::VectorXd &x = channel.value;
   for (Eigen::Index i = 0; i < x.size();) {
@@ -45,8 +53,32 @@ void fill_short_gaps(CleanChannel &channel, const double rate, const std::vector
     }
     if (!is_listed(i, n))
       events.push_back({channel.name, n > longest_filled ? CleaningFault::gap : CleaningFault::missing,
-                        double(i) / rate, double(end - 1) / rate, n,
-                        fills ? "filled linearly" : "record cut here"});
+                        double(i) / rate, double(end - 1) / rate, n, fills ? filling_word(false) : cut_here});
+    i = end;
+  }
+}
+
+// Empty cells of a record that a spline puts onto its grid: those that it fills, and those where it ends.
+void list_empty_cells(CleanChannel &channel, const Eigen::VectorXd &value, const Eigen::VectorXd &time,
+                      const TimeGrid &grid, EventList &events)
+{
+  Eigen::Index before = -1;  // place of the last number
+  for (Eigen::Index i = 0; i < value.size();) {
+    if (!std::isnan(value[i])) {
+      before = std::max(before, grid.position[std::size_t(i)]);
+      ++i;
+      continue;
+    }
+    Eigen::Index end = i, behind = -1;
+    for (; end < value.size() && (std::isnan(value[end]) || grid.position[std::size_t(end)] < 0); ++end) {
+    }
+    if (end < value.size())
+      behind = grid.position[std::size_t(end)];
+    const bool fills     = before >= 0 && behind >= 0 && behind - before <= longest_filled + 1;
+    const Eigen::Index n = value.segment(i, end - i).array().isNaN().count();
+    channel.filled += fills ? n : 0;
+    events.push_back({channel.name, fills ? CleaningFault::missing : CleaningFault::gap, time[i], time[end - 1], n,
+                      fills ? filling_word(true) : cut_here});
     i = end;
   }
 }
@@ -109,21 +141,39 @@ Eigen::VectorXd interpolated(const Eigen::VectorXd &value, const Eigen::VectorXd
   return on_grid;
 }
 
-// Rows that are not there, for all channels at once.
-void list_row_gaps(CleanRecord &record, const TimeGrid &grid)
+void add_listed(CleanRecord &record, const EventList &events, const std::string &name)
 {
+  const auto &listed = events.listed();
+  if (events.size() > listed.size())
+    record.notes.push_back(
+        fmt::format("{}: {} faults were found, the first {} are listed", name, events.size(), listed.size()));
+  record.events.insert(record.events.end(), listed.begin(), listed.end());
+}
+
+std::vector<RowGap> row_gaps(const TimeGrid &grid)
+{
+  std::vector<RowGap> gaps;
   Eigen::Index before = 0;
   for (const Eigen::Index k : grid.position) {
     if (k > before + 1)
-      record.events.push_back({"", CleaningFault::gap, double(before + 1) / grid.rate, double(k - 1) / grid.rate,
-                               k - before - 1,
-                               k - before - 1 <= longest_filled ? "filled linearly" : "record cut here"});
+      gaps.push_back({before + 1, k - before - 1});
     before = std::max(before, k);
   }
+  return gaps;
+}
+
+void list_row_gaps(CleanRecord &record, const std::vector<RowGap> &gaps, const TimeGrid &grid)
+{
+  EventList events;
+  for (const RowGap &gap : gaps)
+    events.push_back({"", CleaningFault::gap, double(gap.first) / grid.rate,
+                      double(gap.first + gap.n - 1) / grid.rate, gap.n,
+                      gap.n <= longest_filled ? filling_word(grid.uneven) : cut_here});
+  add_listed(record, events, "rows");
 }
 
 CleanChannel clean_channel(RawChannel &&raw, const RawRecord &record, const TimeGrid &grid,
-                           const std::vector<CleaningEvent> &of_all, std::vector<CleaningEvent> &events)
+                           const std::vector<RowGap> &of_all, EventList &events)
 {
   CleanChannel channel;
   channel.name              = raw.name;
@@ -139,10 +189,7 @@ CleanChannel clean_channel(RawChannel &&raw, const RawRecord &record, const Time
   else if (!grid.uneven)
     channel.value = placed(raw.value, grid);
   else {
-    for (Eigen::Index i = 0; i < raw.value.size(); ++i)  // listed here, since the spline fills them
-      if (std::isnan(raw.value[i]))
-        events.push_back({channel.name, CleaningFault::missing, record.time[i], record.time[i], 1,
-                          "filled by the cubic spline"});
+    list_empty_cells(channel, raw.value, record.time, grid, events);
     channel.value = interpolated(raw.value, record.time, grid);
   }
   raw.value.resize(0);
@@ -156,14 +203,6 @@ CleanChannel clean_channel(RawChannel &&raw, const RawRecord &record, const Time
   return channel;
 }
 
-void limit_events(CleanRecord &record, std::vector<CleaningEvent> &&events, const std::string &name)
-{
-  if (events.size() > most_listed)
-    record.notes.push_back(
-        fmt::format("{}: {} faults were found, the first {} are listed", name, events.size(), most_listed));
-  events.resize(std::min(events.size(), most_listed), {});
-  std::move(events.begin(), events.end(), std::back_inserter(record.events));
-}
 void add_labels(CleanRecord &record, const RawRecord &raw)
 {
   const auto time_of = [&](const Eigen::Index i) {
@@ -222,15 +261,16 @@ CleanRecord clean_record(RawRecord &&raw)
   shorten_long_gaps(raw);
   const TimeGrid grid = time_grid(raw);
   CleanRecord record;
-  record.file         = raw.file;
-  record.format       = raw.format;
-  record.rate         = grid.rate;
-  record.jitter       = grid.jitter;
-  record.interpolated = grid.uneven;
-  record.n            = grid.n;
-  record.start        = raw.start;
-  record.notes        = raw.notes;
-  list_row_gaps(record, grid);
+  record.file                      = raw.file;
+  record.format                    = raw.format;
+  record.rate                      = grid.rate;
+  record.jitter                    = grid.jitter;
+  record.interpolated              = grid.uneven;
+  record.n                         = grid.n;
+  record.start                     = raw.start;
+  record.notes                     = raw.notes;
+  const std::vector<RowGap> of_all = row_gaps(grid);
+  list_row_gaps(record, of_all, grid);
   if (grid.doubled > 0)
     record.events.push_back({"", CleaningFault::doubled, 0, double(grid.n - 1) / grid.rate, grid.doubled,
                              "samples with the time of their neighbour were left out"});
@@ -239,16 +279,15 @@ CleanRecord clean_record(RawRecord &&raw)
         {"", CleaningFault::jitter, 0, double(grid.n - 1) / grid.rate, raw.n_samples(),
          fmt::format("times are {:.3g} samples (rms) away from an even grid; put onto it by a cubic spline",
                      grid.jitter * grid.rate)});
-  const std::vector<CleaningEvent> of_all = record.events;
   add_labels(record, raw);
   const Place first_place = raw.channels.front().place;
   describe_channels(record, raw);
   for (RawChannel &channel : raw.channels) {
-    std::vector<CleaningEvent> events;
+    EventList events;
     const std::string name = channel.name;
     const Place place      = channel.place;
     record.channels.push_back(clean_channel(std::move(channel), raw, grid, of_all, events));
-    limit_events(record, std::move(events), name);
+    add_listed(record, events, name);
   }
   const bool any = std::any_of(record.channels.begin(), record.channels.end(), [](const CleanChannel &c) {
     return c.quantity != Quantity::speed && c.n_used() > 0;

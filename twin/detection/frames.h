@@ -33,8 +33,9 @@ struct LinePair {
   double coherence = 0;       ///< -, share of the power that the two explain
 };
 
-/// Arguments and cost as of frame_test, and some 10^4 pairs of frequencies.  Nothing where two lines do not
-/// explain the segments, or where there are too few segments to see it.
+/// Arguments and cost as of frame_test, and some 10^4 to 10^5 pairs of frequencies.  Of a record that is mostly
+/// gaps the most segments in a row without a long gap are used.  Nothing where two lines do not explain the
+/// segments, or where there are too few segments to see it.
 std::optional<LinePair> line_pair(const Eigen::VectorXd &value, const std::vector<Span> &pieces,
                                   const WelchSpectrum &spectrum, Eigen::Index k, double ratio);
 }  // namespace mill::twin

@@ -64,7 +64,7 @@ void find_others(CsvColumns &columns, const CsvLayout &layout, const std::vector
     } else if (one.times > 0 && one.numbers + one.texts == 0) {
       columns.kind[i] = Kind::ignored;
       columns.notes.push_back(fmt::format("column '{}' holds times too and was not used", head.name));
-    } else if (one.texts > 0 && (one.numbers == 0 || !measures))
+    } else if (one.texts > 0 && !measures)
       columns.kind[i] = Kind::label;
   }
 }

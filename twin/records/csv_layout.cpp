@@ -36,6 +36,29 @@ bool has(const std::vector<CellKind> &kinds, const CellKind kind)
   return std::find(kinds.begin(), kinds.end(), kind) != kinds.end();
 }
 
+// A quote that is open at the end of a line: a cell goes on in the next one.
+void refuse_open_quote(const std::string &file, const std::vector<std::string> &lines, const int i,
+                       const char separator)
+{
+  const std::string_view line = lines[std::size_t(i)];
+  std::deque<std::string> unquoted;
+  const auto fault = csv::each_cell(line, separator, unquoted, [](std::string_view, std::size_t) {});
+  if (fault && std::count(line.begin() + std::ptrdiff_t(fault->position), line.end(), '"') % 2 == 1)
+    throw InputError(Place{file, i + 1, 1 + csv::characters_in(line.substr(0, fault->position))},
+                     std::string(fault->message) + "; each row of a record is one line, also that of the names");
+}
+
+// Bytes that no text has, as in a spreadsheet or an archive, or in UTF-16 that does not say so.
+void refuse_binary(const std::string &file, const std::vector<std::string> &lines)
+{
+  for (std::size_t i = 0; i < lines.size(); ++i)
+    if (lines[i].find('\0') != std::string::npos)
+      throw InputError(
+          Place{file, int(i) + 1, 1},
+          "this is not a text: it holds bytes of value zero; export the record as CSV in UTF-8, or in "
+          "UTF-16 with a byte-order mark");
+}
+
 // Could the second row stand below the first one in a table: as many cells, of the same kind where both have one?
 bool go_together(const std::vector<CellKind> &one, const std::vector<CellKind> &other)
 {
@@ -144,6 +167,9 @@ void take_heads(CsvLayout &layout, const std::string &file, const std::vector<st
     throw InputError(Place{file, data + 1, 1},
                      "the columns have no names; put a line such as \"time [s], force [kN], upper_work_roll [g]\" "
                      "before the numbers");
+  for (const int line : {line_before(lines, names), names})
+    if (line >= 0)
+      refuse_open_quote(file, lines, line, layout.separator);
   Cells head(lines[std::size_t(names)], layout.separator), units("", layout.separator);
   if (const int above = line_before(lines, names); above >= 0) {
     Cells over(lines[std::size_t(above)], layout.separator);
@@ -226,11 +252,17 @@ CsvLayout layout_of(const std::string &file, const std::vector<std::string> &lin
     if (data = first_data(lines, separator, least); data >= 0)
       break;
   }
-  if (data < 0)
+  if (data < 0) {
+    refuse_binary(file, lines);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+      for (const char separator : {';', '\t', ','})
+        refuse_open_quote(file, lines, int(i), separator);
     throw InputError(Place{file, 1, 1},
-                     fmt::format("no row of numbers among the first {} lines; columns are separated by ';', tab, "
+                     fmt::format("no row of numbers {}; columns are separated by ';', tab, "
                                  "',' or blanks; a decimal comma needs one of the first two",
-                                 lines.size()));
+                                 lines.size() == 1 ? "in the first line"
+                                                   : fmt::format("among the first {} lines", lines.size())));
+  }
   take_heads(layout, file, lines, data);
   layout.first_data_line = data + 1;
   return layout;

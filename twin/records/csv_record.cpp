@@ -22,7 +22,7 @@ public:
       head.emplace_back(line);
     rows.emplace(record.file, head, options, whole);
     const auto next_of_head = std::size_t(rows->layout().first_data_line - 1);
-    make_room(double(head[next_of_head].size()) + 1);
+    make_room();
     if (!rows->timed())
       record.rate = *options.rate;
     record.time_place = rows->time_column();
@@ -40,9 +40,9 @@ public:
   }
 
 private:
-  void make_room(const double per_line)
+  void make_room()
   {
-    const auto expected = std::size_t(1.05 * source.size() / per_line) + 16;
+    const auto expected = std::size_t(1.05 * expected_lines(record.file)) + 16;
     require_memory(record.file, source.size(), 8.0 * double(expected) * double(rows->columns().size() + 1));
     values.resize(rows->columns().size());
     labels.resize(rows->label_columns().size());

@@ -1,4 +1,5 @@
 #include "twin/records/csv_rows.h"
+#include "core/base/error_list.h"
 #include "core/base/text.h"
 #include "twin/records/line_source.h"
 #include <algorithm>
@@ -165,7 +166,7 @@ double CsvRows::value_of(const std::string_view line, const std::size_t c, const
     return std::numeric_limits<double>::quiet_NaN();
   throw InputError(place(line, c, number),
                    fmt::format("'{}' in column '{}' is not a number; leave the cell empty where there is no value",
-                               cells_[c], layout_.columns[c].head.name));
+                               shortened(std::string(cells_[c])), layout_.columns[c].head.name));
 }
 
 void CsvRows::take_time(const std::string_view line, const int number)
@@ -180,8 +181,9 @@ void CsvRows::take_time(const std::string_view line, const int number)
   } else if (double value = 0; read_number(cells_[c], decided_.style[c].style, value)) {
     second = clock_.relative(value * per_unit_);
   } else
-    throw InputError(place(line, c, number), fmt::format("'{}' in the time column '{}' is not a time", cells_[c],
-                                                         layout_.columns[c].head.name));
+    throw InputError(place(line, c, number),
+                     fmt::format("'{}' in the time column '{}' is not a time", shortened(std::string(cells_[c])),
+                                 layout_.columns[c].head.name));
   seconds_ = second;
 }
 

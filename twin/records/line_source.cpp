@@ -1,7 +1,10 @@
 #include "twin/records/line_source.h"
 #include "core/base/errors.h"
 #include "core/base/text.h"
+#include <algorithm>
+#include <cmath>
 #include <fmt/format.h>
+#include <limits>
 
 namespace mill::twin {
 namespace {
@@ -73,7 +76,8 @@ bool LineSource::next(std::string_view &line)
     }
     searched = open;
   }
-  ++number_;
+  if (number_ < std::numeric_limits<int>::max())  // a place in a file is an int: 30 h at 20 kHz
+    ++number_;
   if (!line.empty() && line.back() == '\r')
     line.remove_suffix(1);
   if (!is_utf8(line)) {
@@ -107,6 +111,24 @@ bool LineSource::had_mark() const
 double LineSource::size() const
 {
   return file_.size();
+}
+
+double expected_lines(const std::string &path)
+{
+  constexpr int most_looks = 32;
+  constexpr double look    = 1 << 16;  // byte
+  InputFile file(path);
+  const double looks = std::min(double(most_looks), std::ceil(file.size() / look));
+  std::string bytes(std::size_t(look), '\0');
+  double seen = 0, lf = 0, cr = 0;
+  for (double i = 0; i < looks; ++i) {
+    file.go_to(std::size_t(looks < most_looks ? i * look : i / looks * file.size()));
+    const std::string_view part = {bytes.data(), file.read(bytes.data(), bytes.size())};
+    seen += double(part.size());
+    lf += double(std::count(part.begin(), part.end(), '\n'));
+    cr += double(std::count(part.begin(), part.end(), '\r'));
+  }
+  return seen > 0 ? 1 + (lf > 0 ? lf : cr) * file.size() / seen : 0;
 }
 
 double LineSource::done() const

@@ -17,7 +17,7 @@ public:
   /// The next line without its end; the view holds until the next call.  False at the end of the file.
   /// @throws InputError  a line of more than longest_line: this is not a text file
   bool next(std::string_view &line);
-  int number() const;  ///< of the line that next() gave, from 1
+  int number() const;  ///< of the line that next() gave, from 1; of very long files the largest int
   bool ended_without_newline() const;
   TextEncoding encoding() const;  ///< of the lines up to now
   bool had_mark() const;          ///< a byte-order mark was at the beginning
@@ -38,4 +38,9 @@ private:
   int number_     = 0;
   bool mark_ = false, open_end_ = false;
 };
+
+/// Lines of a text file by some looks at it, since its first lines may be much shorter than the others; exact
+/// below 2 MiB.
+/// @throws InputError, SystemError  as the constructor of LineSource
+double expected_lines(const std::string &path);
 }  // namespace mill::twin

@@ -26,8 +26,8 @@ constexpr auto words_of(HeadKey)
   return choice_words<HeadKey>("Decimal_Separator", "X_Columns", "Date", "Time");
 }
 
-constexpr const char *no_times =
-    ", and no column says the times; export each run as a file of its own, or with X_Columns One";
+constexpr const char *apart    = "; export each run as a file of its own";
+constexpr const char *no_times = ", and no column says the times";
 
 class LvmReader {
 public:
@@ -150,7 +150,7 @@ private:
     require_follows();
   }
 
-  // One step for all channels; where no column says the times, one for all runs.
+  // One step for all channels and all runs.
   void require_same_step(const std::size_t n_channels)
   {
     const double before = delta;
@@ -163,9 +163,9 @@ private:
                                               "channels of one sampling rate",
                                               c + 1, step, delta));
     }
-    if (x_columns == XColumns::no && std::abs(delta - before) > 1e-6 * std::abs(before))
+    if (std::abs(delta - before) > 1e-6 * std::abs(before))
       throw InputError(place(), fmt::format("this run has a step of {:.6g} s, the one before it of {:.6g} s{}",
-                                            delta, before, no_times));
+                                            delta, before, apart));
   }
 
   // A run begins where the one before it ends, or at the same number as the first: recorders that begin each at 0.
@@ -178,8 +178,22 @@ private:
     if (x_columns == XColumns::no && start != first_start &&
         std::abs(start - end) > 0.5 * delta + 1e-6 * std::abs(start))
       throw InputError(place(),
-                       fmt::format("this run begins at {:.9g} s, where the one before it ends at {:.9g} s{}",
-                                   start, end, no_times));
+                       fmt::format("this run begins at {:.9g} s, where the one before it ends at {:.9g} s{}{}",
+                                   start, end, no_times, apart));
+    for (std::size_t c = 1; c < values.size(); ++c)
+      require_same_time(c, key_number("X0", c), start, "begins at");
+  }
+
+  // Times of two channels that are said: within half a step, as channels that one converter reads in turn.
+  void require_same_time(const std::size_t channel, const double time, const double of_first,
+                         const char *verb) const
+  {
+    const double reach = (delta > 0 ? 0.5 * delta : 0) + 1e-6 * std::abs(of_first);
+    if (x_columns != XColumns::one && std::abs(time - of_first) > reach)
+      throw InputError(place(),
+                       fmt::format("channel {} {} {:.9g} s, channel 1 {:.9g} s; export channels that were "
+                                   "recorded together",
+                                   channel + 1, verb, time, of_first));
   }
 
   std::size_t cell_of(const std::size_t channel) const
@@ -201,6 +215,10 @@ private:
     double x = std::nan("");
     if (x_columns != XColumns::no && read_number(cells[0], style, x))
       times.push_back(x);
+    double other = 0;
+    for (std::size_t c = 1; multi && c < values.size(); ++c)
+      if (2 * c < cells.size() && read_number(cells[2 * c], style, other))
+        require_same_time(c, other, x, "has the time");
   }
 
   void finish()

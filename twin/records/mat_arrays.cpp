@@ -21,7 +21,17 @@ constexpr std::size_t head_size = 128;
 constexpr int compressed = 15, matrix = 14;
 constexpr int deepest            = 12;    // structures inside structures
 constexpr std::size_t most_parts = 4096;  // fields and cells of one variable
-enum ArrayClass { cell = 1, structure = 2, object = 3, text = 4, sparse = 5, first_number = 6, last_number = 15 };
+enum ArrayClass {
+  cell         = 1,
+  structure    = 2,
+  object       = 3,
+  text         = 4,
+  sparse       = 5,
+  first_number = 6,
+  last_number  = 15,
+  function     = 16,
+  opaque = 17  // tables, times of day, strings: the name of the class, its values in the unnamed array of the file
+};
 
 struct Element {
   int type         = 0;
@@ -119,10 +129,10 @@ private:
       MatParser(file, *plain, big_endian, result).take(inside, "", 0);
   }
 
-  void leave_out(const std::string &name, const char *what)
+  void leave_out(const std::string &name, const std::string_view what)
   {
     if (result.others.size() < 20)
-      result.others.push_back(fmt::format("'{}' ({})", valid_text(name), what));
+      result.others.push_back(fmt::format("'{}' ({})", valid_text(name), valid_text(what)));
   }
 
   // One array; `outer` is the name of the structure or cell that holds it, with what follows it.
@@ -136,12 +146,16 @@ private:
       refuse("is damaged: an array without flags");
     const std::size_t flag = word(flags.data);
     const int kind         = int(flag & 0xFF);
-    const Element sizes    = element_at(flags.next, end);
+    if (kind == opaque)
+      return leave_out_object(flags.next, end, outer);
+    const Element sizes = element_at(flags.next, end);
     std::vector<std::size_t> dimensions;
     for (std::size_t i = 0; i + 4 <= sizes.size; i += 4)
       dimensions.push_back(word(sizes.data + i));
     const Element named    = element_at(sizes.next, end);
     const std::string name = outer.empty() ? std::string(bytes.substr(named.data, named.size)) : outer;
+    if (name.empty())  // values of the objects of the file, which MATLAB appends
+      return;
     if (kind == structure)
       take_fields(named.next, end, dimensions, name, depth);
     else if (kind == cell)
@@ -153,7 +167,17 @@ private:
                       : kind == sparse       ? "sparse matrix"
                       : (flag & 0x0800) != 0 ? "complex numbers"
                       : kind == object       ? "object"
+                      : kind == function     ? "function"
                                              : "of another kind");
+  }
+
+  // Name, system of types and class, as texts.
+  void leave_out_object(const std::size_t position, const std::size_t end, const std::string &outer)
+  {
+    const Element name = element_at(position, end), system = element_at(name.next, end),
+                  type = element_at(system.next, end);
+    leave_out(outer.empty() ? std::string(bytes.substr(name.data, name.size)) : outer,
+              bytes.substr(type.data, type.size));
   }
 
   std::size_t count_of(const std::vector<std::size_t> &dimensions) const

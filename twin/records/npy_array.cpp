@@ -59,6 +59,15 @@ std::vector<double> numbers_in(const std::string &text)
   return numbers;
 }
 
+// Bytes of a field without a name that numpy puts between others for the sake of the processor, "|V4"; 0: it is a
+// field.
+std::size_t size_of_padding(const std::string &name, const std::string &type)
+{
+  const auto size = numbers_in(type);
+  return name.empty() && type.rfind("|V", 0) == 0 && size.size() == 1 && size[0] < 65536 ? std::size_t(size[0])
+                                                                                         : 0;
+}
+
 // A field of several numbers has their shape as third element of its tuple: digits outside of the quotes.
 bool has_shapes(const std::string &descr)
 {
@@ -82,6 +91,10 @@ NpyLayout layout_of_header(const std::string &header, const std::string &path)
     if (has_shapes(descr))
       refuse_npy(path, "holds several numbers in one field of a structured array; save a field for each");
     for (std::size_t i = 0; i < words.size(); i += 2) {
+      if (const std::size_t padding = size_of_padding(words[i], words[i + 1]); padding > 0) {
+        layout.row += padding;
+        continue;
+      }
       BinaryType type;
       if (!type_of_descriptor(words[i + 1], type))
         refuse_npy(path, fmt::format("holds numbers of type '{}' in field '{}'; save float32, float64 or integers",
@@ -105,7 +118,7 @@ NpyLayout layout_of_header(const std::string &header, const std::string &path)
     layout.row = std::size_t(n_columns) * std::size_t(type.size);
   }
   layout.n = shape.front();
-  if (layout.row == 0 || layout.n > most_rows)
+  if (layout.fields.empty() || layout.n > most_rows)
     refuse_npy(path, "holds no samples or more than 4e9");
   return layout;
 }

@@ -69,9 +69,13 @@ RawRecord read_npy_record(const std::string &path, const ReadOptions &options)
   head.resize(npy_start(head, path));
   file.go_to(0);
   head.resize(file.read(head.data(), head.size()));
-  NpyLayout layout = npy_layout(head, path);
-  if (double(layout.start) + layout.n * double(layout.row) > file.size())
+  NpyLayout layout    = npy_layout(head, path);
+  const double behind = file.size() - double(layout.start) - layout.n * double(layout.row);
+  if (behind < 0)
     refuse(path, "is shorter than its header says; it was cut off while it was written or copied");
+  if (behind > 0)
+    record.notes.push_back(
+        fmt::format("{:.0f} byte behind the array were not used; a file holds one array", behind));
   require_memory(path, file.size(), 8.0 * layout.n * double(layout.fields.size()));
   const std::string sidecar_path = std::filesystem::path(path).replace_extension(".json").string();
   const NpySidecar sidecar       = npy_sidecar(sidecar_path, path);

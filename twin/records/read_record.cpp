@@ -94,6 +94,13 @@ void require_possible_times(const RawRecord &record)
     require_possible_rate(double(n - 1) / length, record.file);
 }
 
+// Its line is shown; binary files have none.
+Place place_of_first_line(const RawRecord &record, const std::string &path)
+{
+  const bool is_text = !record.channels.empty() && record.channels.front().place.line > 0;
+  return is_text ? Place{path, 1, 1} : Place{path, 0, 0};
+}
+
 void require_increasing(const RawRecord &record)
 {
   for (Eigen::Index i = 1; i < record.time.size(); ++i)
@@ -127,7 +134,7 @@ RawRecord read_record(const std::string &path, const ReadOptions &options)
   require_increasing(record);
   require_possible_times(record);
   if (record.n_samples() < options.fewest_samples)
-    throw InputError(Place{path, 1, 1},
+    throw InputError(place_of_first_line(record, path),
                      fmt::format("the record has {} sample{}; at least {} are needed{}", record.n_samples(),
                                  record.n_samples() == 1 ? "" : "s", options.fewest_samples,
                                  options.from_case ? "" : " for a spectrum"));

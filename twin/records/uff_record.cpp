@@ -176,6 +176,13 @@ private:
     return value;
   }
 
+  // A code; -1, which no list has, where the number cannot be one.
+  int whole(const std::string_view field, const char *what)
+  {
+    const double value = wanted(field, what);
+    return value > -1e9 && value < 1e9 ? int(value) : -1;
+  }
+
   DataSet head(const std::string_view first_line)
   {
     DataSet set;
@@ -197,9 +204,9 @@ private:
       const auto &l       = one;
       const std::size_t i = std::size_t(&one - lines.data());
       if (i == 5)
-        set.function = int(wanted(part(l, 0, 5), "kind of function"));
+        set.function = whole(part(l, 0, 5), "kind of function");
       if (i == 6) {
-        set.type       = int(wanted(part(l, 0, 10), "type of number"));
+        set.type       = whole(part(l, 0, 10), "type of number");
         const double n = wanted(part(l, 10, 10), "number of samples");
         set.even       = wanted(part(l, 20, 10), "kind of spacing") == 1;
         set.first      = wanted(part(l, 30, 13), "first abscissa");
@@ -209,7 +216,7 @@ private:
         set.n = Eigen::Index(n);
       }
       if (i == 7)
-        set.axis_kind = int(wanted(part(l, 0, 10), "kind of axis"));
+        set.axis_kind = whole(part(l, 0, 10), "kind of axis");
       if (i == 7) {
         set.axis      = without_none(part(l, 26, 21));
         set.axis_unit = without_none(part(l, 47, 21));
@@ -343,23 +350,46 @@ private:
       time  = (pairs.row(0).transpose().array() - (set.n > 0 ? pairs(0, 0) : 0.0)) * set.seconds_per_step();
       value = pairs.row(1).transpose();
     }
+    const double begin = set.even || set.n == 0 ? set.first : values[0];
     if (sets.empty()) {
-      record.time       = options.rate ? Eigen::VectorXd() : time;
       record.first_time = options.rate || set.even || set.n == 0 ? 0 : values[0] * set.seconds_per_step();
       record.time_place = set.place;
-      n_times           = time.size();
+      times             = time;
+      first_abscissa    = begin;
       if (options.rate)
         record.rate = *options.rate;
       else if (set.even)
         record.rate = rate_of(set);
     } else if (const DataSet &first = sets.front();
-               set.n != first.n || set.step != first.step || time.size() != n_times)
+               set.n != first.n || set.step != first.step || time.size() != times.size())
       throw InputError(set.place,
                        fmt::format("'{}' has {} samples with a step of {:.5e} s, '{}' before it {} with "
                                    "{:.5e} s; one file holds channels of one recorder",
                                    first_name(set), set.n, set.step, first_name(first), first.n, first.step));
+    else if (!options.rate)
+      require_same_times(set, time, begin);
     sets.push_back(set);
     samples.push_back(std::move(value));
+  }
+
+  // All channels have the times of the first one, within a hundredth of a step and what six digits resolve.
+  void require_same_times(const DataSet &set, const Eigen::VectorXd &time, const double begin)
+  {
+    const DataSet &first = sets.front();
+    const double seconds = set.seconds_per_step(), last = time.size() > 1 ? time[time.size() - 1] : 0,
+                 step    = time.size() > 1 ? last / double(time.size() - 1) : set.step * seconds,
+                 start   = first_abscissa * first.seconds_per_step(),
+                 reach   = 0.01 * step + 2e-5 * (last + std::abs(start));
+    const bool same_unit = seconds == first.seconds_per_step();
+    const bool begins    = std::abs(begin * seconds - start) <= reach;
+    if (!same_unit || !begins || (time.size() > 0 && (time - times).cwiseAbs().maxCoeff() > reach))
+      throw InputError(
+          set.place,
+          fmt::format(
+              "'{}' has other times than '{}' before it{}; one file holds channels that were "
+              "recorded together",
+              first_name(set), first_name(first),
+              begins ? "" : fmt::format(", it begins at {:.6g} s and not at {:.6g} s", begin * seconds, start)));
   }
 
   static std::string first_name(const DataSet &set)
@@ -426,6 +456,8 @@ private:
           Place{text.path(), 1, 1},
           "no data set 58 of this file is a real time response (function type 1, or 0 over a time); export "
           "the time records, not spectra");
+    if (!options.rate)
+      record.time = std::move(times);
     add_channels();
     require_usable_channels(record, options, "export the label of the ordinate's unit, for example g or m/s2, or");
   }
@@ -435,8 +467,9 @@ private:
   RawRecord record;
   std::vector<DataSet> sets;             // that are channels
   std::vector<Eigen::VectorXd> samples;  // of each
-  Eigen::Index n_times = 0;
-  int n_other          = 0;
+  Eigen::VectorXd times;                 // s from the first one; empty: even
+  double first_abscissa = 0;
+  int n_other           = 0;
 };
 }  // namespace
 

@@ -40,6 +40,8 @@ WavFormat wav_format(const std::string &bytes, const std::string &path)
   const auto number = [&](const std::size_t position, const int size) {
     return position + std::size_t(size) <= bytes.size() ? number_at(&bytes[position], {'u', size, false}) : 0.0;
   };
+  if (bytes.size() < 16)
+    refuse_wav(path, "ends inside its head; it was cut off while it was written or copied");
   WavFormat format{int(number(0, 2)), int(number(2, 2)), int(number(14, 2)), number(4, 4)};
   if (format.coding == 0xFFFE)  // extensible: the coding is at the head of an identifier
     format.coding = int(number(24, 2));
@@ -51,7 +53,13 @@ WavFormat wav_format(const std::string &bytes, const std::string &path)
                fmt::format("holds samples of coding {} with {} bits; save PCM of 8 to 32 bit or floating point",
                            format.coding, format.bits));
   if (format.channels < 1 || format.channels > most_wav_channels || !(format.rate > 0))
-    refuse_wav(path, fmt::format("has {} channels at {} Hz, which is not possible", format.channels, format.rate));
+    refuse_wav(path, fmt::format("has {} channel{} at {} Hz, which is not possible", format.channels,
+                                 format.channels == 1 ? "" : "s", format.rate));
+  if (const int row = int(number(12, 2)), packed = format.channels * format.bits / 8; row > 0 && row != packed)
+    refuse_wav(path,
+               fmt::format("has rows of {} byte, where {} channels of {} bit take {}; save it as PCM without "
+                           "bytes between the samples",
+                           row, format.channels, format.bits, packed));
   return format;
 }
 

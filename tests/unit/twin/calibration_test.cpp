@@ -278,6 +278,22 @@ TEST(Calibration, ReportsADelayThatIsNotAnUnknown)
   EXPECT_EQ(std::count(far.refusals.begin(), far.refusals.end(), far.delay->words(20000)), 1);
 }
 
+// Pieces shorter than the shortest segment give no H1; the delay is then fitted from zero.
+TEST(Calibration, ADelayIsFittedWithoutAnH1)
+{
+  calibration::Recipe r       = recipe("two");
+  r.n                         = 20000;
+  const MeasuredResponse data = calibration::measured(r);
+  const FittedStand stand     = calibration::stand_r();
+  const auto unknowns         = calibration::unknowns_r();
+  const Fit fit          = fitted(stand, unknowns, Eigen::VectorXd::Zero(Eigen::Index(unknowns.size())), data);
+  const ClockDelay delay = clock_delay(stand, fit, data, {}, r.rate, 20, 900, {});
+  EXPECT_GT(delay.deviation, 0);
+  EXPECT_TRUE(
+      near(delay.seconds, 0,
+           within_absolute(4 * delay.deviation, "the record has no delay; four deviations of its estimate")));
+}
+
 TEST(Calibration, PrintsADelayInSamplesWithItsRemedy)
 {
   const ClockDelay delay{-1.5e-4, 2.5e-6, 1 / (20 * 900.)};

@@ -129,12 +129,47 @@ TEST(Cleaning, GapsOfTheRowsAreNotListedForEachChannelAgain)
   std::vector<CleaningEvent> of_rows, of_channel;
   for (const CleaningEvent &event : clean.events)
     (event.channel.empty() ? of_rows : of_channel).push_back(event);
-  EXPECT_EQ(of_rows.size(), std::size_t(n_gaps));
+  EXPECT_EQ(of_rows.size(), 200u);
+  EXPECT_EQ(clean.notes.back(),
+            "rows: " + std::to_string(n_gaps) + " faults were found, the first 200 are listed");
   ASSERT_EQ(of_channel.size(), 2u);
   EXPECT_EQ(of_channel[0].count, 1);
   EXPECT_TRUE(near(of_channel[0].from, 1e-3, within_absolute(1e-9, "sample number over the rate, rounding")));
   EXPECT_EQ(of_channel[1].count, 3);
   EXPECT_TRUE(near(of_channel[1].from, 3e-3, within_absolute(1e-9, "sample number over the rate, rounding")));
+}
+
+// Of a record whose times are uneven a spline fills one and two empty cells; it ends at more, and at the ends.
+TEST(Cleaning, EmptyCellsOfUnevenTimesAreFilledOrCut)
+{
+  const Eigen::Index n = 20000;
+  RawRecord record     = even(noise(n), 0);
+  record.time          = 1e-3 * Eigen::VectorXd::LinSpaced(n, 0, double(n - 1)) + 5e-5 * synthetic::normals(7, n);
+  Eigen::VectorXd &x   = record.channels[0].value;
+  x.segment(100, 1).setConstant(std::nan(""));
+  x.segment(2000, 2).setConstant(std::nan(""));
+  x.segment(5000, 3).setConstant(std::nan(""));
+  x.tail(4).setConstant(std::nan(""));
+  const CleanRecord clean = clean_record(std::move(record));
+  const CleanChannel &c   = clean.channels[0];
+  ASSERT_TRUE(clean.interpolated);
+  EXPECT_EQ(c.missing, 10);
+  EXPECT_EQ(c.filled, 3);
+  ASSERT_EQ(c.pieces.size(), 2u);
+  EXPECT_EQ(c.pieces[0].end, 5000);
+  EXPECT_EQ(c.pieces[1].begin, 5003);
+  EXPECT_EQ(c.pieces[1].end, n - 4);
+  std::vector<CleaningEvent> events;
+  for (const CleaningEvent &event : clean.events)
+    if (event.channel == "a")
+      events.push_back(event);
+  ASSERT_EQ(events.size(), 4u);
+  const char *done[] = {"filled by the cubic spline", "filled by the cubic spline", "record cut here",
+                        "record cut here"};
+  for (std::size_t i = 0; i < 4; ++i) {
+    EXPECT_EQ(events[i].count, Eigen::Index(i) + 1);
+    EXPECT_EQ(events[i].done, done[i]);
+  }
 }
 
 // A gap of 300 s at 1 MHz would be 2.4 GB of missing samples for each channel.

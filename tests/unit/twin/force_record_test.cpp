@@ -133,7 +133,7 @@ TEST_F(ForceCsv, RefusalsNameThePlaceAndTheReason)
   EXPECT_EQ(refusal(""), "1:1: the file is empty; a line such as \"time [s], force [kN], upper_work_roll [g]\" "
                          "and numbers are needed");
   EXPECT_EQ(refusal("time [s], force [kN]\n"),
-            "1:1: no row of numbers among the first 1 lines; columns are separated by ';', tab, ',' or blanks; a "
+            "1:1: no row of numbers in the first line; columns are separated by ';', tab, ',' or blanks; a "
             "decimal comma needs one of the first two");
   EXPECT_EQ(refusal("time [s], force [kN]\n0,976\n"), "1:1: the record has 1 sample; at least 2 are needed");
   EXPECT_EQ(refusal("time [s], force\n0,976\n1,976\n"),

@@ -344,8 +344,7 @@ TEST_F(Records, RefusalsOfEveryFormat)
       npy(3000, R"({"a": "", "b": "level"})", 2),
       "no column of this record has a known unit; its columns are 'a', 'b'; write them into \"units\" of r.json, "
       "or: millstand analyse r.npy --unit a=g --unit b=g");
-  EXPECT_EQ(npy(100, R"({"a": "g"})", 1),
-            "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
+  EXPECT_EQ(npy(100, R"({"a": "g"})", 1), "the record has 100 samples; at least 2048 are needed for a spectrum");
   EXPECT_EQ(npy(3000, R"({"a": "g", "b": "g"})", 1),
             "r.npy holds 1 column, its sidecar names 2 units; one for each column, in their order, is needed");
   // universal file: channels of the same name, without units, of few samples
@@ -422,7 +421,7 @@ TEST_F(Records, RefusalsOfMatlabFiles)
       "SampleRate, dt or Ts; the vectors are 'a'; give the samples per second: millstand analyse r.mat --rate "
       "20000");
   EXPECT_EQ(mat(array("fs", {1000}) + array("a", few), in_g),
-            "1:1: the record has 100 samples; at least 2048 are needed for a spectrum");
+            "the record has 100 samples; at least 2048 are needed for a spectrum");
   EXPECT_EQ(
       mat(array("time", backwards) + array("a", many), in_g),
       "the time goes backwards at sample 1001, by 0.499 s; sort the samples by time, or split the record where "

@@ -3,6 +3,7 @@
 #include "tests/support/synthetic_record.h"
 #include "twin/analysis/analysis.h"
 #include "twin/analysis/analysis_files.h"
+#include "twin/detection/frames.h"
 #include "twin/detection/spectral_peaks.h"
 #include "twin/detection/without_lines.h"
 #include "twin/spectra/noise_floor.h"
@@ -142,6 +143,34 @@ TEST(SpectralPeaks, NoiseAloneHasNoCandidate)
   const auto analysis = analysis_of({synthetic::normals(4, 20000)}, 2000);
   EXPECT_TRUE(analysis.channels[0].account.only_noise());
   EXPECT_GE(analysis.channels[0].account.floor, 0.95);
+}
+
+// Four million samples are missing between two pieces: minutes went into pairs of frequencies that only the gap
+// tells apart.
+TEST(SpectralPeaks, TwoLinesThatBeatAreFoundNextToALongGap)
+{
+  constexpr double rate    = 1000;
+  constexpr Eigen::Index L = 2048, behind = Eigen::Index(1) << 22;
+  const std::vector<Span> two = {{0, 16 * L}, {behind, behind + 4 * L}};
+  Eigen::VectorXd x           = Eigen::VectorXd::Zero(two.back().end);
+  const Tone first{100, 1}, second{100.3, 0.7};  // 0.6 bins apart
+  for (const Span &piece : two)
+    for (Eigen::Index k = piece.begin; k < piece.end; ++k)
+      for (const Tone &line : {first, second})
+        x[k] += line.amplitude * std::sin(2 * M_PI * std::fmod(line.frequency * double(k) / rate, 1.0));
+  Fourier fourier;
+  const WelchSpectrum s  = welch(x, two, rate, L, fourier);
+  const Eigen::Index bin = std::llround(100.1 / s.resolution());
+  const auto pair        = line_pair(x, two, s, bin, 1e6);
+  ASSERT_TRUE(pair);
+  const auto expect_line = [&](const LinePair::Line &line, const Tone &tone) {
+    EXPECT_TRUE(near(line.frequency, tone.frequency,
+                     within_absolute(3e-4, "a hundredth of a turn over the 31 s of the first piece")));
+    EXPECT_TRUE(near(line.amplitude, tone.amplitude,
+                     within(1e-3, "a hundredth of a turn changes the overlap of the two by less")));
+  };
+  expect_line(pair->lines[0], first);
+  expect_line(pair->lines[1], second);
 }
 
 // Two motors that turn 0.1 to 0.3 Hz apart make one peak that beats: 0.4 to 1.2 bins of these records of 20 s.
