@@ -13,10 +13,10 @@ namespace {
 // Speed on every sample of the grid; where it was not recorded the nearest value before.
 Eigen::VectorXd whole_speed(const CleanRecord &record, Analysis &analysis)
 {
-  const CleanChannel *channel = record.find("speed");
+  const CleanChannel *channel = recorded_speed(record, "speed");
   if (!channel)
-    channel = record.find("exit_speed");
-  if (!channel || channel->quantity != Quantity::speed || channel->pieces.empty())
+    channel = recorded_speed(record, "exit_speed");
+  if (!channel)
     return {};
   Eigen::VectorXd speed = channel->value;
   Eigen::Index filled   = 0;
@@ -90,6 +90,12 @@ void note_limits(Analysis &analysis)
           "their amplitude");
 }
 }  // namespace
+
+const CleanChannel *recorded_speed(const CleanRecord &record, const std::string &name)
+{
+  const CleanChannel *channel = record.find(name);
+  return channel && channel->quantity == Quantity::speed && !channel->pieces.empty() ? channel : nullptr;
+}
 
 Analysis analyse(const CleanRecord &record, const CaseModel *stand, const AnalysisSettings &settings,
                  const Progress &progress)
