@@ -7,7 +7,8 @@
 namespace mill::twin {
 /// Root mean square of a velocity in the band of velocity_band().
 struct VelocityLevel {
-  double value, rate;  ///< m/s, Hz of the record; of several records with unlike bands the rate is NaN
+  double value;  ///< m/s
+  double rate;   ///< Hz, of the record; NaN: of several records with unlike bands
 };
 
 /// What earlier analyses of the same mill found.

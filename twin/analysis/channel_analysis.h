@@ -10,8 +10,8 @@ ChannelAnalysis analyse_channel(const CleanChannel &channel, double rate, const 
 
 /// Hz, band of the rms velocity: 10 to 1000 Hz, or to where a record of this rate ends.
 struct VelocityBand {
-  double low, high;
-  bool complete;  ///< the record reaches 1000 Hz
+  double low, high;  ///< Hz
+  bool complete;     ///< the record reaches 1000 Hz
 };
 VelocityBand velocity_band(double rate);
 /// Have the velocities of records of these rates one band?  Not where a rate is NaN.
