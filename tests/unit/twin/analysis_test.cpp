@@ -288,7 +288,7 @@ TEST(Analysis, AVelocityOfASlowRecordStatesItsBand)
   EXPECT_FALSE(is_noted(fast));
   const auto [slow, slow_values] = seen(1000);  // its band ends at 1000/2.56 = 390.6 Hz
   EXPECT_TRUE(near(slow_values["upper_work_roll.velocity_rms"]["value"].get<double>(), level, exact));
-  EXPECT_NE(slow_values["upper_work_roll.velocity_rms"]["method"].get<std::string>().find("from 10 to 390.6 Hz"),
+  EXPECT_NE(slow_values["upper_work_roll.velocity_rms"]["source"].get<std::string>().find("from 10 to 390.6 Hz"),
             std::string::npos);
   EXPECT_EQ(severity(slow).owner, "zone B or higher of the zones that were given");
   EXPECT_FALSE(slow_values.contains("upper_work_roll.velocity_rms_ratio")) << "the baseline reaches 1000 Hz";
