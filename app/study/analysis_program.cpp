@@ -33,6 +33,15 @@ nlohmann::ordered_json answer_of(const std::string &folder, const nlohmann::orde
   return answer["answer"];
 }
 
+// A list in which what is not finite is null.
+std::vector<double> numbers_of(const nlohmann::ordered_json &list)
+{
+  std::vector<double> numbers;
+  for (const nlohmann::ordered_json &value : list)
+    numbers.push_back(value.is_number() ? value.get<double>() : not_given);
+  return numbers;
+}
+
 nlohmann::ordered_json correlations_json(const Study &study)
 {
   nlohmann::ordered_json all = nlohmann::ordered_json::array();
@@ -84,12 +93,12 @@ std::vector<IndicesOfResult> indices_of(const std::vector<std::vector<double>> &
   for (const nlohmann::ordered_json &s : answer_of(
            scratch.path(), {{"task", word_of(StudyTask::indices)}, {"keys", rows.front().size()}, {"n", n}})) {
     IndicesOfResult one;
-    s["first"].get_to(one.first);
-    s["total"].get_to(one.total);
-    s["first_low"].get_to(one.first_low);
-    s["first_high"].get_to(one.first_high);
-    s["total_low"].get_to(one.total_low);
-    s["total_high"].get_to(one.total_high);
+    one.first      = numbers_of(s["first"]);
+    one.total      = numbers_of(s["total"]);
+    one.first_low  = numbers_of(s["first_low"]);
+    one.first_high = numbers_of(s["first_high"]);
+    one.total_low  = numbers_of(s["total_low"]);
+    one.total_high = numbers_of(s["total_high"]);
     s["groups"].get_to(one.groups);
     all.push_back(one);
   }

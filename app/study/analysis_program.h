@@ -12,7 +12,7 @@ namespace mill {
 /// @throws InputError  correlations that do not fit, the program is not built; SystemError  it ended by a signal
 std::vector<std::vector<double>> draw_rows(const Study &study, StudyMethod method, long n);
 
-/// Sobol indices of one result, each list by key.
+/// Sobol indices of one result, each list by key; empty where the result is the same in all rows.
 struct IndicesOfResult {
   std::vector<double> first, total;                                  ///< -
   std::vector<double> first_low, first_high, total_low, total_high;  ///< -, 95 % intervals
@@ -25,7 +25,8 @@ struct IndicesOfResult {
 std::vector<IndicesOfResult> indices_of(const std::vector<std::vector<double>> &rows,
                                         const std::vector<std::vector<double>> &results, long n);
 
-/// Polynomial chaos of every result: a list with the members of ChaosFit (app/study/openturns/chaos.h).
+/// Polynomial chaos of every result: a list with the members of ChaosFit (app/study/openturns/chaos.h), null where
+/// the result is the same in all rows.
 /// @param rows     (rows, keys) in the order of the design
 /// @param results  (results)(rows); NaN: failed
 /// @param fitted   rows from the start that are fitted; the others are held out

@@ -39,7 +39,8 @@ bool gives_up(const EarlierEnds &ends)
 
 std::string sentence_of(const EarlierEnds &ends)
 {
-  return fmt::format("ended the program {} times; not tried again", ends.all);
+  return fmt::format("ended the program {} times; not tried again while the study has its rows and finished.db",
+                     ends.all);
 }
 
 void mark_own_crash(const std::string &path)

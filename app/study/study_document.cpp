@@ -109,9 +109,9 @@ void add_statistics(const Study &study, const StudyRows &rows, nlohmann::ordered
     result["statistics"]           = statistics_json(statistics_of(study, rows, r, sample_rows(study)));
     if (const LinearEstimate linear = linear_estimate(study, study.watched[r]); !linear.shares.empty())
       result["linear"] = linear_json(linear);
-    if (!sobol.empty())
+    if (!sobol.empty() && !sobol[r].first.empty())
       result["sobol"] = indices_json(sobol[r]);
-    if (!chaos.empty())
+    if (!chaos.empty() && !chaos[r].is_null())
       result["chaos"] = chaos[r];
   }
 }

@@ -18,6 +18,7 @@
 #include <cstdio>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -98,10 +99,16 @@ std::string first_to_measure(const nlohmann::ordered_json &document, const nlohm
                                                                     : result["statistics"]["shares"];
   if (shares.empty())
     return "";
-  const auto largest = std::max_element(shares.begin(), shares.end());
-  return fmt::format("{} ({:.0f} %)",
-                     document["keys"][std::size_t(largest - shares.begin())]["name"].get<std::string>(),
-                     100 * largest->get<double>());
+  std::size_t first = 0;
+  double largest    = -std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < shares.size(); ++k)
+    if (shares[k].is_number() && shares[k].get<double>() > largest) {
+      first   = k;
+      largest = shares[k].get<double>();
+    }
+  if (!std::isfinite(largest))
+    return "";
+  return fmt::format("{} ({:.0f} %)", document["keys"][first]["name"].get<std::string>(), 100 * largest);
 }
 
 std::string chaos_text(const nlohmann::ordered_json &chaos)

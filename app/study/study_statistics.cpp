@@ -1,4 +1,5 @@
 #include "app/study/study_statistics.h"
+#include "app/study/constant_result.h"
 #include "app/study/store/row_files.h"
 #include "core/base/errors.h"
 #include <Eigen/Dense>
@@ -41,7 +42,7 @@ Estimated deviation(const std::vector<double> &values, const double mean, const 
 void add_histogram(ResultStatistics &s, const std::vector<double> &sorted)
 {
   const double low = sorted.front(), high = sorted.back();
-  if (!(low < high))
+  if (is_constant(sorted))
     return;
   const auto bins = std::size_t(std::clamp(std::cbrt(double(sorted.size())) * 2, 5.0, 40.0));
   s.bin_shares.assign(bins, 0);
@@ -57,7 +58,7 @@ void add_histogram(ResultStatistics &s, const std::vector<double> &sorted)
 void add_shares(ResultStatistics &s, const std::vector<const DesignRow *> &rows, const std::vector<double> &values)
 {
   const auto n = Eigen::Index(values.size()), d = Eigen::Index(rows.front()->numbers.size());
-  if (n < 2 * (d + 1))
+  if (n < 2 * (d + 1) || is_constant(values))
     return;
   Eigen::MatrixXd x(n, d);
   Eigen::VectorXd y(n);
@@ -72,9 +73,7 @@ void add_shares(ResultStatistics &s, const std::vector<const DesignRow *> &rows,
   for (Eigen::Index k = 0; k < d; ++k)
     if (size[k] > 0)
       x.col(k) /= size[k];
-  const double total = y.norm();
-  if (!(total > 0))
-    return;
+  const double total           = y.norm();
   const Eigen::VectorXd slopes = x.colPivHouseholderQr().solve(y) / total;
   s.explained                  = 1 - (y / total - x * slopes).squaredNorm();
   for (Eigen::Index k = 0; k < d; ++k)

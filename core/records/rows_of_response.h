@@ -82,8 +82,9 @@ inline constexpr RowOf<1> crest{"{channel}.crest", "1", "41", "channel {channel}
 inline constexpr RowOf<1> drift{"{channel}.drift", "", "41", "channel {channel}, slope of the line through it"};
 inline constexpr RowOf<1> clipped{"{channel}.clipped", "1", "41",
                                   "channel {channel}, share of the samples at a clip level"};
-inline constexpr RowOf<1> velocity_rms{"{channel}.velocity_rms", "m/s", "41",
-                                       "channel {channel}, rms velocity from 10 to 1000 Hz"};
+inline constexpr RowOf<1> velocity_rms{
+    "{channel}.velocity_rms", "m/s", "41",
+    "channel {channel}, rms velocity from 10 to 1000 Hz, or to where the record ends"};
 inline constexpr RowOf<1> velocity_rms_ratio{"{channel}.velocity_rms_ratio", "1", "41",
                                              "channel {channel}, rms velocity over that of the baseline"};
 inline constexpr RowOf<2> band_rms{"{channel}.{band}_rms", "", "41", "channel {channel}, rms in the band {band}"};

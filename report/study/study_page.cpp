@@ -79,7 +79,8 @@ const json &indices_in(const json &result)
   return result.contains("sobol") ? result["sobol"] : result["chaos"];
 }
 
-// Shares of the variance: first-order indices where there are some, else those of the regression.
+// Shares of the variance: first-order indices where there are some, else those of the regression; empty for a
+// result that is the same in every row.
 const json &shares_of(const json &result)
 {
   return with_indices(result) ? indices_in(result)["first"] : result["statistics"]["shares"];
@@ -241,7 +242,7 @@ void drawn_sections(Page &page, const json &document)
              "Which input to know better first, and the standard deviation that is left then. The linear estimate "
              "takes the derivatives at the means of the inputs; where it differs from the rows, the result is not "
              "linear.");
-  const bool indices = !document["results"].empty() && with_indices(document["results"][0]);
+  const bool indices = std::any_of(document["results"].begin(), document["results"].end(), with_indices);
   page.table(share_table(document), std::string(indices ? "First-order Sobol indices with 95 % intervals; T: with "
                                                           "interactions"
                                                         : "Shares by linear regression on the rows") +

@@ -19,10 +19,10 @@ Eigen::VectorXd column_of(const json &values, const double factor)
   return all;
 }
 
-std::string error_table(const json &document)
+std::string error_table(const json &results)
 {
   std::string rows;
-  for (const json &result : document["results"]) {
+  for (const json &result : results) {
     const json &chaos    = result["chaos"];
     const FloorUnit unit = floor_unit(result);
     const auto share     = [&](const char *name) { return significant(100 * number_in(chaos[name]), 2) + " %"; };
@@ -96,18 +96,22 @@ template <class Draw> void figures_by_two(Page &page, const json &results, const
 
 void surrogate_section(Page &page, const json &document)
 {
-  if (document["results"].empty() || !document["results"][0].contains("chaos"))
+  json fitted = json::array();
+  for (const json &result : document["results"])
+    if (result.contains("chaos"))
+      fitted.push_back(result);
+  if (fitted.empty())
     return;
   page.section("surrogate", "Polynomial in place of the model");
   page.table(
-      error_table(document),
+      error_table(fitted),
       "Each result as a polynomial of the inputs. An error is the mean squared difference over the variance "
       "of the result: of each row by the fit to all others, and of rows that took no part in the fit. Below 1 "
       "% the shares of the variance are those of the model.");
-  figures_by_two(page, document["results"], prediction,
+  figures_by_two(page, fitted, prediction,
                  "Rows that took no part in the fit: the dots lie on the line where the polynomial is right.");
   figures_by_two(
-      page, document["results"], [&](const json &result) { return map_of(document, result); },
+      page, fitted, [&](const json &result) { return map_of(document, result); },
       "Map over the two inputs with the largest shares, all others at their means.");
 }
 }  // namespace mill::report

@@ -13,10 +13,10 @@ namespace {
 // Speed on every sample of the grid; where it was not recorded the nearest value before.
 Eigen::VectorXd whole_speed(const CleanRecord &record, Analysis &analysis)
 {
-  const CleanChannel *channel = record.find("speed");
+  const CleanChannel *channel = recorded_speed(record, "speed");
   if (!channel)
-    channel = record.find("exit_speed");
-  if (!channel || channel->quantity != Quantity::speed || channel->pieces.empty())
+    channel = recorded_speed(record, "exit_speed");
+  if (!channel)
     return {};
   Eigen::VectorXd speed = channel->value;
   Eigen::Index filled   = 0;
@@ -75,6 +75,22 @@ std::vector<CleanChannel> channels_without_lines(const Analysis &analysis, const
   return channels;
 }
 
+// Levels of unlike bands are not compared.
+void note_unlike_bands(Analysis &analysis, const AnalysisSettings &settings, const double rate)
+{
+  if (!settings.baseline)
+    return;
+  for (const ChannelAnalysis &seen : analysis.channels)
+    if (std::isfinite(seen.velocity_rms) && settings.baseline->velocity_rms.count(seen.name) > 0 &&
+        !std::isfinite(velocity_before(*settings.baseline, seen.name, rate)))
+      analysis.notes.emplace_back(
+          NoteId::band_limited, seen.name,
+          fmt::format("the rms velocity is that of {:g} to {:.4g} Hz, and the baseline {} does not have it for "
+                      "this band",
+                      velocity_band(rate).low, velocity_band(rate).high, settings.baseline->folder),
+          "the two are not compared", "take a baseline of the same sampling rate");
+}
+
 // A limit of the evaluated band with its cause.
 void note_limits(Analysis &analysis)
 {
@@ -90,6 +106,12 @@ void note_limits(Analysis &analysis)
           "their amplitude");
 }
 }  // namespace
+
+const CleanChannel *recorded_speed(const CleanRecord &record, const std::string &name)
+{
+  const CleanChannel *channel = record.find(name);
+  return channel && channel->quantity == Quantity::speed && !channel->pieces.empty() ? channel : nullptr;
+}
 
 Analysis analyse(const CleanRecord &record, const CaseModel *stand, const AnalysisSettings &settings,
                  const Progress &progress)
@@ -126,6 +148,7 @@ Analysis analyse(const CleanRecord &record, const CaseModel *stand, const Analys
   name_bands(analysis, settings);
   add_accounts(analysis);
   note_limits(analysis);
+  note_unlike_bands(analysis, settings, record.rate);
   if (speed.size() == 0)
     analysis.notes.emplace_back(NoteId::speed_not_usable, "", "no speed was recorded",
                                 "what is fixed and what follows the speed is not distinguishable");

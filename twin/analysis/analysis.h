@@ -109,7 +109,7 @@ struct ChannelAnalysis {
   double rms, peak, crest;       ///< in `unit`, `unit`, -; offset and drift taken off
   double variance;               ///< in `unit` squared, about the mean
   double lowest;                 ///< Hz, below it no lines are looked for
-  double velocity_rms;           ///< m/s, 10 .. 1000 Hz; NaN: no vibration
+  double velocity_rms;           ///< m/s, in velocity_band(); NaN: no vibration
   double bandwidth;              ///< Hz, nothing above it is used
   std::vector<double> band_rms;  ///< in `unit`, in each band of the settings; NaN: the record does not hold it
   WelchSpectrum spectrum;        ///< fine, for lines

@@ -18,6 +18,7 @@ namespace mill::twin {
 namespace {
 using nlohmann::ordered_json;
 
+const char *const no_level_over_time    = "the record is too short for a level over time";
 constexpr Eigen::Index most_rows_of_map = 250, most_columns_of_map = 150;  // frequencies, frames
 
 Parameter measured(const double value, const std::string &unit, const std::string &operating_point,
@@ -41,7 +42,7 @@ double scatter_of_rms(const WelchSpectrum &s, const double duration)
 
 // The change of the rms velocity against an earlier record, and the levels in the bands.
 void add_levels(Results &results, const ChannelAnalysis &seen, const std::string &operating_point,
-                const double scatter, const AnalysisSettings &settings)
+                const double rate, const double velocity_error, const AnalysisSettings &settings)
 {
   for (std::size_t i = 0; i < seen.band_rms.size() && i < settings.bands.size(); ++i)
     if (const ChatterBand &band = settings.bands[i];
@@ -51,17 +52,19 @@ void add_levels(Results &results, const ChannelAnalysis &seen, const std::string
                    fmt::format("root of the area under the density, {:g} to {:g} Hz", band.low, band.high));
       level.error_estimate = level_error(seen.map, band.low, band.high);
       if (!std::isfinite(level.error_estimate))
-        level.error_lacks = {"the record is too short for a level over time"};
+        level.error_lacks = {no_level_over_time};
       results.add(row::record::band_rms.of(seen.name, band.name), level);
     }
   if (!settings.baseline || !std::isfinite(seen.velocity_rms))
     return;
-  const auto before = settings.baseline->velocity_rms.find(seen.name);
-  if (before == settings.baseline->velocity_rms.end() || !(before->second > 0))
+  const double before = velocity_before(*settings.baseline, seen.name, rate);
+  if (!std::isfinite(before))
     return;
-  Parameter change      = measured(seen.velocity_rms / before->second, "1", operating_point,
+  Parameter change      = measured(seen.velocity_rms / before, "1", operating_point,
                                    "rms velocity over that of the baseline " + settings.baseline->record);
-  change.error_estimate = std::sqrt(2.0) * scatter;
+  change.error_estimate = std::sqrt(2.0) * velocity_error;
+  if (!std::isfinite(change.error_estimate))
+    change.error_lacks = {no_level_over_time};
   results.add(row::record::velocity_rms_ratio.of(seen.name), change);
 }
 
@@ -94,13 +97,20 @@ void add_values(Results &results, const ChannelAnalysis &seen, const CleanChanne
       measured(channel.clipped_share, "1", operating_point, "share of the samples at a clip level");
   clipped.error_estimate = 0;
   results.add(row::record::clipped.of(seen.name), clipped);
+  double velocity_error = std::nan("");
   if (std::isfinite(seen.velocity_rms)) {
-    Parameter velocity      = measured(seen.velocity_rms, "m/s", operating_point,
-                                       "density from 10 to 1000 Hz, divided by (2 pi f)^2 for an acceleration");
-    velocity.error_estimate = rms.error_estimate;
+    const VelocityBand band = velocity_band(record.rate);
+    velocity_error          = level_error(seen.map, band.low, band.high, seen.quantity == Quantity::acceleration);
+    Parameter velocity =
+        measured(seen.velocity_rms, "m/s", operating_point,
+                 fmt::format("density from {:g} to {:.4g} Hz{}, divided by (2 pi f)^2 for an acceleration",
+                             band.low, band.high, band.complete ? "" : ", where the record ends"));
+    velocity.error_estimate = velocity_error;
+    if (!std::isfinite(velocity_error))
+      velocity.error_lacks = {no_level_over_time};
     results.add(row::record::velocity_rms.of(seen.name), velocity);
   }
-  add_levels(results, seen, operating_point, rms.error_estimate, settings);
+  add_levels(results, seen, operating_point, record.rate, velocity_error, settings);
 }
 
 ordered_json number(const double value)

@@ -3,6 +3,7 @@
 #include "core/base/files.h"
 #include "core/base/valid_text.h"
 #include "core/records/result_folder.h"
+#include "twin/analysis/channel_analysis.h"
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -27,11 +28,14 @@ Baseline read_baseline(const std::string &folder)
   baseline.record          = record.is_object() && record.contains("file") && record["file"].is_string()
                                  ? record["file"].get<std::string>()
                                  : valid_text(folder);
+  const double rate        = record.is_object() && record.contains("rate") && record["rate"].is_number()
+                                 ? record["rate"].get<double>()
+                                 : std::nan("");
   const std::string ending = ".velocity_rms";
   for (const auto &[name, value] : document["values"].items())
     if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0 &&
         value.is_object() && value.contains("value") && value["value"].is_number())
-      baseline.velocity_rms[name.substr(0, name.size() - ending.size())] = value["value"].get<double>();
+      baseline.velocity_rms[name.substr(0, name.size() - ending.size())] = {value["value"].get<double>(), rate};
   const auto text_of = [](const json &one, const char *key) {
     return one.contains(key) && one[key].is_string() ? one[key].get<std::string>() : std::string();
   };
@@ -46,20 +50,25 @@ Baseline read_baseline(const std::string &folder)
 Baseline read_baselines(const std::vector<std::string> &folders)
 {
   Baseline all;
-  std::map<std::string, std::pair<double, int>> squares;
+  std::map<std::string, std::vector<VelocityLevel>> levels;
   for (const std::string &folder : folders) {
     const Baseline one = read_baseline(folder);
     all.folder += (all.folder.empty() ? "" : ", ") + one.folder;
     all.record += (all.record.empty() ? "" : ", ") + one.record;
-    for (const auto &[channel, velocity] : one.velocity_rms) {
-      squares[channel].first += velocity * velocity;
-      ++squares[channel].second;
-    }
+    for (const auto &[channel, velocity] : one.velocity_rms)
+      levels[channel].push_back(velocity);
     for (const auto &[family, score] : one.score)
       all.score[family] = std::max(all.score[family], score);
   }
-  for (const auto &[channel, sum] : squares)
-    all.velocity_rms[channel] = std::sqrt(sum.first / sum.second);
+  for (const auto &[channel, of_channel] : levels) {
+    double squares = 0, rate = of_channel.front().rate;
+    for (const VelocityLevel &level : of_channel) {
+      squares += level.value * level.value;
+      if (!have_one_band(level.rate, rate))
+        rate = std::nan("");
+    }
+    all.velocity_rms[channel] = {std::sqrt(squares / double(of_channel.size())), rate};
+  }
   return all;
 }
 }  // namespace mill::twin

@@ -5,10 +5,16 @@
 #include <vector>
 
 namespace mill::twin {
+/// Root mean square of a velocity in the band of velocity_band().
+struct VelocityLevel {
+  double value;  ///< m/s
+  double rate;   ///< Hz, of the record; NaN: of several records with unlike bands
+};
+
 /// What earlier analyses of the same mill found.
 struct Baseline {
-  std::string folder, record;                  ///< folder and record of each, separated by commas
-  std::map<std::string, double> velocity_rms;  ///< channel -> m/s
+  std::string folder, record;                         ///< folder and record of each, separated by commas
+  std::map<std::string, VelocityLevel> velocity_rms;  ///< by channel
   std::map<std::tuple<std::string, std::string, std::string>, double>
       score;  ///< channel, bearing, family -> score of its harmonics
 };

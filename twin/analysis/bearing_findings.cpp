@@ -149,10 +149,15 @@ void add_bearing_findings(Analysis &analysis, const CleanRecord &record, const C
 {
   if (!stand || stand->bearings.empty())
     return;
-  const CleanChannel *recorded = record.find("speed");
+  const CleanChannel *recorded = recorded_speed(record, "speed");
   if (!recorded && !settings.speed) {
-    analysis.notes.emplace_back(NoteId::bearing_not_computed, "bearings",
-                                "not computed, the record has no channel 'speed'", "", "give --speed \"4 m/s\"");
+    const CleanChannel *other = record.find("speed");
+    analysis.notes.emplace_back(
+        NoteId::bearing_not_computed, "bearings",
+        !other ? "not computed, the record has no channel 'speed'"
+               : fmt::format("not computed, the channel 'speed' is not a speed in a unit of length over time{}",
+                             other->unit.empty() ? "" : ", its unit is " + other->unit),
+        "", "give --speed \"4 m/s\"");
     return;
   }
   Fourier fourier;

@@ -28,7 +28,32 @@ double rms_between(const WelchSpectrum &s, const double low, const double high)
   return std::sqrt(area);
 }
 
+constexpr double velocity_low = 10, velocity_high = 1000;  // Hz
+constexpr double same_band = 0.01;  // -, of the upper end: rates of one recorder differ by their jitter
 }  // namespace
+
+VelocityBand velocity_band(const double rate)
+{
+  const double end = rate / 2.56;
+  return {velocity_low, std::min(velocity_high, end), end >= velocity_high};
+}
+
+bool have_one_band(const double rate_a, const double rate_b)
+{
+  if (!std::isfinite(rate_a) || !std::isfinite(rate_b))
+    return false;
+  const double a = velocity_band(rate_a).high, b = velocity_band(rate_b).high;
+  return std::abs(a - b) <= same_band * std::max(a, b);
+}
+
+double velocity_before(const Baseline &baseline, const std::string &channel, const double rate)
+{
+  const auto before = baseline.velocity_rms.find(channel);
+  if (before == baseline.velocity_rms.end() || !(before->second.value > 0) ||
+      !have_one_band(before->second.rate, rate))
+    return std::numeric_limits<double>::quiet_NaN();
+  return before->second.value;
+}
 
 bool is_vibration(const Quantity quantity)
 {
@@ -58,7 +83,8 @@ ChannelAnalysis analyse_channel(const CleanChannel &channel, const double rate, 
   if (result.spectrum.n == 0)
     return result;
   result.bandwidth    = bandwidth(result.spectrum);
-  result.velocity_rms = velocity_rms(result.spectrum, channel.quantity, 10, std::min(1000.0, rate / 2.56));
+  const auto band     = velocity_band(rate);
+  result.velocity_rms = velocity_rms(result.spectrum, channel.quantity, band.low, band.high);
   for (const ChatterBand &band : bands)
     result.band_rms.push_back(rms_between(result.spectrum, band.low, band.high));
   result.lowest = lowest_peak(result.spectrum);

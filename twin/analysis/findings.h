@@ -46,6 +46,8 @@ void add_accounts(Analysis &analysis);
 
 /// The channel of a name; it is one of the record.
 const ChannelAnalysis &channel_of_name(const Analysis &analysis, const std::string &name);
+/// The channel of this name where it holds a speed; nullptr: absent, of another unit, or without samples.
+const CleanChannel *recorded_speed(const CleanRecord &record, const std::string &name);
 /// -, highest over lowest speed less one; 0 where no speed was recorded.
 double speed_span(const Analysis &analysis);
 }  // namespace mill::twin

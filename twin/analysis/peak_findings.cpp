@@ -212,6 +212,9 @@ void add_severity_findings(Analysis &analysis, const AnalysisSettings &settings)
     std::size_t zone = 0;
     while (zone < settings.severity.size() && channel.velocity_rms > settings.severity[zone])
       ++zone;
+    // What a record does not reach can only add to the level.
+    const VelocityBand band = velocity_band(channel.spectrum.rate);
+    const char *or_higher   = !band.complete && zone < settings.severity.size() ? " or higher" : "";
     Finding finding{FindingKind::severity,
                     channel.name,
                     std::nan(""),
@@ -219,14 +222,15 @@ void add_severity_findings(Analysis &analysis, const AnalysisSettings &settings)
                     std::nan(""),
                     std::nan(""),
                     "m/s",
-                    fmt::format("zone {} of the zones that were given", char('A' + zone)),
+                    fmt::format("zone {}{} of the zones that were given", char('A' + zone), or_higher),
                     {}};
-    finding.evidence.push_back(fmt::format("{:.3g} mm/s rms, 10 .. 1000 Hz", 1e3 * channel.velocity_rms));
+    finding.evidence.push_back(fmt::format("{:.3g} mm/s rms, {:g} .. {:.4g} Hz{}", 1e3 * channel.velocity_rms,
+                                           band.low, band.high, band.complete ? "" : ", where the record ends"));
     if (settings.baseline)
-      if (const auto before = settings.baseline->velocity_rms.find(channel.name);
-          before != settings.baseline->velocity_rms.end() && before->second > 0)
+      if (const double before = velocity_before(*settings.baseline, channel.name, channel.spectrum.rate);
+          std::isfinite(before))
         finding.evidence.push_back(fmt::format("{:+.0f} % against the baseline {}",
-                                               100 * (channel.velocity_rms / before->second - 1),
+                                               100 * (channel.velocity_rms / before - 1),
                                                settings.baseline->folder));
     analysis.findings.push_back(std::move(finding));
   }

@@ -32,7 +32,7 @@ Results values_of(const Calibration &result, const bool written)
     p.source         = u.taken ? Source::measured : Source::assumed;
     p.method         = u.identified ? "likelihood of the whole records" : u.why_not;
     p.at             = operating_point;
-    p.error_estimate = delay ? std::nan("") : u.taken ? u.sd : u.prior_sd;
+    p.error_estimate = delay ? std::nan("") : u.taken ? deviation_of(change) : u.prior_sd;
     if (delay)
       p.error_lacks = {"a delay has no relative error; its deviation is listed with the unknowns"};
     if (u.taken && !delay)

@@ -6,7 +6,8 @@
 
 namespace mill::twin {
 namespace {
-constexpr double half_identified = 1.7320508075688772;  // singular value at which sd is half of the prior's
+constexpr double half_identified  = 1.7320508075688772;  // singular value at which sd is half of the prior's
+constexpr double deviations_of_95 = 1.96;
 
 std::string words_of(const Identification &identification, const Eigen::Index column, const FittedStand &stand,
                      const bool unseen = true)
@@ -49,8 +50,13 @@ ChangeInterval change_interval(const Calibrated &u, const bool written)
 {
   if (!written)
     return {u.estimate, u.low, u.high};
-  const double reach = 1.96 * (u.kept_sd > 0 ? u.kept_sd : u.sd);
+  const double reach = deviations_of_95 * (u.kept_sd > 0 ? u.kept_sd : u.sd);
   return {u.kept, std::min(u.low, u.kept - reach), std::max(u.high, u.kept + reach)};
+}
+
+double deviation_of(const ChangeInterval &change)
+{
+  return std::max(change.high - change.value, change.value - change.low) / deviations_of_95;
 }
 
 ShownChange shown_change(const Calibrated &unknown, const bool written)

@@ -22,6 +22,8 @@ struct ChangeInterval {
   double value, low, high;  ///< ln of the factor; s of a delay
 };
 ChangeInterval change_interval(const Calibrated &unknown, bool written);
+/// Standard deviation that belongs to a value and its 95 % interval: of the side that reaches further.
+double deviation_of(const ChangeInterval &change);
 
 /// The method where no force was recorded, and the remedy where one was recorded under another name.
 std::string without_force_words();

@@ -128,12 +128,14 @@ double velocity_rms(const WelchSpectrum &s, const Quantity quantity, const doubl
   if (quantity != Quantity::acceleration && quantity != Quantity::velocity)
     return std::numeric_limits<double>::quiet_NaN();
   double square = 0;
+  bool any      = false;
   for (Eigen::Index k = 1; k < s.density.size(); ++k)
     if (const double f = s.at(k); f >= low && f <= high) {
       const double w = 2 * M_PI * f;
       square += s.density[k] * s.resolution() / (quantity == Quantity::acceleration ? w * w : 1);
+      any = true;
     }
-  return std::sqrt(square);
+  return any ? std::sqrt(square) : std::numeric_limits<double>::quiet_NaN();
 }
 
 namespace {

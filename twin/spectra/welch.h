@@ -44,7 +44,7 @@ struct SpectralLine {
 SpectralLine line_at(const WelchSpectrum &spectrum, Eigen::Index k);
 
 /// m/s, root mean square of the velocity between two frequencies, by division with i w where the channel is an
-/// acceleration; NaN for others.  theory.md (41.7)
+/// acceleration; NaN for others, and where the record ends below the band.  theory.md (41.7)
 double velocity_rms(const WelchSpectrum &spectrum, Quantity quantity, double low = 10, double high = 1000);
 
 /// Hz, where the noise floor has fallen by more than 30 dB within a fifth of the frequency and stays there up to

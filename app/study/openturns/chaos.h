@@ -23,6 +23,7 @@ struct ChaosFit {
 /// leave-one-out error.
 /// @param rows    (rows, keys); the first `fitted` are fitted, the others are held out
 /// @param result  (rows); NaN: failed, left out
+/// @return without terms where the fitted rows all have the same result
 /// @throws InputError  fewer than 2 (keys + 1) fitted rows with a result
 /// Source: G. Blatman, B. Sudret, Journal of Computational Physics 230 (2011) 2345-2367; B. Sudret, Reliability
 /// Engineering and System Safety 93 (2008) 964-979, for the indices.

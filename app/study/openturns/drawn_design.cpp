@@ -1,4 +1,5 @@
 #include "app/study/openturns/drawn_design.h"
+#include "app/study/constant_result.h"
 #include "core/base/errors.h"
 #include <algorithm>
 #include <cmath>
@@ -120,14 +121,19 @@ SobolIndices sobol_indices(const std::vector<std::vector<double>> &rows, const s
         inputs(to, k) = rows[from][k];
       outputs(to, 0) = result[from];
     }
+  SobolIndices indices;
+  indices.groups = long(whole.size());
+  std::vector<double> of_a(whole.size());  // the library takes the variance from them
+  for (std::size_t i = 0; i < whole.size(); ++i)
+    of_a[i] = outputs(i, 0);
+  if (is_constant(of_a))
+    return indices;
   OT::SaltelliSensitivityAlgorithm algorithm(inputs, outputs, whole.size());
   algorithm.setUseAsymptoticDistribution(true);
   algorithm.setConfidenceLevel(0.95);
   const OT::Point first = algorithm.getFirstOrderIndices(), total = algorithm.getTotalOrderIndices();
   const OT::Interval first_ends = algorithm.getFirstOrderIndicesInterval(),
                      total_ends = algorithm.getTotalOrderIndicesInterval();
-  SobolIndices indices;
-  indices.groups = long(whole.size());
   for (std::size_t k = 0; k < d; ++k) {
     indices.first.push_back(first[k]);
     indices.total.push_back(total[k]);

@@ -40,7 +40,7 @@ struct SobolIndices {
   long groups = 0;  ///< of rows, without those that have a failure
 };
 
-/// From results that were computed elsewhere.
+/// From results that were computed elsewhere.  Lists are empty where the rows of group A all have the same result.
 /// @param rows    (n (d + 2), d) of drawn_rows(saltelli)
 /// @param result  (n (d + 2)); NaN: failed, and its whole group of d + 2 rows is left out
 /// @throws InputError  fewer than 16 groups remain

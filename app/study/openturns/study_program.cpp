@@ -101,6 +101,10 @@ json chaos(const json &request, const std::string &folder)
   for (const auto &result : computed.results) {
     const ChaosFit f =
         chaos_fit(spreads, computed.rows, result, request["fitted"].get<long>(), request["seed"].get<int>());
+    if (f.terms == 0) {
+      answer.push_back(nullptr);
+      continue;
+    }
     answer.push_back(
         {{"degree", f.degree},
          {"terms", f.terms},

@@ -4,6 +4,7 @@
 #include "core/base/text.h"
 #include <algorithm>
 #include <cstdio>
+#include <exception>
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
@@ -65,6 +66,7 @@ ReadRows read_rows(const std::string &path, const std::int64_t after,
 {
   ReadRows read;
   read.last_place = after;
+  std::exception_ptr not_taken;
   try {
     Database file(path, Database::Open::read);
     Statement rows =
@@ -73,15 +75,23 @@ ReadRows read_rows(const std::string &path, const std::int64_t after,
     while (rows.step()) {
       read.last_place = rows.integer(0);
       FinishedRow row{rows.integer(1), rows.numbers(2), rows.text(3)};
-      if (checksum(row) == rows.integer(4))
-        take(std::move(row));
-      else
+      if (checksum(row) != rows.integer(4)) {
         ++read.damaged;
+        continue;
+      }
+      try {
+        take(std::move(row));
+      } catch (...) {  // not a fault of this file: a row that was not taken is not passed over
+        not_taken = std::current_exception();
+        break;
+      }
     }
   } catch (const InputError &e) {  // a file that was cut before its first commit has no table
     if (fs::exists(path) && fs::file_size(path) > 0)
       read.fault = e.what();
   }
+  if (not_taken)
+    std::rethrow_exception(not_taken);
   return read;
 }
 

@@ -39,6 +39,7 @@ struct ReadRows {
 };
 
 /// Reads the rows of a file behind a place, in the order in which they were written.
+/// @throws what `take` throws; a fault of the file is in the answer
 ReadRows read_rows(const std::string &path, std::int64_t after, const std::function<void(FinishedRow &&)> &take);
 
 /// Number of rows in a file; 0 where it cannot be read now.

@@ -1,5 +1,6 @@
 #include "app/twin/analyse/analysis_lines.h"
 #include "core/base/visible_text.h"
+#include "twin/analysis/channel_analysis.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -20,8 +21,11 @@ std::string channel_line(const twin::ChannelAnalysis &seen)
   const twin::Account &account = seen.account;
   const std::string unit       = visible(seen.unit, true);
   std::string text             = fmt::format("{}: rms {:.4g} {}", visible(seen.name, true), seen.rms, unit);
-  if (std::isfinite(seen.velocity_rms))
-    text += fmt::format(" ({:.3g} mm/s)", 1e3 * seen.velocity_rms);
+  if (std::isfinite(seen.velocity_rms)) {
+    const twin::VelocityBand band = twin::velocity_band(seen.spectrum.rate);
+    text += fmt::format(" ({:.3g} mm/s{})", 1e3 * seen.velocity_rms,
+                        band.complete ? "" : fmt::format(" up to {:.4g} Hz", band.high));
+  }
   if (std::isfinite(account.largest))
     return text + fmt::format("; largest peak {}, {:.3g} {} 0-peak, {:.0f} dB over the floor: {}",
                               frequency_text(account.largest, 0.1 * seen.spectrum.resolution()), account.amplitude,

@@ -169,7 +169,7 @@ void calibrate(Parameter &number, const twin::Calibrated &u, const std::string &
   number.value                      = before * std::exp(change.value);
   number.source                     = Source::measured;
   number.method                     = method;
-  number.error_estimate             = u.sd;
+  number.error_estimate             = twin::deviation_of(change);
   number.error_lacks                = {};
   number.checks                     = {{"95 % from", before * std::exp(change.low), ""},
                                        {"95 % to", before * std::exp(change.high), ""},

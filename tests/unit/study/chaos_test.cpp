@@ -124,6 +124,19 @@ TEST(Chaos, TheHeldOutErrorShowsWhatLeaveOneOutDoesNot)
   EXPECT_GT(fit["held_out"].get<double>(), 0.05);
 }
 
+TEST(Chaos, AResultThatIsTheSameInAllRowsIsNotFitted)
+{
+  const Spread uniform{Spread::Kind::uniform, not_given, not_given, 0, 1};
+  Study study     = study_with({uniform});
+  const auto rows = draw_rows(study, StudyMethod::latin_hypercube, 32);
+  std::vector<double> moved;
+  for (const auto &row : rows)
+    moved.push_back(2 * row[0]);
+  const json fits = chaos_of(study, rows, {std::vector<double>(rows.size(), 1.8e10), moved}, 32);
+  EXPECT_TRUE(fits[0].is_null());
+  EXPECT_TRUE(near(fits[1]["first"][0].get<double>(), 1, within(1e-9, "one input has the whole variance")));
+}
+
 TEST(Chaos, ARowThatFailedIsLeftOut)
 {
   const Spread uniform{Spread::Kind::uniform, not_given, not_given, 0, 1};

@@ -1,4 +1,6 @@
+#include "app/study/earlier_ends.h"
 #include "app/study/store/row_files.h"
+#include "core/base/errors.h"
 #include "core/base/files.h"
 #include "tests/support/near.h"
 #include "tests/support/program.h"
@@ -77,6 +79,19 @@ TEST(RowFiles, ARowWithAWrongChecksumIsLeftOutAndNamed)
   EXPECT_EQ(rows_in(merged_file(folder)).size(), 1u);
 }
 
+// A full disk of whoever takes the row is not a fault of the file: a merge that went on would pass the row over.
+TEST(RowFiles, WhatTheTakerThrowsIsNotAFaultOfTheFile)
+{
+  const std::string path = new_row_file(scratch("thrown-by-the-taker"), "1-of-1");
+  RowFile file(path);
+  file.commit({{1, {1.5}, ""}, {2, {2.5}, ""}}, {});
+  const auto take = [](FinishedRow &&row) {
+    if (row.key == 2)
+      throw SystemError("database or disk is full");
+  };
+  EXPECT_THROW(read_rows(path, 0, take), SystemError);
+}
+
 TEST(RowFiles, ADamagedMergedRowIsReplacedByThatOfItsFile)
 {
   const std::string folder = scratch("damaged-merged-row");
@@ -109,6 +124,19 @@ TEST(RowFiles, AMergedFileThatIsNoDatabaseIsMadeAgain)
   write_atomically(merged_file(folder), std::string(5000, 'x'));
   EXPECT_EQ(merge_rows(folder).size(), 1u);
   EXPECT_EQ(rows_in(merged_file(folder)).at(1).results, std::vector<double>{1.5});
+}
+
+TEST(EarlierEnds, SixKillsGiveARowUpUntilTheFilesOfRowsAreRemoved)
+{
+  const std::string folder = scratch("six-kills");
+  const auto kill_in_row   = [&] { RowFile(new_row_file(folder, "1-of-1")).commit({}, {{7, 1}}); };
+  for (int i = 0; i < 5; ++i)
+    kill_in_row();
+  EXPECT_FALSE(gives_up(earlier_ends(folder, "1-of-1").at(7)));
+  kill_in_row();
+  EXPECT_TRUE(gives_up(earlier_ends(folder, "1-of-1").at(7)));
+  fs::remove_all(folder + "/rows");  // as the how-to of studies says
+  EXPECT_TRUE(earlier_ends(folder, "1-of-1").empty());
 }
 
 // A copy of file and journal in the middle of a transaction is what a kill leaves.

@@ -86,6 +86,23 @@ TEST(SobolIndices, AFailureTakesItsWholeGroupOut)
   EXPECT_TRUE(near(s.first[1], 0.8, within_absolute(0.05, "scatter of 255 groups; exact 4/5 for x1 + 2 x2")));
 }
 
+// A result without variance has no shares; it must not take them from the others.
+TEST(SobolIndices, AResultThatIsTheSameInAllRowsHasNone)
+{
+  const Study study = study_of(2, 0, 1);
+  const auto rows   = draw_rows(study, StudyMethod::sobol, 256);
+  std::vector<double> still(rows.size(), 1.8e10), rounded = still, moved;
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    rounded[i] *= 1 + 1e-15 * rows[i][0];
+    moved.push_back(rows[i][0] + 2 * rows[i][1]);
+  }
+  const auto s = indices_of(rows, {still, moved, rounded}, 256);
+  ASSERT_EQ(s.size(), 3u);
+  EXPECT_TRUE(s[0].first.empty());
+  EXPECT_TRUE(s[2].total.empty()) << "rounding is not a variance";
+  EXPECT_TRUE(near(s[1].first[1], 0.8, within_absolute(0.05, "scatter of 256 groups; exact 4/5 for x1 + 2 x2")));
+}
+
 TEST(SobolIndices, CorrelatedInputsAreRefused)
 {
   Study study        = study_of(2, 0, 1);

@@ -7,9 +7,11 @@
 #include "twin/analysis/analysis.h"
 #include "twin/analysis/analysis_files.h"
 #include "twin/analysis/owner.h"
+#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 #include <nlohmann/json.hpp>
+#include <utility>
 
 using namespace mill;
 using namespace mill::twin;
@@ -135,8 +137,9 @@ TEST(Analysis, TheEdgeOfAForceBandIsNamed)
   EXPECT_EQ(edges, 1) << "TW-13, asked for";
 }
 
-// A bearing that knocks is a fault once its score has grown against an earlier record.
-TEST(Analysis, ABearingIsHeldAgainstItsBaseline)
+namespace {
+// Impacts on the outer ring of a bearing whose roll turns at 4 m/s.
+RawRecord knocking_record()
 {
   const double fs = 8000, turn = 4 / (M_PI * 0.42), outer = 18.22 * turn, w = 2 * M_PI * 2000;
   Eigen::VectorXd x           = synthetic::white(5, 64000, fs, 0.01);
@@ -151,9 +154,31 @@ TEST(Analysis, ABearingIsHeldAgainstItsBaseline)
   raw.file = "r.csv";
   raw.rate = fs;
   raw.channels.push_back({"upper_work_roll", "a", "m/s2", Quantity::acceleration, true, {}, x});
-  const CleanRecord clean = clean_record(std::move(raw));
-  CaseModel stand         = model_of(synthetic::chain(set_r().first, set_r().second, 0.01), 0.01);
-  stand.bearings          = {{"trb", "work_roll", 0.42, 0.4672, 18.22, 20.78, 7.205}};
+  return raw;
+}
+
+CaseModel stand_with_bearing()
+{
+  CaseModel stand = model_of(synthetic::chain(set_r().first, set_r().second, 0.01), 0.01);
+  stand.bearings  = {{"trb", "work_roll", 0.42, 0.4672, 18.22, 20.78, 7.205}};
+  return stand;
+}
+
+CleanRecord record_of(const Eigen::VectorXd &acceleration, const double fs)
+{
+  RawRecord raw;
+  raw.file = "r.csv";
+  raw.rate = fs;
+  raw.channels.push_back({"upper_work_roll", "a", "m/s2", Quantity::acceleration, true, {}, acceleration});
+  return clean_record(std::move(raw));
+}
+}  // namespace
+
+// A bearing that knocks is a fault once its score has grown against an earlier record.
+TEST(Analysis, ABearingIsHeldAgainstItsBaseline)
+{
+  const CleanRecord clean = clean_record(knocking_record());
+  const CaseModel stand   = stand_with_bearing();
   AnalysisSettings settings;
   settings.speed     = 4;
   const auto bearing = [&] {
@@ -176,6 +201,103 @@ TEST(Analysis, ABearingIsHeldAgainstItsBaseline)
   settings.baseline->score[{"upper_work_roll", "trb", "BPFO"}] = 100;
   EXPECT_EQ(bearing().kind, FindingKind::bearing);
   EXPECT_NE(bearing().evidence.back().find("it does not grow, no fault"), std::string::npos);
+}
+
+// Turns per minute, their mean taken off as of a vibration, are not metres per second.
+TEST(Analysis, ABearingTakesASpeedInItsUnitOnly)
+{
+  RawRecord raw = knocking_record();
+  raw.channels.push_back({"speed",
+                          "n",
+                          "rpm",
+                          Quantity::other,
+                          true,
+                          {},
+                          182 + synthetic::normals(8, raw.channels[0].value.size()).array()});
+  const CleanRecord clean = clean_record(std::move(raw));
+  const CaseModel stand   = stand_with_bearing();
+  AnalysisSettings settings;
+  const auto without = analyse(clean, &stand, settings, {});
+  EXPECT_TRUE(without.bearings.empty());
+  const auto note = std::find_if(without.notes.begin(), without.notes.end(),
+                                 [](const Note &one) { return one.is(NoteId::bearing_not_computed); });
+  ASSERT_NE(note, without.notes.end());
+  EXPECT_NE(text_of(*note).find("its unit is rpm"), std::string::npos) << text_of(*note);
+  settings.speed  = 4;
+  const auto with = analyse(clean, &stand, settings, {});
+  ASSERT_EQ(with.bearings.size(), 4u) << "the speed that was given is taken";
+  EXPECT_EQ(with.bearings[0].speed, 4);
+}
+
+// White noise G of the acceleration has the velocity power G/(2 pi f)^2: of the band from a to b its mean is
+// proportional to 1/a - 1/b, the variance of the mean over T to (1/a^3 - 1/b^3)/(3 T).  The rms has half of the
+// relative deviation of its square.
+TEST(Analysis, TheErrorOfAVelocityIsThatOfTheVelocity)
+{
+  constexpr double fs = 4000, T = 20, a = 10, b = 1000;
+  constexpr int records = 8;
+  const double exact    = 0.5 * std::sqrt((std::pow(a, -3) - std::pow(b, -3)) / (3 * T)) / (1 / a - 1 / b);
+  double stated         = 0;
+  for (int i = 0; i < records; ++i) {
+    const CleanRecord clean = record_of(synthetic::white(900 + std::uint64_t(i), Eigen::Index(T * fs), fs, 1), fs);
+    const auto json = nlohmann::json::parse(analysis_json(clean, analyse(clean, nullptr, {}, {}), nullptr));
+    stated += json["values"]["upper_work_roll.velocity_rms"]["error_estimate"].get<double>() / records;
+  }
+  EXPECT_TRUE(near(stated, exact,
+                   within(0.25, "a deviation from 40 independent frames is known to 18 %, the mean of 8 to 6 %; "
+                                "the window and bins of 2 Hz move the lower end by up to a fifth")));
+}
+
+TEST(Analysis, AVelocityOfASlowRecordStatesItsBand)
+{
+  // 0.2 m/s2 at 50 Hz: 0.2/(sqrt(2) 2 pi 50) m/s
+  const auto tone = [](const double fs) {
+    return record_of(synthetic::white(3, Eigen::Index(20 * fs), fs, 1e-4) +
+                         Eigen::VectorXd::NullaryExpr(
+                             Eigen::Index(20 * fs),
+                             [&](const Eigen::Index k) { return 0.2 * std::sin(2 * M_PI * 50 * double(k) / fs); }),
+                     fs);
+  };
+  const double level = 0.2 / (std::sqrt(2.) * 2 * M_PI * 50);
+  AnalysisSettings settings;
+  settings.severity                                  = {0.5 * level, 2 * level};
+  settings.baseline                                  = Baseline{};
+  settings.baseline->folder                          = "before";
+  settings.baseline->velocity_rms["upper_work_roll"] = {level, 4000};
+  const auto seen                                    = [&](const double fs) {
+    const CleanRecord clean = tone(fs);
+    const auto analysis     = analyse(clean, nullptr, settings, {});
+    return std::pair(analysis, nlohmann::json::parse(analysis_json(clean, analysis, nullptr, settings))["values"]);
+  };
+  const auto severity = [](const Analysis &analysis) {
+    for (const Finding &finding : analysis.findings)
+      if (finding.kind == FindingKind::severity)
+        return finding;
+    return Finding{};
+  };
+  const auto is_noted = [](const Analysis &analysis) {
+    return std::any_of(analysis.notes.begin(), analysis.notes.end(), [](const Note &note) {
+      return note.is(NoteId::band_limited) && text_of(note).find("baseline before") != std::string::npos;
+    });
+  };
+  const auto [fast, fast_values] = seen(4000);
+  const auto exact               = within(5e-3, "line between bins, and noise of 0.04 % of its power");
+  EXPECT_TRUE(near(fast_values["upper_work_roll.velocity_rms"]["value"].get<double>(), level, exact));
+  EXPECT_TRUE(near(fast_values["upper_work_roll.velocity_rms_ratio"]["value"].get<double>(), 1, exact));
+  EXPECT_EQ(severity(fast).owner, "zone B of the zones that were given");
+  EXPECT_FALSE(is_noted(fast));
+  const auto [slow, slow_values] = seen(1000);  // its band ends at 1000/2.56 = 390.6 Hz
+  EXPECT_TRUE(near(slow_values["upper_work_roll.velocity_rms"]["value"].get<double>(), level, exact));
+  EXPECT_NE(slow_values["upper_work_roll.velocity_rms"]["source"].get<std::string>().find("from 10 to 390.6 Hz"),
+            std::string::npos);
+  EXPECT_EQ(severity(slow).owner, "zone B or higher of the zones that were given");
+  EXPECT_FALSE(slow_values.contains("upper_work_roll.velocity_rms_ratio")) << "the baseline reaches 1000 Hz";
+  EXPECT_TRUE(is_noted(slow));
+  settings.baseline->velocity_rms["upper_work_roll"].rate = 1000.01;  // the same recorder, its clock a little off
+  EXPECT_TRUE(seen(1000).second.contains("upper_work_roll.velocity_rms_ratio"));
+  const auto [crawling, no_values] = seen(25);  // ends below 10 Hz
+  EXPECT_FALSE(no_values.contains("upper_work_roll.velocity_rms"));
+  EXPECT_TRUE(severity(crawling).owner.empty());
 }
 
 TEST(Analysis, NoWrongOwnerInTwentyStands)

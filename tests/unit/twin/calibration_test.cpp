@@ -332,3 +332,15 @@ TEST(Calibration, ShowsNumbersWithTheDigitsOfTheirIntervals)
   EXPECT_EQ(shown.low, "-6.7630 %");
   EXPECT_EQ(shown.high, "-6.7582 %");
 }
+
+// The value of a case with other priors kept, between the ends of two fits: its error is that of the ends.
+TEST(Calibration, TheErrorOfAFactorIsThatOfItsInterval)
+{
+  Calibrated u{"K3", 0.05, 0, 0.01, -0.0196, 0.0196, 0.2, true, 0.03, "", 0.005};
+  const ChangeInterval written = change_interval(u, true);
+  EXPECT_EQ(written.value, 0.03);
+  EXPECT_EQ(written.low, -0.0196) << "the fit with all freed reaches lower";
+  EXPECT_DOUBLE_EQ(written.high, 0.03 + 1.96 * 0.005);
+  EXPECT_DOUBLE_EQ(deviation_of(written), (0.03 + 0.0196) / 1.96);
+  EXPECT_DOUBLE_EQ(deviation_of(change_interval(u, false)), 0.01) << "of one fit it is the deviation of this fit";
+}

@@ -230,6 +230,8 @@ TEST(Spectra, VelocityByDivision)
   EXPECT_TRUE(near(velocity_rms(spectrum_of(x, 4000), Quantity::acceleration), truth,
                    within(2e-3, "the window spreads the line over four bins")));
   EXPECT_TRUE(std::isnan(velocity_rms(spectrum_of(x, 4000), Quantity::force)));
+  EXPECT_TRUE(std::isnan(velocity_rms(spectrum_of(x, 4000), Quantity::acceleration, 3000, 4000)))
+      << "not a velocity of zero: the record holds nothing of this band";
 }
 
 TEST(Spectra, ABandThatAFilterLeft)

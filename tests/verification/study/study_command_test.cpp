@@ -98,16 +98,23 @@ TEST(StudyCommand, LineContactHasTheReferenceScatter)
 
 TEST(StudyCommand, AResultThatDoesNotMoveIsNamedAndNotDrawn)
 {
-  const std::string folder = scratch("study-still") + "/study";
-  expect_done(chain +
-              "--method monte-carlo --samples 32 --vary 'given.K1~normal(10 %)' --watch K7 --watch f1 -o " +
-              folder);
-  expect_done("study run " + folder + " -q");
-  expect_done("study report " + folder + " -q");
-  EXPECT_EQ(report_of(folder)["results"][0]["statistics"]["sd"]["value"], 0);
-  const std::string page = mill::read_text(folder + "/report.html");
-  EXPECT_NE(page.find("same value in every row or no value: <code>K7</code>."), std::string::npos);
-  EXPECT_NE(page.find("Distribution of <code>f1</code>"), std::string::npos) << "the drawn one leads its caption";
+  for (const std::string method : {"monte-carlo", "sobol", "chaos"}) {
+    const std::string folder = scratch("study-still-" + method) + "/study";
+    expect_done(chain + "--method " + method +
+                " --samples 32 --vary 'given.K1~normal(10 %)' --watch K7 --watch f1 -o " + folder);
+    expect_done("study run " + folder + " -q");
+    expect_done("study report " + folder + " -q");
+    const auto results = report_of(folder)["results"];
+    EXPECT_EQ(results[0]["statistics"]["sd"]["value"], 0) << method;
+    for (const char *shares : {"sobol", "chaos"}) {
+      EXPECT_FALSE(results[0].contains(shares)) << method << ": a result without variance has no shares of it";
+      EXPECT_EQ(results[1].contains(shares), method == shares) << method;
+    }
+    const std::string page = mill::read_text(folder + "/report.html");
+    EXPECT_NE(page.find("same value in every row or no value: <code>K7</code>."), std::string::npos) << method;
+    EXPECT_NE(page.find("Distribution of <code>f1</code>"), std::string::npos)
+        << method << ": the drawn one leads its caption";
+  }
 }
 
 TEST(StudyCommand, RowsAreTheSameAfterKillsAndByShards)
