@@ -155,7 +155,10 @@ PageServer::~PageServer()
 void PageServer::publish(const std::string &event, const std::string &json)
 {
   asio::post(state_->io, [state = state_.get(), event, json] {
-    send_to_all(state->shared, state->shared.store.add(event, json));
+    PageShared &shared = state->shared;
+    const auto frame   = shared.store.add(event, json);
+    shared.forgotten   = shared.store.forgotten();
+    send_to_all(shared, frame);
   });
 }
 
@@ -182,7 +185,7 @@ std::string PageServer::notice() const
 PageStatistics PageServer::statistics() const
 {
   const PageShared &shared = state_->shared;
-  return {shared.open_connections, shared.open_streams, shared.frames_sent,
-          shared.frames_dropped,   shared.requests,     shared.refused};
+  return {shared.open_connections, shared.open_streams, shared.frames_sent, shared.frames_dropped,
+          shared.requests,         shared.refused,      shared.forgotten};
 }
 }  // namespace mill::web

@@ -51,6 +51,7 @@ struct PageStatistics {
   std::int64_t frames_dropped   = 0;  ///< display frames that a slow browser did not take in time
   std::int64_t requests         = 0;  ///< answered with 2xx
   std::int64_t requests_refused = 0;  ///< answered with 4xx or 5xx, or cut off by a limit
+  std::int64_t forgotten        = 0;  ///< of the histories: a browser that connects now does not get them
 };
 
 /// Serves a page: its files, a fixed table of routes, one stream of events for each browser.
