@@ -78,7 +78,12 @@ const takes = {
     spectrum.set(mill.spectrum);
     mark("spectrum", "wave", "place");
   },
-  account(data) { mill.account = data; mark("account", "facts", "answers"); },
+  account(data) {
+    if (!mill.account || mill.account.forgotten !== data.forgotten)
+      mark("alarms");
+    mill.account = data;
+    mark("account", "facts", "answers");
+  },
   modes(data) { mill.modes = data; mark("modes", "answers"); },
   chatter(data) { mill.chatter = data; takeBands(mill, data); mark("answers"); },
   alarm(data) { remember(mill.alarms, data, entry => entry.over); mark("alarms", "answers"); },

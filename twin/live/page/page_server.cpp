@@ -1,7 +1,7 @@
 #include "twin/live/page/page_server.h"
-#include "twin/live/compare/proposals.h"
 #include "twin/live/page/embedded.h"
 #include "twin/live/page/event_text.h"
+#include "twin/live/page/proposal_state.h"
 #include <fmt/format.h>
 #include <mutex>
 #include <nlohmann/json.hpp>

@@ -51,7 +51,7 @@ public:
   int port() const;
   const std::string &token() const;
   std::string url() const;     ///< "http://127.0.0.1:8460/#<token>"
-  std::string notice() const;  ///< what has to be said of an address that is not loopback; empty otherwise
+  std::string notice() const;  ///< as web::PageServer
   PageStatistics statistics() const;
 
 private:

@@ -125,7 +125,14 @@ PageServer::PageServer(const PageSettings &settings, PageSite site)
         fmt::format("--listen: {} is reached from other machines, so a token is needed that its users know: "
                     "add --token-file FILE",
                     settings.address));
-  state.token = page_token(settings);
+  try {
+    state.token = page_token(settings);
+  } catch (const std::exception &problem) {
+    if (!settings.token.empty())
+      throw;
+    state.token  = made_token();  // a full disk does not keep the page away
+    state.notice = std::string(problem.what()) + "; after its next start the page has another address";
+  }
   state.listen(settings, address);
   const std::string literal = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
   state.url                 = fmt::format("http://{}:{}/#{}", literal, state.port, state.token);
