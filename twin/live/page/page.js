@@ -86,8 +86,8 @@ const takes = {
   },
   modes(data) { mill.modes = data; mark("modes", "answers"); },
   chatter(data) { mill.chatter = data; takeBands(mill, data); mark("answers"); },
-  alarm(data) { remember(mill.alarms, data, entry => entry.over); mark("alarms", "answers"); },
-  proposal(data) { remember(mill.proposals, data, entry => entry.state !== "open"); mark("alarms", "answers"); },
+  alarm(data) { takeEntry(mill.alarms, data, entry => entry.over); mark("alarms", "answers"); },
+  proposal(data) { takeEntry(mill.proposals, data, entry => entry.state !== "open"); mark("alarms", "answers"); },
   parameters(data) {
     mill.parameters = data;
     readStand().catch(() => {});  // a source may have said what it measures
@@ -99,7 +99,7 @@ const takes = {
 };
 
 // As the program keeps them (event_frames.cpp): the latest 200 changes, and what is open whatever its age.
-function remember(entries, data, isOver) {
+function takeEntry(entries, data, isOver) {
   entries.delete(data.id);
   entries.set(data.id, data);
   if (entries.size <= 200)
