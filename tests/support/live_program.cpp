@@ -1,5 +1,6 @@
 #include "tests/support/live_program.h"
 #include "tests/support/raw_client.h"
+#include "tests/support/slowness.h"
 #include <algorithm>
 #include <chrono>
 #include <csignal>
@@ -110,11 +111,6 @@ std::string LiveProgram::printed() const
 {
   std::ifstream file(log_);
   return {std::istreambuf_iterator<char>(file), {}};
-}
-
-int LiveProgram::slowness()
-{
-  return MILLSTAND_SLOWER;
 }
 
 long LiveProgram::counter(const std::string &name) const

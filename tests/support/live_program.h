@@ -29,8 +29,6 @@ public:
   int port() const;
   pid_t process() const;
   std::string printed() const;
-  /// How many times longer than with the release build a test waits; 1 there, 10 with the thread sanitizer.
-  static int slowness();
   /// Value of a counter at /metrics; -1: there is none.
   long counter(const std::string &name) const;
 

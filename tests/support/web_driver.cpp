@@ -1,5 +1,6 @@
 #include "tests/support/web_driver.h"
 #include "tests/support/raw_client.h"
+#include "tests/support/slowness.h"
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -160,7 +161,7 @@ json Browser::run(const std::string &script)
 
 bool Browser::wait_for(const std::string &script, const double seconds)
 {
-  for (const double end = steady_seconds() + MILLSTAND_SLOWER * seconds; steady_seconds() < end; wait_a_little()) {
+  for (const double end = steady_seconds() + slowness() * seconds; steady_seconds() < end; wait_a_little()) {
     const json value = run(script);
     if (value.is_boolean() ? value.get<bool>() : !value.is_null())
       return true;

@@ -86,8 +86,10 @@ Recalibration recalibrate(const FittedStand &stand, std::vector<Unknown> unknown
   Recalibration result;
   for (const BlockSpectra &block : record.blocks)
     result.seconds += block.duration;
+  std::vector<double> known;  // before the change
   for (Unknown &unknown : unknowns) {
-    unknown.prior_sd *= settings.wider;
+    known.push_back(unknown.prior_sd);
+    unknown.prior_sd = std::max(settings.wider * unknown.prior_sd, settings.least);
     result.values.push_back({unknown.name, unknown.prior_sd, 0, unknown.prior_sd, false});
   }
   const MeasuredResponse data = response_of(record, settings.low);
@@ -104,7 +106,7 @@ Recalibration recalibrate(const FittedStand &stand, std::vector<Unknown> unknown
       estimates.push_back(fit.estimate[Eigen::Index(j)]);
     } else {
       result.values[j].change = 0;
-      result.values[j].sd     = unknowns[j].prior_sd / settings.wider;
+      result.values[j].sd     = known[j];
     }
   if (identified.empty()) {
     result.refused = "the blocks since the change identify no parameter";

@@ -15,8 +15,9 @@ struct DriftRecord {
 };
 
 struct RecalibrationSettings {
-  double wider            = 3;    ///< -, prior: the last posterior's standard deviation times this
-  double low              = 5;    ///< Hz, below it the lines are not used
+  double wider = 3;    ///< -, prior: the last posterior's standard deviation times this,
+  double least = 0.1;  ///< -, and at least this: how well a value was known says little of how far it moved
+  double low   = 5;    ///< Hz, below it the lines are not used
   double identified_below = 0.5;  ///< -, shrink up to which a parameter is identified
   int renewals            = 2;
 };

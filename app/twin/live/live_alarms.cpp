@@ -10,6 +10,7 @@ namespace mill {
 namespace {
 constexpr std::size_t stored_over = 50;   // alarms that are over
 constexpr std::size_t most_shown  = 400;  // the page keeps 200
+constexpr std::size_t most_open   = 1000;
 }  // namespace
 
 LiveAlarms::LiveAlarms(live::Publish publish) : publish_(std::move(publish)) {}
@@ -54,13 +55,26 @@ void LiveAlarms::show(live::PageAlarm alarm)
     live::PageAlarm &shown = shown_[alarm.id];
     alarm.acknowledged     = alarm.acknowledged || shown.acknowledged;
     shown                  = alarm;
-    if (shown_.size() > most_shown) {
-      const auto over =
-          std::find_if(shown_.begin(), shown_.end(), [](const auto &entry) { return entry.second.over; });
-      shown_.erase(over != shown_.end() ? over : shown_.begin());
-    }
+    limit_shown();
   }
   publish_(live::event_names::alarm, live::alarm_text(alarm));
+}
+
+// The one that began first of those that are over goes; one that is open stays up to a number that bounds the
+// memory. By their time, since the numbers of the comparison are all below those of source and recording.
+void LiveAlarms::limit_shown()
+{
+  if (shown_.size() <= most_shown)
+    return;
+  auto goes = shown_.end();
+  for (auto entry = shown_.begin(); entry != shown_.end(); ++entry)
+    if (entry->second.over && (goes == shown_.end() || entry->second.utc < goes->second.utc))
+      goes = entry;
+  if (goes == shown_.end() && shown_.size() > most_open)
+    goes = std::min_element(shown_.begin(), shown_.end(),
+                            [](const auto &a, const auto &b) { return a.second.utc < b.second.utc; });
+  if (goes != shown_.end())
+    shown_.erase(goes);
 }
 
 void LiveAlarms::forget_comparison()
@@ -133,7 +147,7 @@ void LiveAlarms::resume(const live::StoredObject &run)
 {
   const auto stored = live::stored_book(run.object("own"));
   std::vector<live::PageAlarm> shown;
-  for (const live::StoredObject &alarm : run.list("alarms", most_shown))
+  for (const live::StoredObject &alarm : run.list("alarms", most_open))
     shown.push_back(live::stored_alarm(alarm));
   const std::lock_guard lock(lock_);
   own_.resume(stored);

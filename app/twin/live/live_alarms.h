@@ -40,6 +40,8 @@ public:
   void resume(const live::StoredObject &run);
 
 private:
+  void limit_shown();  // the lock is held
+
   live::Publish publish_;
   mutable std::mutex lock_;
   static constexpr std::int64_t first_own = 1'000'000;  // numbers below it are of the comparison

@@ -7,10 +7,10 @@
 namespace mill {
 namespace {
 // Notes of the source and of the recorder that raise an alarm.
-enum class AlarmingNote { recording, loss, gap, overrun, rate, clock };
+enum class AlarmingNote { recording, response, loss, gap, overrun, rate, clock };
 constexpr auto words_of(AlarmingNote)
 {
-  return choice_words<AlarmingNote>("recording", "loss", "gap", "overrun", "rate", "clock");
+  return choice_words<AlarmingNote>("recording", "response", "loss", "gap", "overrun", "rate", "clock");
 }
 
 constexpr std::int64_t shown_of_a_kind = 20;  // refusals and the like
@@ -61,7 +61,7 @@ void LiveConsole::say(const std::string &kind, const std::string &text)
     times = ++times_[kind];
   }
   const auto alarm = choice_named<AlarmingNote>(kind);
-  const bool stops = alarm == AlarmingNote::recording;
+  const bool stops = alarm == AlarmingNote::recording || alarm == AlarmingNote::response;
   if (alarm)
     alarms_.raise(kind,
                   stops                         ? "recording"

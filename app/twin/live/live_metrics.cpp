@@ -33,9 +33,15 @@ private:
 
 std::string label(const std::string &name, const std::string &value)
 {
-  std::string clean;
+  std::string clean;  // escaped as the format has it, so that two names stay two
   for (const char letter : value)
-    clean += letter == '"' || letter == '\\' || (unsigned char)letter < ' ' ? '_' : letter;
+    if (letter == '\n')
+      clean += "\\n";
+    else {
+      if (letter == '"' || letter == '\\')
+        clean += '\\';
+      clean += (unsigned char)letter < ' ' ? '_' : letter;
+    }
   return fmt::format("{}=\"{}\"", name, clean);
 }
 

@@ -83,6 +83,11 @@ void LivePage::publish(const std::string &event, const std::string &json)
     server_->publish(event, json);
 }
 
+std::int64_t LivePage::forgotten() const
+{
+  return server_ ? server_->statistics().forgotten : 0;
+}
+
 void LivePage::set_metrics(std::string text)
 {
   const std::lock_guard lock(metrics_lock_);

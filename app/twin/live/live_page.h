@@ -29,6 +29,7 @@ public:
   void open(const CommandLine &command, const std::string &token, LiveConsole &console);
   void publish(const std::string &event, const std::string &json);
   void set_metrics(std::string text);
+  std::int64_t forgotten() const;  ///< alarms and proposals that a browser that connects now does not get
   live::CommandQueue &commands()
   {
     return commands_;

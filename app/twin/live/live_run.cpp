@@ -130,8 +130,11 @@ void LiveRun::begin(const live::LiveSource &source)
 
 void LiveRun::take(const live::LiveBlock &block)
 {
-  if (response_)
+  if (response_ && response_->problem().empty()) {
     response_->take(block);
+    if (const std::string &problem = response_->problem(); !problem.empty())
+      console_.say("response", problem);
+  }
   page_.take(block);
   console_.take(block);
   live::ComparisonNews news = comparison_.take(block);
@@ -224,7 +227,8 @@ live::PageAccount LiveRun::page_account()
     account.recorded  = recording_->recorder().seconds();
     account.trouble   = recording_->recorder().trouble();
   }
-  account.channels = account_rows(engine_);
+  account.forgotten = page_.forgotten();
+  account.channels  = account_rows(engine_);
   return account;
 }
 

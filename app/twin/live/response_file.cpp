@@ -88,7 +88,8 @@ void ResponseFile::take(const live::LiveBlock &block)
       fmt::format_to(out, ",{}", number_text(block.simulated(i, p)));
     fmt::format_to(out, ",{}\n", block.settling ? 1 : 0);
   }
-  std::fwrite(text.data(), 1, text.size(), file_);
+  if (std::fwrite(text.data(), 1, text.size(), file_) != text.size())
+    problem_ = path_ + " cannot be written: " + std::strerror(errno) + "; it ends there, the twin goes on";
 }
 
 void ResponseFile::finish()

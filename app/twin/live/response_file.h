@@ -20,6 +20,11 @@ public:
   /// @throws SystemError  the file is not complete
   void finish();
   bool leaves_old_file() const;  ///< up to now, an existing file is as it was
+  /// Why nothing more is written, a sentence; empty: it is.
+  const std::string &problem() const
+  {
+    return problem_;
+  }
 
 private:
   void write_head();
@@ -27,6 +32,7 @@ private:
 
   std::string path_, aside_;  // aside_: written there until finish(); empty: in the file itself
   std::string head_;          // empty: no source has begun
+  std::string problem_;
   bool replaces_ = false, made_ = false;
   std::FILE *file_ = nullptr;
   bool written_    = false;

@@ -44,6 +44,34 @@ TEST(LiveAlarms, AnOpenAlarmStaysWhileOthersAreOver)
   EXPECT_EQ(stored[1], 451);
 }
 
+// More are open than are kept of those that are over: all stay, and the next one that is over goes at once.
+TEST(LiveAlarms, ManyOpenAlarmsStay)
+{
+  LiveAlarms alarms([](const std::string &, const std::string &) {});
+  for (std::int64_t id = 1; id <= 500; ++id)
+    alarms.show(alarm_with(id, false));
+  alarms.show(alarm_with(501, true));
+  EXPECT_EQ(shown_by(alarms).size(), 500u);
+  EXPECT_TRUE(alarms.acknowledge(1));
+  EXPECT_FALSE(alarms.acknowledge(501));
+}
+
+// Those of source and recording have higher numbers than those of the comparison; of all that are over the one
+// that began first goes.
+TEST(LiveAlarms, TheOldestThatIsOverGoesFirst)
+{
+  LiveAlarms alarms([](const std::string &, const std::string &) {});
+  live::PageAlarm alarm = alarm_with(1'000'000, true);
+  alarm.utc             = 1.7e9;
+  alarms.show(alarm);
+  for (alarm.id = 1; alarm.id <= 400; ++alarm.id) {
+    alarm.utc += 60;
+    alarms.show(alarm);
+  }
+  EXPECT_FALSE(alarms.acknowledge(1'000'000)) << "401 do not fit in 400";
+  EXPECT_TRUE(alarms.acknowledge(1));
+}
+
 // Those of source and recording have other numbers and stay; an open page hears that the others are over.
 TEST(LiveAlarms, AComparisonThatIsLostTakesItsAlarmsAlong)
 {

@@ -77,7 +77,7 @@ TEST(LiveMetrics, TellsWhatIsOpen)
       << "the tone, 0-peak";
   EXPECT_TRUE(has_line(text, "millstand_proposals{state=\"open\"} 0")) << text;
   EXPECT_TRUE(has_line(text, "millstand_limit_metres_per_second_squared 10")) << text;
-  EXPECT_TRUE(has_line(text, "millstand_springs_adopted{file=\"calibrated-_1_.toml\"} 1")) << text;
+  EXPECT_TRUE(has_line(text, "millstand_springs_adopted{file=\"calibrated-\\\"1\\\".toml\"} 1")) << text;
   EXPECT_TRUE(has_line(text, "millstand_arrival_rate_hertz 1000.25")) << text;
   EXPECT_TRUE(has_line(text, "millstand_states_written_total 7")) << text;
 }

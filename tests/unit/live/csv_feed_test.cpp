@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 #include <fstream>
 #include <gtest/gtest.h>
+#include <sys/fsuid.h>
 #include <thread>
 #include <unistd.h>
 
@@ -244,6 +245,36 @@ TEST(GrowingFile, IsFollowedThroughARename)
   EXPECT_EQ(came.notes.back(), "note: " + file + " was renamed; it was read to its end, the new file goes on");
 }
 
+// A program that changes files makes the new one before its rights: it is waited for, where another start would be
+// refused.
+TEST(GrowingFile, ANewFileThatMayNotBeReadYetIsWaitedFor)
+{
+  const Folder folder;
+  const std::string file = folder.file("force.csv"), next = folder.file("next.csv"),
+                    text = "time [s],force [kN]\n";
+  append(file, text + rows(0, 1000));
+  append(next, text + rows(1000, 2000));
+  fs::permissions(next, fs::perms::none);
+  const bool root = geteuid() == 0;
+  if (root)
+    setfsuid(65534);  // of this thread and of those that it starts: root may read everything
+  {
+    Follower follower(file);
+    EXPECT_TRUE(follower.has(1000));
+    if (root)
+      setfsuid(0);
+    fs::rename(next, file);
+    std::this_thread::sleep_for(std::chrono::milliseconds(300));
+    EXPECT_TRUE(follower.has(1000));
+    fs::permissions(file, fs::perms::owner_read | fs::perms::group_read | fs::perms::others_read);
+    EXPECT_TRUE(follower.has(2000));
+    const CameMessages &came = follower.end();
+    ASSERT_GE(came.notes.size(), 2u);
+    EXPECT_EQ(came.notes[0], "note: " + file + " was renamed; it was read to its end, the new file goes on");
+    EXPECT_EQ(came.notes[1], "note: " + file + " cannot be read: Permission denied; it is waited for");
+  }
+}
+
 // TW-34: truncated in place, by size and by what it begins with.
 TEST(GrowingFile, SaysThatItWasTruncated)
 {
@@ -312,4 +343,26 @@ TEST(GrowingFile, IsWaitedForAndMayBeginWithFewLines)
   append(file, "0.002,902\n");
   EXPECT_TRUE(follower.has(3));
   EXPECT_EQ(follower.end().notes.front(), "note: " + file + " is not there yet; it is waited for");
+}
+
+// Two records of 0.6 s in one file, played twice as fast: 0.6 s for both, since no block is given away before its
+// last sample is due.  The times of the second begin again.
+TEST(Replay, ARecordBehindAnotherIsPlayedAtItsPaceToo)
+{
+  const Folder folder;
+  const std::string file = folder.file("two.csv");
+  append(file, "time [s],force [kN]\n" + rows(0, 600) + "time [s],force [kN],note\n");
+  for (int k = 0; k < 600; ++k)
+    append(file, fmt::format("{:.4f},900,1\n", k * 1e-3));
+  live::SampleQueue queue;
+  const std::atomic<bool> stop{false};
+  const auto begin = std::chrono::steady_clock::now();
+  live::replay_csv({file, {}, 2, {}, ""}, queue, stop);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  CameMessages came;
+  while (const auto message = queue.pop(0))
+    came.add(*message);
+  ASSERT_EQ(came.heads.size(), 2u);
+  EXPECT_EQ(came.numbers.size(), 1200u);
+  EXPECT_GE(seconds, 0.6);
 }

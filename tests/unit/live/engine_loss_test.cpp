@@ -1,7 +1,9 @@
 #include "tests/support/live_samples.h"
 #include "tests/support/near.h"
 #include "tests/support/published_stand.h"
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <limits>
 
 using namespace mill;
 
@@ -106,4 +108,28 @@ TEST(LiveLosses, TwoRefusedSamplesAreDrawnAcross)
                        within_absolute(1e-6, "straight line between two samples, rounding of the force in N")));
   }
   EXPECT_EQ(run.engine().book()->channels()[0].rejected, 2);
+}
+
+// 9.91e37 is what instruments send for "not a number" (SCPI); the largest number of a double is as little a force.
+TEST(LiveLosses, AnImpossibleValueIsMissing)
+{
+  for (const double impossible : {9.91e37, -9.91e37, std::numeric_limits<double>::max()}) {
+    Eigen::VectorXd force = waves_of_force(1002), straight = force;
+    force[500]    = impossible;
+    straight[500] = 0.5 * (force[499] + force[501]);
+    LiveSamples run(stand_of_r3(), 1000), whole(stand_of_r3(), 1000);
+    run.send(force, 100);
+    whole.send(straight, 100);
+    ASSERT_EQ(run.simulated().rows(), 1002);
+    EXPECT_LT((run.simulated() - whole.simulated()).cwiseAbs().maxCoeff(),
+              1e-12 * whole.simulated().cwiseAbs().maxCoeff());
+    EXPECT_EQ(run.engine().book()->channels()[0].missing, 1);
+    EXPECT_EQ(run.engine().book()->channels()[0].processed, 1001);
+    EXPECT_EQ(std::count_if(run.said.begin(), run.said.end(),
+                            [](const std::string &text) {
+                              return text.rfind("note: channel \"force\" is ", 0) == 0 &&
+                                     text.find(" at s = 500: ") != std::string::npos;
+                            }),
+              1);
+  }
 }

@@ -1,3 +1,4 @@
+#include "twin/live/page/event_text.h"
 #include "twin/live/page/page_server.h"
 #include <gtest/gtest.h>
 
@@ -86,4 +87,47 @@ TEST(EventFrames, OfOneAlarmTheLatestIsKept)
   EXPECT_EQ(waiting, shown);
   store.add("proposal", R"({"id":3,"state":"open"})");
   EXPECT_EQ(store.present_state().size(), 4u) << "the same number of another kind is another thing";
+}
+
+// By hand: 200 are kept of 251, the open one among them, so that 51 that are over go.
+TEST(EventFrames, AnOpenAlarmIsNotPushedOutByThoseThatAreOver)
+{
+  web::FrameStore store(live::event_kinds());
+  live::PageAlarm alarm;
+  alarm.id = 1;
+  store.add(live::event_names::alarm, live::alarm_text(alarm));
+  alarm.over = true;
+  for (alarm.id = 2; alarm.id <= 251; ++alarm.id)
+    store.add(live::event_names::alarm, live::alarm_text(alarm));
+  auto shown = texts(store.present_state());
+  ASSERT_EQ(shown.size(), 200u);
+  EXPECT_NE(shown[0].find("\"id\":1,"), std::string::npos) << shown[0];
+  EXPECT_NE(shown[1].find("\"id\":53,"), std::string::npos) << shown[1];
+  EXPECT_EQ(store.forgotten(), 51);
+
+  // open ones alone may be more, up to a number that bounds the memory
+  web::FrameStore open(live::event_kinds());
+  alarm.over = false;
+  for (alarm.id = 1; alarm.id <= 1000; ++alarm.id)
+    open.add(live::event_names::alarm, live::alarm_text(alarm));
+  EXPECT_EQ(open.present_state().size(), 1000u);
+  EXPECT_EQ(open.forgotten(), 0);
+  open.add(live::event_names::alarm, live::alarm_text(alarm));
+  shown = texts(open.present_state());
+  ASSERT_EQ(shown.size(), 1000u);
+  EXPECT_NE(shown[0].find("\"id\":2,"), std::string::npos) << shown[0];
+  EXPECT_EQ(open.forgotten(), 1);
+
+  // and so an open proposal
+  web::FrameStore proposals(live::event_kinds());
+  live::PageProposal proposal;
+  proposal.id    = 1;
+  proposal.state = "open";
+  proposals.add(live::event_names::proposal, live::proposal_text(proposal));
+  proposal.state = "out of date";
+  for (proposal.id = 2; proposal.id <= 201; ++proposal.id)
+    proposals.add(live::event_names::proposal, live::proposal_text(proposal));
+  shown = texts(proposals.present_state());
+  ASSERT_EQ(shown.size(), 200u);
+  EXPECT_NE(shown[0].find("\"id\":1,"), std::string::npos) << shown[0];
 }

@@ -95,7 +95,7 @@ TEST(EventText, EveryEventIsAnObjectWithItsMembers)
   EXPECT_EQ(members(live::spectrum_text({})),
             "df enbw latest measured place segments simulated utc wave_measured wave_simulated wave_step window ");
   EXPECT_EQ(members(live::account_text(account)),
-            "channels connected load queue queue_limit recorded recording source trouble utc ");
+            "channels connected forgotten load queue queue_limit recorded recording source trouble utc ");
   EXPECT_EQ(json::parse(live::account_text(account)).at("channels").at(0).at("overrun"), 1);
   EXPECT_EQ(members(live::modes_text(modes)), "modes utc ");
   EXPECT_EQ(json::parse(live::modes_text(modes)).at("modes").at(0).at("twin"), 218.3);

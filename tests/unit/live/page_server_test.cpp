@@ -332,6 +332,20 @@ TEST(PageServer, AnotherMachineNeedsATokenThatWasGiven)
       "makes one");
 }
 
+// A disk that is full, in the form of a folder that is not there: the page works, with a token of this start
+// alone.
+TEST(PageServer, ATokenThatCannotBeKeptIsReported)
+{
+  auto settings         = Served::at_any_port();
+  settings.token_keeper = own_folder() + "/nowhere/page.token";
+  Served served(settings);
+  EXPECT_EQ(served.server.notice(),
+            settings.token_keeper + ": error: the token of the page cannot be kept for the next start; after its "
+                                    "next start the page has another address");
+  EXPECT_EQ(ask(served.server.port(), get_request(served.server.port(), "/stand", served.with_token())).status,
+            200);
+}
+
 TEST(PageServer, AnAddressThatCannotBeUsedIsExplained)
 {
   auto settings    = Served::at_any_port();

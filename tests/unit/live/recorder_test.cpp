@@ -274,6 +274,60 @@ TEST(Recorder, KeepsTheLatestAndTouchesNothingElse)
   EXPECT_TRUE(fs::exists(folder.path + "/20260105T090000Z_9.npy"));
 }
 
+// The clock was years ahead for a while: what it wrote then is older than what was written since.
+TEST(Recorder, AFileFromTheFutureGoesBeforeLaterOnes)
+{
+  const Folder folder;
+  const auto make = [&](const std::string &stem, const int age) {
+    std::ofstream(folder.path + "/" + stem + ".npy") << std::string(100, 'x');
+    std::ofstream(folder.path + "/" + stem + ".json") << "{}";
+    fs::last_write_time(folder.path + "/" + stem + ".npy",
+                        fs::file_time_type::clock::now() - std::chrono::hours(age));
+  };
+  const double now = double(std::time(nullptr));
+  make("20300105T100000Z_0", -4 * 365 * 24);
+  make("20260105T110000Z_1", 2);
+  make("20260105T120000Z_2", -1);  // the hour of daylight saving, or the clock of another machine
+  EXPECT_TRUE(live::remove_old_records(folder.path, live::kept_records("24h"), now).empty())
+      << "how old the first one is, is not known";
+  EXPECT_EQ(live::remove_old_records(folder.path, {{}, 250.0}, now),
+            std::vector<std::string>{folder.path + "/20300105T100000Z_0.npy"});
+  EXPECT_EQ(live::remove_old_records(folder.path, {{}, 150.0}, now),
+            std::vector<std::string>{folder.path + "/20260105T110000Z_1.npy"});
+}
+
+// The disk is full when the program starts: the rows are there, and only their description cannot be renewed.
+TEST(Recorder, FinishesAPartWhoseDescriptionCannotBeWritten)
+{
+  Recording to;
+  to.recorder->add(0, rows(0, 100));
+  to.recorder->save();
+  const std::string stem = to.folder.path + "/20260105T100000Z_0", part = stem + ".npy.part";
+  fs::copy_file(part, to.folder.path + "/copy");  // as a kill leaves it
+  to.end();
+  fs::rename(to.folder.path + "/copy", part);
+  fs::remove(stem + ".npy");
+  auto sidecar    = nlohmann::json::parse(std::ifstream(stem + ".json"));
+  sidecar["text"] = std::string(20000, 'x');
+  std::ofstream(stem + ".json") << sidecar;
+  std::signal(SIGXFSZ, SIG_IGN);
+  rlimit before;
+  ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &before), 0);
+  const rlimit small{10000, before.rlim_max};  // between the two sizes
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
+  std::vector<std::string> notes;
+  std::vector<live::FinishedPart> finished;
+  EXPECT_NO_THROW(finished =
+                      live::finish_parts(to.folder.path, [&](const std::string &note) { notes.push_back(note); }));
+  ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
+  ASSERT_EQ(finished.size(), 1u);
+  EXPECT_EQ(finished[0].rows, 100);
+  EXPECT_EQ(finished[0].source, "daq-1");
+  ASSERT_EQ(notes.size(), 2u);
+  EXPECT_EQ(notes[0].rfind(stem + ".json stays as it was: ", 0), 0u) << notes[0];
+  EXPECT_EQ(twin::read_npy_record(stem + ".npy", {}).n_samples(), 100);
+}
+
 TEST(Recorder, UnderstandsWhatToKeep)
 {
   EXPECT_EQ(live::kept_records("24h").age, 86400.0);

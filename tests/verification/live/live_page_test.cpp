@@ -359,6 +359,36 @@ TEST_F(LivePage, NoAnswerIsGivenFromOldOrAbsentData)
   EXPECT_TRUE(browser->wait_for(present));
 }
 
+// A hundred are listed: the one that is open first of all, for any age, and the latest of those that are over.
+TEST_F(LivePage, WhatIsOpenIsListedWhateverItsAge)
+{
+  live::PageAlarm alarm;
+  alarm.id    = 5000;
+  alarm.utc   = 1.6e9;
+  alarm.kind  = "gap";
+  alarm.level = "warning";
+  alarm.text  = "of long ago, open";
+  plant->publish("alarm", live::alarm_text(alarm));
+  live::PageAlarm later = alarm;
+  later.over            = true;
+  later.text            = "over";
+  for (later.id = 5001; later.id <= 5300; ++later.id) {
+    later.utc += 60;
+    plant->publish("alarm", live::alarm_text(later));
+  }
+  browser->type("2");
+  browser->run("document.querySelector('[data-tab=alarms]').click()");
+  EXPECT_TRUE(
+      browser->wait_for("const all = [...document.querySelectorAll('#alarms li')].map(li => li.textContent); "
+                        "return all.length === 101 && all.some(t => t.includes('of long ago, open')) && "
+                        "/^[0-9]+ earlier, over, not listed$/.test(all[100])"))
+      << text("alarms");
+  alarm.over = true;
+  plant->publish("alarm", live::alarm_text(alarm));
+  browser->type("1");
+  EXPECT_TRUE(browser->wait_for(present));
+}
+
 // Last but one, since a server that is away shows in the console.
 TEST_F(LivePage, LoadsWithoutErrorsAndWithoutTheNetwork)
 {

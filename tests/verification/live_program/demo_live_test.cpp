@@ -1,6 +1,7 @@
 #include "tests/support/live_program.h"
 #include "tests/support/program.h"
 #include "tests/support/raw_client.h"
+#include "tests/support/slowness.h"
 #include <chrono>
 #include <csignal>
 #include <cstdlib>
@@ -20,7 +21,7 @@ const fs::path broker_program = fs::exists("/usr/sbin/mosquitto") ? "/usr/sbin/m
 
 bool wait_until(const std::function<bool()> &holds, const double seconds)
 {
-  for (const double end = steady_seconds() + LiveProgram::slowness() * seconds; steady_seconds() < end;) {
+  for (const double end = steady_seconds() + slowness() * seconds; steady_seconds() < end;) {
     if (holds())
       return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(50));
@@ -56,7 +57,7 @@ TEST(DemoLive, EverySampleComesThroughTheBroker)
   setenv("DEMO_FOLDER", folder.c_str(), 1);
   setenv("DEMO_PORT", port.c_str(), 1);
   // A program built with a sanitizer does not keep up with real time: the mill is as much slower.
-  setenv("DEMO_SLOWER", std::to_string(LiveProgram::slowness()).c_str(), 1);
+  setenv("DEMO_SLOWER", std::to_string(slowness()).c_str(), 1);
   LiveProgram demo({"/bin/bash", MILLSTAND_SOURCE_DIR "/scripts/demo-live", "--mqtt", "--listen", "127.0.0.1:0"},
                    folder);
   const std::string processed = "samples_processed_total{channel=\"force\"}";
@@ -71,7 +72,7 @@ TEST(DemoLive, EverySampleComesThroughTheBroker)
     _exit(127);
   }
   EXPECT_TRUE(wait_until([&] { return how_often(demo.printed(), ": connected") == 2; }, 15)) << demo.printed();
-  std::this_thread::sleep_for(std::chrono::milliseconds(300 * LiveProgram::slowness()));  // its subscription
+  std::this_thread::sleep_for(std::chrono::milliseconds(300 * slowness()));  // its subscription
   std::ofstream lines(folder + "/more.jsonl");
   lines << "{\"millstand\":1,\"rate\":4000,\"units\":{\"force\":\"N\",\"upper_work_roll\":\"m/s2\","
            "\"lower_work_roll\":\"m/s2\"},\"source\":\"demo\"}\n";

@@ -4,6 +4,7 @@
 #include "tests/support/near.h"
 #include "tests/support/program.h"
 #include "tests/support/raw_client.h"
+#include "tests/support/slowness.h"
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -24,7 +25,7 @@ void write_record(const std::string &path)
 {
   const Eigen::VectorXd force = comb_force(period, 1500, mean, 200);
   std::string text            = "time [s],force [N],upper_work_roll [m/s2]\n";
-  const int seconds           = 30 + 10 * LiveProgram::slowness();
+  const int seconds           = 30 + 10 * slowness();
   for (int k = 0; k < seconds * int(rate); ++k)
     if (k < 2 * int(rate) || k >= 2 * int(rate) + 400)
       text +=
@@ -32,6 +33,7 @@ void write_record(const std::string &path)
   std::ofstream(path) << text;
 }
 
+// One browser for all, a program of its own for each test: none depends on what another did or how long it took.
 class LiveBrowser : public testing::Test {
 protected:
   static void SetUpTestSuite()
@@ -41,28 +43,30 @@ protected:
     std::ofstream(folder + "/chain.toml") << chain_case();
     if (!Browser::missing().empty())
       return;
-    begin("127.0.0.1:0");
     browser = std::make_unique<Browser>();
     browser->dark(true);
     browser->size(1400, 900);
-    browser->open(program->url());
   }
   static void TearDownTestSuite()
   {
     browser.reset();
-    program.reset();
   }
   void SetUp() override
   {
     if (!Browser::missing().empty())
       GTEST_SKIP() << Browser::missing() << "; scripts/install-deps tests installs it";
+    recordings = folder + "/" + testing::UnitTest::GetInstance()->current_test_info()->name();
+    begin("127.0.0.1:0");
+    browser->open("about:blank");
+    browser->console(), browser->requests();  // what the pages before left
+    browser->open(program->url());
     ASSERT_TRUE(browser->wait_for(running, 10)) << browser->run("return document.body.innerText").dump();
   }
-  static void begin(const std::string &listen)
+  void begin(const std::string &listen)
   {
     program.reset();
     program = std::make_unique<LiveProgram>(live_words({folder + "/chain.toml", "--input", folder + "/mill.csv",
-                                                        "--record", folder + "/rec", "--listen", listen}),
+                                                        "--record", recordings, "--listen", listen}),
                                             folder);
   }
   static std::string text(const std::string &id)
@@ -73,11 +77,11 @@ protected:
       "return document.body.dataset.link === 'open' && "
       "['running', 'settling'].includes(document.getElementById('run-state').textContent)";
   static std::string folder;
-  static std::unique_ptr<LiveProgram> program;
   static std::unique_ptr<Browser> browser;
+  std::string recordings;
+  std::unique_ptr<LiveProgram> program;
 };
 std::string LiveBrowser::folder;
-std::unique_ptr<LiveProgram> LiveBrowser::program;
 std::unique_ptr<Browser> LiveBrowser::browser;
 
 // Hz, of the highest mode, as the verb `modes` writes it.
@@ -118,6 +122,12 @@ TEST_F(LiveBrowser, ASliderMovesThePeakToWhereTheVerbModesPutsIt)
 
 TEST_F(LiveBrowser, AReloadShowsTheStateAtOnce)
 {
+  const std::string head = "Content-Type: application/json\r\nX-Millstand-Token: " + program->token() + "\r\n";
+  ASSERT_EQ(ask(program->port(), post_request(program->port(), "/command",
+                                              "{\"command\":\"set\",\"key\":\"K3\",\"factor\":1.1}", head))
+                .status,
+            202);
+  ASSERT_TRUE(browser->wait_for("return +document.getElementById('slider-K3').value === 1.1"));
   const double begin = steady_seconds();
   browser->reload();
   EXPECT_TRUE(

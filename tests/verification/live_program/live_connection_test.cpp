@@ -2,6 +2,7 @@
 #include "tests/support/live_program.h"
 #include "tests/support/program.h"
 #include "tests/support/raw_client.h"
+#include "tests/support/slowness.h"
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
@@ -29,7 +30,7 @@ std::string head_at(const std::string &second)
 int data_port_of(const LiveProgram &program)
 {
   const std::regex words("source: tcp 127\\.0\\.0\\.1:([0-9]+)\n");
-  for (const double end = steady_seconds() + 20 * LiveProgram::slowness(); steady_seconds() < end;) {
+  for (const double end = steady_seconds() + 20 * slowness(); steady_seconds() < end;) {
     const std::string printed = program.printed();
     if (std::smatch match; std::regex_search(printed, match, words))
       return std::atoi(match[1].str().c_str());
@@ -41,10 +42,10 @@ int data_port_of(const LiveProgram &program)
 // An event "account" of a new stream that holds these words, at last.
 bool accounts_say(const LiveProgram &program, const std::regex &words)
 {
-  for (const double end = steady_seconds() + 15 * LiveProgram::slowness(); steady_seconds() < end;) {
+  for (const double end = steady_seconds() + 15 * slowness(); steady_seconds() < end;) {
     RawClient page(program.port());
     page.send(get_request(program.port(), "/events", "X-Millstand-Token: " + program.token() + "\r\n"));
-    page.until("event: account\n", 3 * LiveProgram::slowness());
+    page.until("event: account\n", 3 * slowness());
     if (std::regex_search(page.until("\n\n"), words))
       return true;
     std::this_thread::sleep_for(std::chrono::milliseconds(100));

@@ -331,6 +331,10 @@ void Comparison::set_twin(const LumpedModel &chain, const DynamicsSettings &dyna
                     now.frequency == setup_.modes.frequency && now.damping == setup_.modes.damping;
   setup_.chain    = chain;
   setup_.dynamics = dynamics;
+  for (const twin::Unknown &now_known : unknowns_of(chain))  // an adopted spring has its posterior
+    for (twin::Unknown &unknown : setup_.unknowns)
+      if (unknown.name == now_known.name)
+        unknown.prior_sd = now_known.prior_sd;
   if (same)  // set again, for instance since another place is shown
     return;
   setup_.modes = now;

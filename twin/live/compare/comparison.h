@@ -34,7 +34,8 @@ struct ComparisonSetup {
   std::function<std::string(const Proposal &, const std::string &folder)> adopted_case;
   DynamicsSettings dynamics;
   std::vector<twin::Unknown> unknowns;  ///< that a re-calibration may move, with the last posterior's standard
-                                        ///< deviations; empty: drift is reported and nothing is proposed
+                                        ///< deviations, which set_twin() renews for springs; empty: drift is
+                                        ///< reported and nothing is proposed
   double recalibrate_on = 60;           ///< s, at least, since the change
   bool wait             = false;        ///< wait for background work, for tests
 };

@@ -1,9 +1,11 @@
 #include "twin/live/compare/proposals.h"
+#include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/base/force_text.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
 #include <filesystem>
 #include <fmt/chrono.h>
@@ -33,6 +35,16 @@ std::size_t spring_index(const std::string &name)
 bool is_spring(const std::string &name)
 {
   return name.size() == 2 && name[0] == 'K' && name[1] >= '1' && name[1] <= '7';
+}
+
+// Aside and renamed.  A log that is there and cannot be read is not replaced.
+void append_line(const std::string &log, const std::string &line)
+{
+  const auto before = text_if_readable(log);
+  std::error_code error;
+  if (!before && std::filesystem::exists(log, error))
+    refuse_file(EACCES, log + " cannot be read, and is needed to add to it");
+  write_atomically(log, before.value_or("") + line);
 }
 
 // A name that nothing has yet: two proposals of one second stay apart.
@@ -159,8 +171,13 @@ Proposals::adopt(const std::int64_t id, const double utc, const std::string &fol
   write_atomically(adopted.file, text(adopted, folder));
   const std::string line = fmt::format("{} proposal {} adopted: {}; {}\n", utc_text(utc), id,
                                        std::filesystem::path(adopted.file).filename().string(), adopted.reason);
-  const std::string log  = folder + "/adopted.log";
-  write_atomically(log, text_if_readable(log).value_or("") + line);
+  try {
+    append_line(folder + "/adopted.log", line);
+  } catch (...) {  // a case that was not adopted would be taken for one
+    std::error_code ignored;
+    std::filesystem::remove(adopted.file, ignored);
+    throw;
+  }
   adopted.state = ProposalState::adopted;
   *open         = adopted;
   changed.push_back(std::size_t(open - list.data()));

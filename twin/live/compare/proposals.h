@@ -1,8 +1,8 @@
 #pragma once
-#include "core/base/choice.h"
 #include "core/model/lumped_model.h"
 #include "twin/drift/recalibration.h"
 #include "twin/live/page/event_text.h"
+#include "twin/live/page/proposal_state.h"
 #include <cstdint>
 #include <functional>
 #include <optional>
@@ -14,12 +14,6 @@ struct Case;
 }
 
 namespace mill::live {
-enum class ProposalState { open, adopted, out_of_date };
-constexpr auto words_of(ProposalState)
-{
-  return choice_words<ProposalState>("open", "adopted", "out of date");
-}
-
 /// An alarm is known by this cause: the modes have moved and nothing can be proposed.
 constexpr const char *recalibration_cause = "re-calibration";
 

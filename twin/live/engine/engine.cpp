@@ -7,7 +7,8 @@
 
 namespace mill::live {
 namespace {
-constexpr double joined              = 0.02;                                      // s of rows
+constexpr double joined              = 0.02;  // s of rows
+constexpr double largest_value       = 1e20;  // SI; beyond it are the numbers by which instruments say "no value"
 constexpr std::int64_t not_yet_known = std::numeric_limits<std::int64_t>::min();  // number of the next sample
 
 bool same_channels(const std::vector<LiveChannel> &a, const std::vector<LiveChannel> &b)
@@ -126,6 +127,7 @@ void Engine::begin_source(const SourceHead &head)
   source_ = LiveSource{head.source,   head.rate, head.start ? *head.start : hooks_.now ? hooks_.now() : 0,
                        head.channels, places_,   head.factor};
   file_.reset();
+  impossible_.clear();
   offset_       = 0;
   may_restart_  = false;
   force_column_ = -1;
@@ -198,9 +200,10 @@ void Engine::take_block(const SourceBlock &block)
     tell_repetition(block);
     return;
   }
-  repeated_                   = 0;
-  const Eigen::MatrixXd fresh = block.value.bottomRows(part.take);
+  repeated_             = 0;
+  Eigen::MatrixXd fresh = block.value.bottomRows(part.take);
   first += part.skip;
+  drop_impossible(first, fresh);
   if (hooks_.rows)
     hooks_.rows(first, fresh);
   book_->take(fresh);
@@ -216,6 +219,22 @@ void Engine::take_block(const SourceBlock &block)
   n_waiting_ += fresh.rows();
   if (double(n_waiting_) >= joined * source_->rate)
     flush();
+}
+
+// An instrument without a value sends 9.9e37 or its largest number.  One of them would leave the motion of the
+// twin and the running means beyond all numbers from there on.
+void Engine::drop_impossible(const std::int64_t first, Eigen::MatrixXd &rows)
+{
+  for (Eigen::Index c = 0; c < rows.cols(); ++c)
+    for (Eigen::Index i = 0; i < rows.rows(); ++i) {
+      if (!(std::abs(rows(i, c)) > largest_value))
+        continue;
+      if (impossible_.insert(c).second)
+        say("note", fmt::format("channel \"{}\" is {:.3g} at s = {}: a value beyond {:g} is not a measurement, it "
+                                "is missing, as are further ones",
+                                source_->channels[std::size_t(c)].name, rows(i, c), first + i, largest_value));
+      rows(i, c) = std::numeric_limits<double>::quiet_NaN();
+    }
 }
 
 // A minute of samples that were taken already is more than a repetition after a lost connection; it does not move

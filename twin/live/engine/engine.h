@@ -9,6 +9,7 @@
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -115,6 +116,7 @@ private:
   bool is_numbered() const;
   void number_from(std::int64_t first);
   void tell_repetition(const SourceBlock &block);
+  void drop_impossible(std::int64_t first, Eigen::MatrixXd &rows);
   void lose();
   void emit(std::int64_t first, const Eigen::MatrixXd &rows, const Eigen::VectorXd &force);
   void emit_without_force(std::int64_t first, const Eigen::MatrixXd &rows);
@@ -144,8 +146,9 @@ private:
   std::int64_t first_waiting_ = 0;
   double mean_ = 0, forget_ = 0;  // N, running mean of the force; its share per sample
   std::int64_t settled_at_ = 0, refused_lines_ = 0, resumed_at_ = 0, stepped_ = 0;
-  std::int64_t repeated_ = 0;  // samples in a row that had come before
-  bool ended_            = false;
+  std::int64_t repeated_ = 0;          // samples in a row that had come before
+  std::set<Eigen::Index> impossible_;  // channels of the source whose impossible values were reported
+  bool ended_ = false;
   Eigen::MatrixXd motion_;  // (places, instants) that are being collected
   Eigen::Index instants_    = 0;
   std::int64_t motion_from_ = 0, motion_due_ = 0;

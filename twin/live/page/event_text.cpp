@@ -136,6 +136,7 @@ std::string account_text(const PageAccount &account)
   out.flag("connected", account.connected).member("queue", account.queue, 4);
   out.member("queue_limit", account.queue_limit, 4).member("recording", account.recording);
   out.member("recorded", account.recorded).member("trouble", account.trouble).member("load", account.load, 4);
+  out.whole("forgotten", account.forgotten);
   list(out, "channels", account.channels, [&](const AccountRow &row) {
     out.open('{').member("channel", row.channel).whole("offered", row.offered).whole("processed", row.processed);
     out.whole("missing", row.missing).whole("rejected", row.rejected).whole("overrun", row.overrun).close('}');

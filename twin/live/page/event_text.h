@@ -142,12 +142,13 @@ struct PageAccount {
   double utc = 0;      ///< s since 1970
   std::string source;  ///< "file pass-1.csv", "tcp 127.0.0.1:8461, daq-1"
   bool connected     = false;
-  double queue       = 0;  ///< s of samples waiting
-  double queue_limit = 2;  ///< s
-  std::string recording;   ///< folder; empty: not recorded
-  double recorded = 0;     ///< s of record on the disk
-  std::string trouble;     ///< "disk full: recording stopped"; empty: none
-  double load = unknown;   ///< -, share of one core
+  double queue       = 0;            ///< s of samples waiting
+  double queue_limit = 2;            ///< s
+  std::string recording;             ///< folder; empty: not recorded
+  double recorded = 0;               ///< s of record on the disk
+  std::string trouble;               ///< "disk full: recording stopped"; empty: none
+  double load            = unknown;  ///< -, share of one core
+  std::int64_t forgotten = 0;        ///< alarms and proposals that are over and not kept any more
   std::vector<AccountRow> channels;
 };
 std::string account_text(const PageAccount &account);

@@ -78,11 +78,16 @@ const takes = {
     spectrum.set(mill.spectrum);
     mark("spectrum", "wave", "place");
   },
-  account(data) { mill.account = data; mark("account", "facts", "answers"); },
+  account(data) {
+    if (!mill.account || mill.account.forgotten !== data.forgotten)
+      mark("alarms");
+    mill.account = data;
+    mark("account", "facts", "answers");
+  },
   modes(data) { mill.modes = data; mark("modes", "answers"); },
   chatter(data) { mill.chatter = data; takeBands(mill, data); mark("answers"); },
-  alarm(data) { mill.alarms.set(data.id, data); mark("alarms", "answers"); },
-  proposal(data) { mill.proposals.set(data.id, data); mark("alarms", "answers"); },
+  alarm(data) { takeEntry(mill.alarms, data, entry => entry.over); mark("alarms", "answers"); },
+  proposal(data) { takeEntry(mill.proposals, data, entry => entry.state !== "open"); mark("alarms", "answers"); },
   parameters(data) {
     mill.parameters = data;
     readStand().catch(() => {});  // a source may have said what it measures
@@ -92,6 +97,17 @@ const takes = {
   },
   advice(data) { mill.advice = data; mark("advice"); },
 };
+
+// As the program keeps them (event_frames.cpp): the latest 200 changes, and what is open whatever its age.
+function takeEntry(entries, data, isOver) {
+  entries.delete(data.id);
+  entries.set(data.id, data);
+  if (entries.size <= 200)
+    return;
+  const over = [...entries.values()].find(isOver);
+  if (over || entries.size > 1000)
+    entries.delete((over || entries.values().next().value).id);
+}
 
 function mark(...names) {
   names.forEach(name => changed.add(name));

@@ -1,8 +1,10 @@
 #include "twin/live/page/page_server.h"
 #include "twin/live/page/embedded.h"
 #include "twin/live/page/event_text.h"
+#include "twin/live/page/proposal_state.h"
 #include <fmt/format.h>
 #include <mutex>
+#include <nlohmann/json.hpp>
 #include <optional>
 
 namespace mill::live {
@@ -17,6 +19,13 @@ web::PageRoute stream_of_events()
   return route;
 }
 
+// Of an alarm or a proposal.
+bool is_over(const nlohmann::json &data)
+{
+  const auto over = data.find("over"), state = data.find("state");
+  return over != data.end() ? *over == true : state == data.end() || *state != word_of(ProposalState::open);
+}
+
 std::string with_statistics(std::string text, const PageStatistics &statistics)
 {
   const auto row = [&](const char *name, const char *type, const char *ending, const std::int64_t value) {
@@ -27,6 +36,7 @@ std::string with_statistics(std::string text, const PageStatistics &statistics)
   row("frames_dropped", "counter", "_total", statistics.frames_dropped);
   row("requests", "counter", "_total", statistics.requests);
   row("requests_refused", "counter", "_total", statistics.requests_refused);
+  row("history_forgotten", "counter", "_total", statistics.forgotten);
   return text + "# EOF\n";
 }
 }  // namespace
@@ -56,7 +66,8 @@ const web::EventKinds &event_kinds()
 {
   static const web::EventKinds kinds{
       {event_names::alarm, event_names::proposal, event_names::parameters, event_names::advice},
-      {event_names::alarm, event_names::proposal}};
+      {event_names::alarm, event_names::proposal},
+      is_over};
   return kinds;
 }
 

@@ -20,7 +20,8 @@ struct CommandReply {
 ///   GET  /metrics                         OpenMetrics text, no token
 ///   POST /command                         JSON, token
 const web::PageTable &page_table();
-/// Alarms, proposals, parameters and advice are never dropped; of the first two the last 200 are kept.
+/// Alarms, proposals, parameters and advice are never dropped; of the first two all that are open and, of the
+/// others, the last ones up to 200 in all are kept for a browser that connects later.
 const web::EventKinds &event_kinds();
 
 /// Serves the page of the live twin.
@@ -50,7 +51,7 @@ public:
   int port() const;
   const std::string &token() const;
   std::string url() const;     ///< "http://127.0.0.1:8460/#<token>"
-  std::string notice() const;  ///< what has to be said of an address that is not loopback; empty otherwise
+  std::string notice() const;  ///< as web::PageServer
   PageStatistics statistics() const;
 
 private:

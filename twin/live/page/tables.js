@@ -101,8 +101,12 @@ export function fillAccount(mill) {
 export function fillAlarms(mill, send) {
   const all = [...mill.alarms.values()].map(alarm => ({ ...alarm, order: alarm.utc }))
     .concat([...mill.proposals.values()].map(proposal => ({ ...proposal, order: proposal.utc, proposal: true })))
-    .sort((a, b) => b.order - a.order).slice(0, 100);
-  byId("alarms").replaceChildren(...all.map(entry => {
+    .sort((a, b) => b.order - a.order);
+  // what is open is listed whatever its age
+  const isOpen = entry => entry.proposal ? entry.state === "open" : !entry.over;
+  let room = 100 - all.filter(isOpen).length;
+  const listed = all.filter(entry => isOpen(entry) || room-- > 0), rest = all.length - listed.length + ((mill.account && mill.account.forgotten) || 0);
+  byId("alarms").replaceChildren(...listed.map(entry => {
     const item = document.createElement("li");
     const word = entry.proposal ? "proposal" : entry.level;
     item.append(cell("b", day(entry.utc)), cell("em", word, `state ${word === "alarm" ? "bad" : word === "note" ? "unknown" : "fair"}`),
@@ -120,7 +124,9 @@ export function fillAlarms(mill, send) {
     }
     return item;
   }));
-  if (!all.length)
+  if (rest)
+    byId("alarms").append(cell("li", `${rest} earlier, over, not listed`));
+  else if (!all.length)
     byId("alarms").replaceChildren(cell("li", "none since the program started"));
   const open = all.filter(entry => entry.proposal ? entry.state === "open" : !entry.acknowledged).length;
   const tab = document.querySelector('[data-tab="alarms"]');

@@ -11,6 +11,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 #include <nlohmann/json.hpp>
 #include <regex>
 #include <sys/file.h>
@@ -65,8 +66,9 @@ bool mend_part(const int file, NpyHeader &header)
          ::pwrite(file, mended.data(), mended.size(), 0) == ssize_t(mended.size()) && ::fsync(file) == 0;
 }
 
-// The name of its source.
-std::string mark_finished(const std::string &sidecar, const std::int64_t rows)
+// The name of its source.  What cannot be written does not keep the program from its start.
+std::string mark_finished(const std::string &sidecar, const std::int64_t rows,
+                          const std::function<void(const std::string &)> &note)
 {
   const auto text = text_if_readable(sidecar);
   auto json       = nlohmann::ordered_json::parse(text ? *text : "", nullptr, false);
@@ -75,7 +77,11 @@ std::string mark_finished(const std::string &sidecar, const std::int64_t rows)
   json["samples"]  = rows;
   json["complete"] = true;
   json["note"]     = "the program was interrupted; the file was finished at the next start";
-  write_atomically(sidecar, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  try {
+    write_atomically(sidecar, json.dump(2, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
+  } catch (const std::exception &problem) {
+    note(fmt::format("{} stays as it was: {}", sidecar, problem.what()));
+  }
   return json.contains("source") && json["source"].is_string() ? json["source"].get<std::string>() : "";
 }
 }  // namespace
@@ -108,9 +114,10 @@ std::vector<FinishedPart> finish_parts(const std::string &folder,
       fs::remove(stem + ".json", error);
     } else if (fs::exists(stem + ".npy", error)) {
       note(path + " stays: " + stem + ".npy exists");
+    } else if (fs::rename(path, stem + ".npy", error); error) {
+      note(fmt::format("{} cannot be finished: {}", path, error.message()));
     } else {
-      fs::rename(path, stem + ".npy", error);
-      const std::string source = mark_finished(stem + ".json", header.rows);
+      const std::string source = mark_finished(stem + ".json", header.rows, note);
       finished.push_back({stem + ".npy", header.rows, last_number(file, header) + 1, source});
       note(fmt::format("{}.npy was finished: {} samples up to s = {}", stem, header.rows,
                        finished.back().next - 1));
@@ -122,6 +129,9 @@ std::vector<FinishedPart> finish_parts(const std::string &folder,
 
 std::vector<std::string> remove_old_records(const std::string &folder, const KeptRecords &kept, const double now)
 {
+  // A file from the future is of a time at which the clock was wrong: its age is not known, and it is older than
+  // all that were written since.  A day is for clocks of other machines and hours of daylight saving.
+  constexpr double future = 86400, unknown = std::numeric_limits<double>::infinity();
   struct Record {
     std::string stem;
     double age, bytes;
@@ -133,7 +143,9 @@ std::vector<std::string> remove_old_records(const std::string &folder, const Kep
     struct stat info;
     if (is_record_name(name, ".npy") && ::lstat(path.c_str(), &info) == 0 && S_ISREG(info.st_mode) &&
         fs::exists(stem_of(path, ".npy") + ".json", error))
-      records.push_back({stem_of(path, ".npy"), now - double(info.st_mtime), double(info.st_size)});
+      records.push_back({stem_of(path, ".npy"),
+                         double(info.st_mtime) - now > future ? unknown : now - double(info.st_mtime),
+                         double(info.st_size)});
   }
   std::sort(records.begin(), records.end(),
             [](const Record &a, const Record &b) { return a.age != b.age ? a.age < b.age : a.stem > b.stem; });
@@ -141,7 +153,8 @@ std::vector<std::string> remove_old_records(const std::string &folder, const Kep
   double bytes = 0;
   for (std::size_t i = 0; i < records.size(); ++i) {
     bytes += records[i].bytes;
-    if (i == 0 || !((kept.age && records[i].age > *kept.age) || (kept.bytes && bytes > *kept.bytes)))
+    const bool old = kept.age && records[i].age < unknown && records[i].age > *kept.age;
+    if (i == 0 || !(old || (kept.bytes && bytes > *kept.bytes)))
       continue;  // the latest one stays, for any size
     fs::remove(records[i].stem + ".npy", error);
     fs::remove(records[i].stem + ".json", error);

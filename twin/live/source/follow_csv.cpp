@@ -56,13 +56,18 @@ private:
   {
     file_ = ::open(source_.path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
     if (file_ < 0) {
-      if (errno != ENOENT)
+      if (errno != ENOENT && !first_read_)
         refuse_file(errno, fmt::format("{} cannot be read: {}", source_.path, std::strerror(errno)));
       if (!said_missing_)
-        note("note", source_.path + " is not there yet; it is waited for");
+        note("note",
+             errno == ENOENT
+                 ? source_.path + " is not there yet; it is waited for"
+                 // a program that changes files may set the rights of the new one a little later
+                 : fmt::format("{} cannot be read: {}; it is waited for", source_.path, std::strerror(errno)));
       said_missing_ = true;
       return false;
     }
+    said_missing_ = false;
     struct stat info;
     if (::fstat(file_, &info) != 0 || !S_ISREG(info.st_mode))
       throw InputError("tail:" + source_.path + " is not a regular file");

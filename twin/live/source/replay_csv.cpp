@@ -13,6 +13,11 @@ using Clock = std::chrono::steady_clock;
 class Pace {
 public:
   explicit Pace(const double speed) : speed_(speed) {}
+  // The numbers of a new head begin again, or have another unit.
+  void restart()
+  {
+    begun_.reset();
+  }
   void wait(const SourceBlock &block, const double rate, const std::atomic<bool> &stop)
   {
     if (!std::isfinite(speed_))
@@ -41,10 +46,15 @@ void replay_csv(const FileSource &source, SampleQueue &queue, const std::atomic<
   if (source.resumed)
     feed.resume(*source.resumed);
   Pace pace(source.speed);
+  double rate        = 0;  // Hz, of the blocks that follow
   const auto pass_on = [&] {
     for (Message &message : feed.take()) {
       if (const auto *block = std::get_if<SourceBlock>(&message))
-        pace.wait(*block, feed.rate(), stop);
+        pace.wait(*block, rate, stop);
+      else if (const auto *head = std::get_if<SourceHead>(&message)) {
+        rate = head->rate;
+        pace.restart();
+      }
       if (stop || !queue.push(std::move(message)))
         return false;
     }

@@ -5,14 +5,10 @@
 namespace mill::web {
 namespace {
 constexpr std::size_t kept_frames  = 200;
+constexpr std::size_t most_open    = 1000;  // of one kind: the memory has an end whatever is published
 constexpr std::size_t most_waiting = 400;
 constexpr int waiting_of_a_kind    = 2;
 
-std::string id_in(const std::string &json)
-{
-  const auto parsed = nlohmann::json::parse(json, nullptr, false);
-  return parsed.is_object() && parsed.contains("id") ? parsed["id"].dump() : "";
-}
 }  // namespace
 
 FramePointer FrameStore::add(const std::string &event, const std::string &json)
@@ -29,7 +25,10 @@ FramePointer FrameStore::add(const std::string &event, const std::string &json)
       [](const char c) { return c == '\n' || c == '\r'; }, ' ');
   frame->text += "\n\n";
   if (kinds_.history.count(event) > 0) {
-    frame->about = id_in(json);
+    const auto data = nlohmann::json::parse(json, nullptr, false);
+    if (data.is_object() && data.contains("id"))
+      frame->about = data["id"].dump();
+    frame->over = !kinds_.over || !data.is_object() || kinds_.over(data);
     keep(frame);
   } else {
     latest_[event] = {last_id_, frame};
@@ -37,7 +36,7 @@ FramePointer FrameStore::add(const std::string &event, const std::string &json)
   return frame;
 }
 
-// What changes often does not push out what was said once.
+// What changes often does not push out what was said once, and what is over goes before what is not.
 void FrameStore::keep(const FramePointer &frame)
 {
   auto &kept = kept_[frame->event];
@@ -48,8 +47,21 @@ void FrameStore::keep(const FramePointer &frame)
       kept.erase(before);
   }
   kept.emplace_back(last_id_, frame);
-  if (kept.size() > kept_frames)
-    kept.pop_front();
+  if (kept.size() <= kept_frames)
+    return;
+  auto goes = std::find_if(kept.begin(), kept.end(), [](const Numbered &k) { return k.second->over; });
+  if (goes == kept.end()) {
+    if (kept.size() <= most_open)
+      return;
+    goes = kept.begin();
+  }
+  kept.erase(goes);
+  ++forgotten_;
+}
+
+std::int64_t FrameStore::forgotten() const
+{
+  return forgotten_;
 }
 
 std::vector<FramePointer> FrameStore::present_state() const

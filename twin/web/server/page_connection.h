@@ -27,7 +27,7 @@ struct PageShared {
   std::set<PageConnection *> streams;
   int connections = 0, refusals = 0;
   std::atomic<int> open_connections{0}, open_streams{0};
-  std::atomic<std::int64_t> frames_sent{0}, frames_dropped{0}, requests{0}, refused{0};
+  std::atomic<std::int64_t> frames_sent{0}, frames_dropped{0}, requests{0}, refused{0}, forgotten{0};
 };
 
 /// Answers the requests of an accepted connection until one side closes it.

@@ -125,7 +125,14 @@ PageServer::PageServer(const PageSettings &settings, PageSite site)
         fmt::format("--listen: {} is reached from other machines, so a token is needed that its users know: "
                     "add --token-file FILE",
                     settings.address));
-  state.token = page_token(settings);
+  try {
+    state.token = page_token(settings);
+  } catch (const std::exception &problem) {
+    if (!settings.token.empty())
+      throw;
+    state.token  = made_token();  // a full disk does not keep the page away
+    state.notice = std::string(problem.what()) + "; after its next start the page has another address";
+  }
   state.listen(settings, address);
   const std::string literal = address.is_v6() ? "[" + address.to_string() + "]" : address.to_string();
   state.url                 = fmt::format("http://{}:{}/#{}", literal, state.port, state.token);
@@ -155,7 +162,10 @@ PageServer::~PageServer()
 void PageServer::publish(const std::string &event, const std::string &json)
 {
   asio::post(state_->io, [state = state_.get(), event, json] {
-    send_to_all(state->shared, state->shared.store.add(event, json));
+    PageShared &shared = state->shared;
+    const auto frame   = shared.store.add(event, json);
+    shared.forgotten   = shared.store.forgotten();
+    send_to_all(shared, frame);
   });
 }
 
@@ -182,7 +192,7 @@ std::string PageServer::notice() const
 PageStatistics PageServer::statistics() const
 {
   const PageShared &shared = state_->shared;
-  return {shared.open_connections, shared.open_streams, shared.frames_sent,
-          shared.frames_dropped,   shared.requests,     shared.refused};
+  return {shared.open_connections, shared.open_streams, shared.frames_sent, shared.frames_dropped,
+          shared.requests,         shared.refused,      shared.forgotten};
 }
 }  // namespace mill::web

@@ -51,6 +51,7 @@ struct PageStatistics {
   std::int64_t frames_dropped   = 0;  ///< display frames that a slow browser did not take in time
   std::int64_t requests         = 0;  ///< answered with 2xx
   std::int64_t requests_refused = 0;  ///< answered with 4xx or 5xx, or cut off by a limit
+  std::int64_t forgotten        = 0;  ///< of the histories: a browser that connects now does not get them
 };
 
 /// Serves a page: its files, a fixed table of routes, one stream of events for each browser.
@@ -76,7 +77,8 @@ public:
   int port() const;
   const std::string &token() const;
   std::string url() const;     ///< "http://127.0.0.1:8460/#<token>"
-  std::string notice() const;  ///< what has to be said of an address that is not loopback; empty otherwise
+  /// What has to be said of an address that is not loopback, or of a token that cannot be kept; empty otherwise.
+  std::string notice() const;
   PageStatistics statistics() const;
 
 private:

@@ -1,0 +1,6 @@
+#include "tests/support/slowness.h"
+
+int slowness()
+{
+  return MILLSTAND_SLOWER;
+}
