@@ -85,7 +85,7 @@ dynamics::DampingOfModes damping_that_follows(const cluster::GapStand &gap, cons
 struct GroupParts {
   Eigen::MatrixXd K, loss;
 };
-GroupParts parts_of(const cluster::GapStand &gap, const StiffnessGroup &group)
+GroupParts group_parts(const cluster::GapStand &gap, const StiffnessGroup &group)
 {
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(gap.K.rows(), gap.K.cols()), loss = K;
   for (const std::size_t i : group.contacts) {
@@ -213,7 +213,7 @@ std::vector<dynamics::StructureNumber> cluster_numbers(const ClusterStand &stand
   const Eigen::MatrixXd C            = structure_of(stand, stack, gap).C;
   std::vector<dynamics::StructureNumber> numbers;
   for (const StiffnessGroup &group : stiffness_groups(stand)) {
-    const GroupParts parts             = parts_of(gap, group);
+    const GroupParts parts             = group_parts(gap, group);
     const dynamics::ModalChange change = change_of(parts, modes);
     dynamics::StructureNumber n;
     n.kind   = dynamics::NumberKind::spring;
@@ -353,7 +353,7 @@ StabilityQuestion stability_question(const RunContext &run, const ClusterStand &
     if (std::none_of(from.numbers.begin(), from.numbers.end(), same))
       continue;  // it moves nothing
     dynamics::UncertainNumber one{group.key, usual_error::spring_or_mass};
-    one.structure = change_of(parts_of(asked.gap, group), modes);
+    one.structure = change_of(group_parts(asked.gap, group), modes);
     uncertain.numbers.push_back(std::move(one));
   }
   uncertain.assumed = fmt::format("{:g} % for contacts and supports", 100 * usual_error::spring_or_mass);
