@@ -9,6 +9,7 @@
 #include "core/model/case.h"
 #include "core/records/result_names.h"
 #include "core/records/speed_verdict.h"
+#include "dynamics/chatter/modal_inputs.h"
 #include "reduce/stand/gap_modes.h"
 #include <algorithm>
 #include <cmath>
@@ -70,6 +71,37 @@ Points points_of(const ClusterStand &stand, const cluster::Stack &stack, const b
 Eigen::MatrixXd in_modes(const Eigen::MatrixXd &K, const Eigen::MatrixXd &shape)
 {
   return shape.transpose() * K * shape;
+}
+
+// Damping of the modes as it follows springs: that of loss factors, or one ratio where the case gives none.
+dynamics::DampingOfModes damping_that_follows(const cluster::GapStand &gap, const cluster::GapStandModes &modes)
+{
+  if (modes.damping.isZero(0))
+    return {usual_damping, {}};
+  return {0, in_modes(gap.loss, modes.shape)};
+}
+
+// A group of contacts and supports: its part of K and of the loss, N/m.
+struct GroupParts {
+  Eigen::MatrixXd K, loss;
+};
+GroupParts group_parts(const cluster::GapStand &gap, const StiffnessGroup &group)
+{
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(gap.K.rows(), gap.K.cols()), loss = K;
+  for (const std::size_t i : group.contacts) {
+    K += gap.contacts[i];
+    loss += gap.contact_losses[i];
+  }
+  for (const std::size_t i : group.supports) {
+    K += gap.supports[i];
+    loss += gap.support_losses[i];
+  }
+  return {K, loss};
+}
+
+dynamics::ModalChange change_of(const GroupParts &parts, const cluster::GapStandModes &modes)
+{
+  return {in_modes(parts.K, modes.shape), {}, in_modes(parts.loss, modes.shape)};
 }
 
 // The mode with the largest share in the compliance of the gap.
@@ -181,18 +213,16 @@ std::vector<dynamics::StructureNumber> cluster_numbers(const ClusterStand &stand
   const Eigen::MatrixXd C            = structure_of(stand, stack, gap).C;
   std::vector<dynamics::StructureNumber> numbers;
   for (const StiffnessGroup &group : stiffness_groups(stand)) {
-    Eigen::MatrixXd K = Eigen::MatrixXd::Zero(gap.K.rows(), gap.K.cols());
-    for (const std::size_t i : group.contacts)
-      K += gap.contacts[i];
-    for (const std::size_t i : group.supports)
-      K += gap.supports[i];
+    const GroupParts parts             = group_parts(gap, group);
+    const dynamics::ModalChange change = change_of(parts, modes);
     dynamics::StructureNumber n;
     n.kind   = dynamics::NumberKind::spring;
     n.key    = group.key;
     n.name   = "stiffness of " + group.name;
     n.unit   = "N/m";
-    n.value  = K.cwiseAbs().maxCoeff();
-    n.K_by   = in_modes(K, modes.shape);
+    n.value  = parts.K.cwiseAbs().maxCoeff();
+    n.K_by   = change.dK;
+    n.C_by   = dynamics::damping_by(modes.frequency, damping_that_follows(gap, modes), change);
     n.scaled = [=](const double factor) {
       return structure_of(stand, stack, cluster::scaled(gap, group.contacts, group.supports, factor));
     };
@@ -302,10 +332,9 @@ void keep_stack_motions(dynamics::StandStructure &structure, const ClusterStand 
 StabilityQuestion stability_question(const RunContext &run, const ClusterStand &stand, const ClusterPassRun &pass,
                                      const ClusterChatter &asked)
 {
-  const ChatterQuestion &from               = asked.question;
-  const cluster::GapStandModes modes        = seen_modes(asked.gap);
-  const Eigen::VectorXd damping             = damping_of(modes);
-  const dynamics::StandStructure &structure = from.stand.structure;
+  const ChatterQuestion &from            = asked.question;
+  const cluster::GapStandModes modes     = seen_modes(asked.gap);
+  const dynamics::DampingOfModes damping = damping_that_follows(asked.gap, modes);
   StabilityQuestion q;
   q.pass          = pass.pass->name;
   q.speed         = pass.pass->speed;
@@ -313,17 +342,20 @@ StabilityQuestion stability_question(const RunContext &run, const ClusterStand &
   q.model         = from.structure;
   q.leading.stand = from.stand;
   keep_stack_motions(q.leading.stand.structure, stand, pass, modes);
-  q.leading.modal_damping = damping[leading_mode(structure.K.diagonal().cwiseSqrt(), structure.b)];
+  q.leading.modal_damping = damping.ratio;
+  q.leading.loss          = damping.loss;
   q.leading.bite          = from.bite;
   q.leading.scheme        = from.scheme;
   q.leading.range         = speed_range(stand.analysis);
   UncertainNumbers uncertain;
-  for (const dynamics::StructureNumber &number : from.numbers)
-    if (number.K_by.size() > 0) {
-      dynamics::UncertainNumber one{number.key, usual_error::spring_or_mass};
-      one.structure = {number.K_by, Eigen::MatrixXd::Zero(number.K_by.rows(), number.K_by.cols())};
-      uncertain.numbers.push_back(std::move(one));
-    }
+  for (const StiffnessGroup &group : stiffness_groups(stand)) {
+    const auto same = [&](const dynamics::StructureNumber &number) { return number.key == group.key; };
+    if (std::none_of(from.numbers.begin(), from.numbers.end(), same))
+      continue;  // it moves nothing
+    dynamics::UncertainNumber one{group.key, usual_error::spring_or_mass};
+    one.structure = change_of(group_parts(asked.gap, group), modes);
+    uncertain.numbers.push_back(std::move(one));
+  }
   uncertain.assumed = fmt::format("{:g} % for contacts and supports", 100 * usual_error::spring_or_mass);
   add_pass_numbers(uncertain, fitted_errors(run), from.bite, stand.span, not_given);
   q.uncertain = std::move(uncertain.numbers);

@@ -32,8 +32,8 @@ std::vector<StructureNumber> six_mass_numbers(const std::array<double, 6> &mass,
                                               const std::array<double, 6> &damping);
 
 /// M1..M6, K1..K7 without K4 and the modal damping of a lumped model as structure_of(mill_model(model, settings))
-/// with force_meaning "measured".  The modal damping follows masses and springs, (27.8).
-/// Keys M1, K1, dynamics.modal_damping.
+/// with force_meaning "measured".  The modal damping follows masses and springs, (27.8); oil films and the
+/// frequency at which they are taken stay, (27.15). Keys M1, K1, dynamics.modal_damping.
 std::vector<StructureNumber> chain_numbers(const LumpedModel &model, const DynamicsSettings &settings);
 
 /// Frequency of every mode and the damping of all, of structure_of(modes).  Keys stand.modes[i], and

@@ -1,6 +1,7 @@
 #include "dynamics/chatter/speed.h"
 #include "core/base/errors.h"
 #include "core/numerics/root_search.h"
+#include "dynamics/chatter/excess_growth.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -10,13 +11,6 @@
 
 namespace mill::dynamics {
 namespace {
-// Real part above which a root is growing: rounding of an eigenvalue is some eps of the largest one, and
-// an undamped mode that the bite does not reach stands on the axis.
-double noise(const std::complex<double> root, const double largest)
-{
-  return std::max(1e-9 * std::abs(root), 1e-13 * largest);
-}
-
 struct Sample : SpeedPoint {
   Eigen::VectorXd
       excess;  ///< (s) 1/s, real parts less the noise, falling: rank k is a continuous function of speed
@@ -32,7 +26,7 @@ std::string reason(const SolverError &error)
 void rank(Sample &s, const Eigen::VectorXcd &roots)
 {
   const double largest = roots.size() ? roots.cwiseAbs().maxCoeff() : 0;
-  const auto excess    = [&](const std::complex<double> r) { return r.real() - noise(r, largest); };
+  const auto excess    = [&](const std::complex<double> r) { return excess_growth(r, largest); };
   s.roots              = roots;
   std::sort(s.roots.begin(), s.roots.end(), [&](const auto a, const auto b) {
     return excess(a) != excess(b) ? excess(a) > excess(b) : a.imag() > b.imag();

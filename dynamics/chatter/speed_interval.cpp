@@ -1,17 +1,18 @@
 #include "dynamics/chatter/speed_interval.h"
 #include "core/base/errors.h"
 #include "core/numerics/root_search.h"
+#include "dynamics/chatter/excess_growth.h"
 #include "dynamics/chatter/speed_slopes.h"
 #include <algorithm>
 #include <cmath>
 
 namespace mill::dynamics {
 namespace {
-// Largest real part; NaN without a bite.
+// Growth beyond rounding, (25.9), as the search takes it; NaN without a bite.
 double growth_at(const SpeedQuestion &q, const double speed)
 {
   try {
-    return growth_rate(chatter_matrix(q.stand, working_point(q.bite, speed, q.scheme).by));
+    return excess_growth(eigenvalues(chatter_matrix(q.stand, working_point(q.bite, speed, q.scheme).by)));
   } catch (const InputError &) {
     return not_given;
   } catch (const SolverError &) {
@@ -19,17 +20,23 @@ double growth_at(const SpeedQuestion &q, const double speed)
   }
 }
 
+DampingOfModes damping_of_modes(const SpeedQuestion &q)
+{
+  return {q.modal_damping, q.loss};
+}
+
 StructureNumber structure_number(const SpeedQuestion &q, const UncertainNumber &number)
 {
   StructureNumber s;
+  const StandStructure &stand = q.stand.structure;
   if (number.structure.dK.size() || number.structure.dM.size()) {
     s.K_by                            = number.structure.dK;
     s.M_by                            = number.structure.dM;
-    const Eigen::VectorXd frequencies = q.stand.structure.K.diagonal().cwiseSqrt() / (2 * M_PI);
-    s.C_by                            = damping_by(frequencies, q.modal_damping, number.structure);
+    const Eigen::VectorXd frequencies = stand.K.diagonal().cwiseSqrt() / (2 * M_PI);
+    s.C_by                            = damping_by(frequencies, damping_of_modes(q), number.structure);
   }
   if (number.damping)
-    s.C_by = q.stand.structure.C;
+    s.C_by = damping_matrix(stand.K, stand.M, damping_of_modes(q));
   return s;
 }
 
@@ -45,6 +52,7 @@ SpeedQuestion moved(const SpeedQuestion &question, const std::vector<UncertainNu
   SpeedQuestion q = question;
   ModalChange change;
   bool damping_moves = false;
+  double on_damping  = 1;
   const auto add     = [](Eigen::MatrixXd &sum, const double factor, const Eigen::MatrixXd &by) {
     if (by.size())
       sum = sum.size() ? Eigen::MatrixXd(sum + factor * by) : Eigen::MatrixXd(factor * by);
@@ -56,13 +64,18 @@ SpeedQuestion moved(const SpeedQuestion &question, const std::vector<UncertainNu
       q.bite = with_number_scaled(q.bite, number, factor);
     add(change.dK, factor - 1, n.structure.dK);
     add(change.dM, factor - 1, n.structure.dM);
-    q.modal_damping *= n.damping ? factor : 1;
+    if (q.loss.size())
+      add(q.loss, factor - 1, n.structure.dL);
+    on_damping *= n.damping ? factor : 1;
     q.stand.entry_distance *= n.entry_distance ? factor : 1;
     q.stand.exit_distance *= n.exit_distance ? factor : 1;
     damping_moves = damping_moves || n.damping;
   }
+  q.modal_damping *= on_damping;
+  q.loss *= on_damping;
   if (change.dK.size() || change.dM.size() || damping_moves)
-    q.stand.structure = moved_structure(q.stand.structure, q.modal_damping, change);
+    q.stand.structure =
+        moved_structure(q.stand.structure, damping_of_modes(question), damping_of_modes(q), change);
   return q;
 }
 

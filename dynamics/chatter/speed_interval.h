@@ -13,17 +13,19 @@ struct UncertainNumber {
   double error                       = 0;  ///< -, relative, taken as 1.96 standard deviations of the logarithm
   std::vector<bite::PassNumber> bite = {};
   ModalChange structure              = {};     ///< of a stand in its modes
-  bool damping                       = false;  ///< the damping of all modes
+  bool damping                       = false;  ///< the damping of all modes; dampers of oil films stay
   bool entry_distance = false, exit_distance = false;
 };
 
 /// A stand and its bite for which the search has found a critical speed.
 struct SpeedQuestion {
-  ChatterStandModel stand;   ///< in its modes: M = I, C = 2 damping K^(1/2), where an input moves its structure
-  double modal_damping = 0;  ///< -
+  /// In its modes where an input moves its structure: M = I, C that of modal_damping and loss, and dampers
+  ChatterStandModel stand;
+  double modal_damping = 0;  ///< -, of every mode
   bite::RollBite bite;
   Linearisation scheme = Linearisation::sequential;
   SpeedRange range;
+  Eigen::MatrixXd loss = {};  ///< (n, n) 1/s2, loss of DampingOfModes; empty: the modes have one ratio
 };
 
 /// What one number does to the interval.

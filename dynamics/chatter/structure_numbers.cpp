@@ -134,6 +134,19 @@ struct ModalDamping {
 };
 }  // namespace
 
+namespace {
+Eigen::MatrixXd spring_between(const Eigen::Index n, const Spring &spring, const double stiffness)
+{
+  Eigen::MatrixXd K = Eigen::MatrixXd::Zero(n, n);
+  for (const int end : {spring.from, spring.to})
+    if (end != ground)
+      K(end, end) += stiffness;
+  if (spring.from != ground && spring.to != ground)
+    K(spring.from, spring.to) = K(spring.to, spring.from) = -stiffness;
+  return K;
+}
+}  // namespace
+
 std::vector<StructureNumber> chain_numbers(const LumpedModel &model, const DynamicsSettings &settings)
 {
   const MillModel chain = mill_model(model, settings);
@@ -152,6 +165,7 @@ std::vector<StructureNumber> chain_numbers(const LumpedModel &model, const Dynam
     m.scaled = [=](const double f) {
       LumpedModel other = model;
       other.M[std::size_t(i)].value *= f;
+      other.moving_mass[std::size_t(i)] *= f;  // NaN stays: those at rest
       return structure_of(mill_model(other, settings));
     };
     numbers.push_back(m);
@@ -165,14 +179,12 @@ std::vector<StructureNumber> chain_numbers(const LumpedModel &model, const Dynam
     k.key   = spring.name;
     k.name  = "stiffness " + spring.name;
     k.unit  = "N/m";
-    k.value = spring.stiffness;
-    k.K_by  = Eigen::MatrixXd::Zero(n, n);
-    for (const int end : {spring.from, spring.to})
-      if (end != ground)
-        k.K_by(end, end) += spring.stiffness;
-    if (spring.from != ground && spring.to != ground)
-      k.K_by(spring.from, spring.to) = k.K_by(spring.to, spring.from) = -spring.stiffness;
-    k.C_by   = damping.by_stiffness(k.K_by);
+    k.value = model.K[std::size_t(i)].value;
+    // (27.15): of a spring without an oil film its stiffness itself.
+    const double damped = 2 * M_PI * (std::isnan(model.film_frequency) ? 0 : model.film_frequency) * spring.damper;
+    k.K_by = spring_between(n, spring, (spring.stiffness * spring.stiffness - damped * damped) / k.value);
+    k.C_by =
+        damping.by_stiffness(k.K_by) + spring_between(n, spring, 2 * spring.stiffness * spring.damper / k.value);
     k.scaled = [=](const double f) {
       LumpedModel other = model;
       other.K[std::size_t(i)].value *= f;

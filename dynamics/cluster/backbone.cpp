@@ -79,11 +79,21 @@ struct Balance {
     p.least_approach = std::numeric_limits<double>::infinity();
     for (int t = 0; t < options.samples; ++t)
       for (const Contact &c : stack.contacts)
-        if (const double d = contact_state(stack, c, state(q, t)).approach; d < p.least_approach) {
+        if (const double d = before_opening(c, state(q, t)); d < p.least_approach) {
           p.least_approach = d;
           p.lets_go        = d < 0 ? c.name : "";
         }
     return p;
+  }
+
+  // m, approach from where the whole force is zero; of the strip, whose approach is from the state at rest,
+  // (38.26).
+  double before_opening(const Contact &c, const Motion &u) const
+  {
+    const double approach = contact_state(stack, c, u).approach;
+    if (!c.strip)
+      return approach;
+    return c.law.k > 0 ? approach + c.carried / c.law.k : std::numeric_limits<double>::infinity();
   }
 };
 

@@ -20,11 +20,13 @@ GapStand gap_stand(const Stack &whole, const Motion &rest, const int upper, cons
   s.loss = Eigen::MatrixXd::Zero(stack.size(), stack.size());
   for (std::size_t i = 0; i < K.contacts.size(); ++i) {
     s.contacts.push_back(halves * K.contacts[i]);
-    s.loss += stack.contacts[i].loss_factor * halves * (K.contacts[i] - K.geometric[i]);
+    s.contact_losses.push_back(stack.contacts[i].loss_factor * halves * (K.contacts[i] - K.geometric[i]));
+    s.loss += s.contact_losses.back();
   }
   for (std::size_t i = 0; i < K.supports.size(); ++i) {
     s.supports.push_back(halves * K.supports[i]);
-    s.loss += stack.supports[i].loss_factor * s.supports.back();
+    s.support_losses.push_back(stack.supports[i].loss_factor * s.supports.back());
+    s.loss += s.support_losses.back();
   }
   s.b                               = Eigen::VectorXd::Zero(stack.size());
   s.b[stack.per_roll() * upper + 1] = halves;
@@ -36,14 +38,17 @@ GapStand gap_stand(const Stack &whole, const Motion &rest, const int upper, cons
 GapStand scaled(GapStand stand, const std::vector<std::size_t> &contacts, const std::vector<std::size_t> &supports,
                 const double factor)
 {
-  const auto scale = [&](std::vector<Eigen::MatrixXd> &parts, const std::vector<std::size_t> &which) {
+  const auto scale = [&](Eigen::MatrixXd &sum, std::vector<Eigen::MatrixXd> &parts,
+                         const std::vector<std::size_t> &which) {
     for (const std::size_t i : which) {
-      stand.K += (factor - 1) * parts[i];
+      sum += (factor - 1) * parts[i];
       parts[i] *= factor;
     }
   };
-  scale(stand.contacts, contacts);
-  scale(stand.supports, supports);
+  scale(stand.K, stand.contacts, contacts);
+  scale(stand.K, stand.supports, supports);
+  scale(stand.loss, stand.contact_losses, contacts);
+  scale(stand.loss, stand.support_losses, supports);
   return stand;
 }
 

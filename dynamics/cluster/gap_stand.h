@@ -13,12 +13,14 @@ struct GapStand {
                          ///< times their loss factors
   Eigen::VectorXd b;     ///< (n) -
   std::vector<Eigen::MatrixXd> contacts, supports;  ///< (n, n) N/m, parts of K, in the order of the stack
+  std::vector<Eigen::MatrixXd> contact_losses, support_losses;  ///< (n, n) N/m, parts of loss, in that order
 };
 
 /// @param upper, lower  rolls at the strip; lower -1: the stack is the upper half
 GapStand gap_stand(const Stack &stack, const Motion &rest, int upper, int lower);
 
-/// The stand with the stiffness of some contacts and supports times a factor.
+/// The stand with the stiffness of some contacts and supports times a factor; their loss factors stay, so that
+/// their loss grows with it.
 GapStand scaled(GapStand stand, const std::vector<std::size_t> &contacts, const std::vector<std::size_t> &supports,
                 double factor);
 

@@ -212,10 +212,10 @@ std::vector<TimeSteps::Crossing> TimeSteps::advance(const double end)
     }
     // The step that ends where the contact changes; its own solution moves the place a little.
     for (int k = 0; k < 4; ++k) {
-      h *= share;
-      const Result shorter = solve(h);
+      const Result shorter = solve(share * h);
       if (!shorter.converged)
-        break;
+        break;  // r stays the solution of the step h
+      h *= share;
       r     = shorter;
       int c = -1;
       share = first_crossing(r, h, c);

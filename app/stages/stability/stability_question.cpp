@@ -6,6 +6,7 @@
 #include "core/records/result_names.h"
 #include "core/records/rows_of_chatter.h"
 #include "core/records/speed_verdict.h"
+#include "dynamics/chatter/excess_growth.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -27,6 +28,7 @@ struct Stability {
   std::optional<dynamics::WorkingPoint> working;          ///< at the speed of the pass
   std::string no_bite;                                    ///< why there is none
   double growth = not_given;                              ///< 1/s there
+  bool grows    = false;                                  ///< by more than rounding, (25.9)
   std::complex<double> root;                              ///< 1/s, which grows most there
   GapMode gap;
   LeastDamped least;  ///< there
@@ -46,11 +48,13 @@ std::string reason_of(const std::exception_ptr &failure)
 void find_working_point(Stability &s, const StabilityQuestion &q)
 {
   try {
-    s.working = dynamics::working_point(q.leading.bite, q.speed, q.leading.scheme);
-    s.root    = dynamics::eigenvalues(dynamics::chatter_matrix(q.leading.stand, s.working->by))[0];
-    s.growth  = s.root.real();
-    s.gap     = gap_mode(q.leading.stand, s.working->by, q.K4);
-    s.least   = least_damped(q.leading.stand, s.working->by);
+    s.working                    = dynamics::working_point(q.leading.bite, q.speed, q.leading.scheme);
+    const Eigen::VectorXcd roots = dynamics::eigenvalues(dynamics::chatter_matrix(q.leading.stand, s.working->by));
+    s.root                       = roots[0];
+    s.growth                     = s.root.real();
+    s.grows                      = dynamics::excess_growth(roots) > 0;
+    s.gap                        = gap_mode(q.leading.stand, s.working->by, q.K4);
+    s.least                      = least_damped(q.leading.stand, s.working->by);
   } catch (const InputError &) {
     s.no_bite = reason_of(std::current_exception());
   } catch (const SolverError &) {
@@ -121,14 +125,14 @@ SpeedVerdict verdict_of(const StabilityQuestion &q, const Stability &s)
     v.high      = s.interval.high;
     v.frequency = s.critical.frequency;
     v.mode      = text_of_root(q.leading.stand, s.critical.at->by, {0, 2 * M_PI * s.critical.frequency});
-  } else if (s.growth > 0 || s.least.sentence.empty()) {
+  } else if (s.grows || s.least.sentence.empty()) {
     v.frequency = std::abs(s.root.imag()) / (2 * M_PI);
     v.mode      = text_of_root(q.leading.stand, s.working->by, s.root);
   } else {
     v.frequency = s.least.root.imag() / (2 * M_PI);
     v.mode      = s.least.sentence;
   }
-  v.finding = s.growth > 0                                                            ? SpeedFinding::unstable
+  v.finding = s.grows                                                                 ? SpeedFinding::unstable
               : s.critical.verdict == Verdict::crossing && q.speed < s.critical.speed ? SpeedFinding::below
                                                                                       : SpeedFinding::stable;
   if (v.finding == SpeedFinding::unstable)

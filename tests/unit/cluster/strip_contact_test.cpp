@@ -1,10 +1,14 @@
 #include "core/model/cluster.h"
+#include "dynamics/cluster/backbone.h"
 #include "dynamics/cluster/gap_stand.h"
+#include "dynamics/cluster/modes.h"
 #include "dynamics/cluster/motion.h"
 #include "dynamics/cluster/stack_of_case.h"
 #include "tests/support/near.h"
 #include <Eigen/Cholesky>
+#include <algorithm>
 #include <gtest/gtest.h>
+#include <numeric>
 
 using namespace mill;
 
@@ -202,4 +206,87 @@ TEST(GapStand, LossFactorsOfLoadedContactsDampEveryMode)
   }
   EXPECT_EQ(across, 3);
   EXPECT_EQ(along, 3);
+}
+
+// All stiffnesses of a stand times one factor: frequencies times its root, the same shapes, and the same part of
+// its energy is lost in a period.
+TEST(GapStand, StifferContactsAndSupportsKeepTheirLossFactors)
+{
+  ClusterStand stand                 = six_high();
+  stand.response.loss_factor         = 0.08;
+  stand.response.support_loss_factor = 0.02;
+  constexpr double factor            = 1.3;
+  const auto gap_of                  = [](const ClusterStand &one) {
+    const auto state = cluster::pass_state(one, {}, rolling_force);
+    return cluster::gap_stand(state.stack, state.rest.u, 2, 3);
+  };
+  const cluster::GapStand gap = gap_of(stand);
+  std::vector<std::size_t> contacts(gap.contacts.size()), supports(gap.supports.size());
+  std::iota(contacts.begin(), contacts.end(), 0);
+  std::iota(supports.begin(), supports.end(), 0);
+  const auto before = cluster::modes_of(gap, 0),
+             after  = cluster::modes_of(cluster::scaled(gap, contacts, supports, factor), 0);
+  for (Eigen::Index k = 0; k < before.frequency.size(); ++k) {
+    EXPECT_TRUE(near(after.frequency[k], std::sqrt(factor) * before.frequency[k],
+                     within(1e-9, "rounding of the lowest mode", before.frequency.maxCoeff())));
+    EXPECT_TRUE(
+        near(after.damping[k], before.damping[k], within_absolute(1e-9, "rounding of a ratio below 0.04")));
+  }
+  // Stiffer housings lift the stacks as a whole, so that their contacts are as they were.
+  const std::vector<std::size_t> housings{6, 7};
+  for (const std::size_t i : housings)
+    stand.supports[i].stiffness *= factor;
+  const cluster::GapStand built = gap_of(stand), moved = cluster::scaled(gap, {}, housings, factor);
+  EXPECT_LT((built.K - moved.K).norm(), 1e-9 * built.K.norm());
+  EXPECT_LT((built.loss - moved.loss).norm(), 1e-9 * built.loss.norm());
+}
+
+// A strip under 8 MN with 5 MN/mm lets go 1.6 mm from its state at rest: a vibration of 1 um opens nothing.
+TEST(StripContact, FreeVibrationOfAMicrometreDoesNotOpenIt)
+{
+  const Settled s;
+  double least = rolling_force / K4;  // m, at rest
+  for (const cluster::Contact &c : s.state.stack.contacts)
+    if (!c.strip)
+      least = std::min(least, cluster::contact_state(s.state.stack, c, s.state.rest.u).approach);
+  constexpr double amplitude = 1e-6;
+  const auto all             = cluster::modes(s.state.stack, s.state.rest.u);
+  int solved                 = 0;
+  for (std::size_t k = 0; k < all.size(); ++k)
+    for (const auto &point : cluster::backbone(s.state.stack, s.state.rest.u, int(k), {amplitude}, {5, 32})) {
+      ++solved;
+      EXPECT_EQ(point.lets_go, "") << all[k].label;
+      EXPECT_TRUE(near(point.least_approach, least,
+                       within_absolute(3 * amplitude, "two rolls that move by the amplitude, and its mean shift")))
+          << all[k].label;
+    }
+  EXPECT_GT(solved, 0);
+}
+
+// Rolls that drive each other without slip and turn together: one such motion for the train above the strip, one
+// for that below.
+TEST(StripContact, CommonRollingStrainsNothing)
+{
+  Settled s;
+  cluster::Stack stack = s.state.stack;
+  stack.coupled        = true;
+  for (cluster::Contact &c : stack.contacts)
+    c.tangential = c.strip ? 0 : 1;
+  int rolling = 0;
+  for (const cluster::Mode &mode : cluster::modes(stack, s.state.rest.u)) {
+    double sum = 0;
+    for (const cluster::Share &share : mode.elastic)
+      sum += share.value;
+    double turning = 0;
+    for (std::size_t i = 2; i < mode.kinetic.size(); i += 3)
+      turning += mode.kinetic[i].value;
+    if (std::abs(mode.frequency) < 0.01) {
+      ++rolling;
+      EXPECT_TRUE(near(turning, 1, within(1e-9, "rounding"))) << mode.label;
+      for (const cluster::Share &share : mode.elastic)
+        EXPECT_EQ(share.value, 0) << mode.label << ", " << share.name;
+    } else
+      EXPECT_TRUE(near(sum, 1, within(1e-6, "shares of the whole, rounding of the lowest modes"))) << mode.label;
+  }
+  EXPECT_EQ(rolling, 2);
 }

@@ -98,6 +98,11 @@ TEST(StructureNumbers, ReproduceTheMatricesOfSixMassesChainAndModes)
     settings.frame            = frame;
     expect_derivatives(structure_of(mill_model(chain(), settings)), chain_numbers(chain(), settings));
   }
+  LumpedModel on_films    = chain();
+  on_films.film           = {ChainFilm{6e10, 2e8}, ChainFilm{9e10, 1e8}};
+  on_films.film_frequency = 120;
+  on_films.moving_mass    = {118e3, 74e3, 9.3e3, 9.1e3, 76e3, 37e3};
+  expect_derivatives(structure_of(mill_model(on_films, damped())), chain_numbers(on_films, damped()));
   ModalModel modes;
   modes.frequency    = (Eigen::VectorXd(3) << 40, 120, 310).finished();
   modes.damping      = 0.02;
