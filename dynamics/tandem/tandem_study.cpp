@@ -112,6 +112,8 @@ double waves_between(const TandemStudy &s)
 // What a search found, without the reasons for missing bites, which are the same in all of them.
 std::string summary(CriticalSpeed search, const SpeedRange &range)
 {
+  if (search.verdict == Verdict::no_bite)  // the reason is all that is known
+    return sentence(search, range);
   search.below.clear();
   search.above.clear();
   return sentence(search, range);

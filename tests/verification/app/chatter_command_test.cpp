@@ -202,7 +202,7 @@ TEST(ChatterCommand, ConstantFriction)
   EXPECT_TRUE(near(value(results, "chatter.2.critical_speed"), 19.738938604434455, search));
   const auto &friction = results.at("values").at("bite.1.friction");
   EXPECT_EQ(friction.at("value").get<double>(), 0.04);
-  EXPECT_FALSE(friction.contains("error_estimate")) << "a given coefficient is the same in every theory";
+  EXPECT_TRUE(friction.at("error_estimate").is_null()) << "a given coefficient is the same in every theory";
   EXPECT_EQ(friction.dump().find("Bland and Ford"), std::string::npos) << friction.dump();
 }
 

@@ -327,6 +327,9 @@ TEST(Tandem, WithoutRootsOfTheDelayTheRestOfAStudyStays)
     EXPECT_TRUE(std::isnan(s.curves.full[j]) && std::isnan(s.curves.loop_gain[j]));
     EXPECT_EQ(s.curves.unstable[j], -1);
   }
+  EXPECT_EQ(s.sentences[s.sentences.size() - 2],
+            "With the waviness that reaches the next stand later: no steady bite from 10 to 12 m/s "
+            "(delay system: 13 delays; at most 12).");
   EXPECT_EQ(s.sentences.back(), "At 3 of 3 speeds the roots with the delay of the strip were not found; their "
                                 "growth is left out.");
 }
