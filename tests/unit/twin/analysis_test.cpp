@@ -252,11 +252,12 @@ TEST(Analysis, AVelocityOfASlowRecordStatesItsBand)
 {
   // 0.2 m/s2 at 50 Hz: 0.2/(sqrt(2) 2 pi 50) m/s
   const auto tone = [](const double fs) {
-    return record_of(synthetic::white(3, Eigen::Index(20 * fs), fs, 1e-4) +
-                         Eigen::VectorXd::NullaryExpr(
-                             Eigen::Index(20 * fs),
-                             [&](const Eigen::Index k) { return 0.2 * std::sin(2 * M_PI * 50 * double(k) / fs); }),
-                     fs);
+    const auto n = Eigen::Index(std::max(20 * fs, 4096.));  // a spectrum needs 2048
+    return record_of(
+        synthetic::white(3, n, fs, 1e-4) +
+            Eigen::VectorXd::NullaryExpr(
+                n, [&](const Eigen::Index k) { return 0.2 * std::sin(2 * M_PI * 50 * double(k) / fs); }),
+        fs);
   };
   const double level = 0.2 / (std::sqrt(2.) * 2 * M_PI * 50);
   AnalysisSettings settings;
