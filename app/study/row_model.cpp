@@ -9,9 +9,12 @@
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include "core/records/cache_limit.h"
+#include "core/records/chain_number.h"
 #include "core/records/open_rows.h"
+#include "core/records/rows_of_bite.h"
 #include "core/records/rows_of_chatter.h"
 #include "core/records/rows_of_contact.h"
+#include "core/records/rows_of_stand.h"
 #include "core/records/short_names.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -94,10 +97,13 @@ std::vector<std::string> usual_names(const NamedResults &results)
       names.push_back(name);
     return known;
   };
-  for (const auto &[of_run, of_closed_forms] :
-       {std::pair("K3.tangent", "K3"), {"K4.combined", "K4"}, {"K5.tangent", "K5"}})
+  const auto add_spring = [&](const ResultName &of_run, const ResultName &of_closed_forms) {
     if (!add(of_run))  // a spring by both its names is one
       add(of_closed_forms);
+  };
+  add_spring(row::roll_contact::tangent.of("", word_of(ChainNumber::K3)), row::chain::K3.of(""));
+  add_spring(row::bite_spring::combined.of(), row::chain::K4.of(""));
+  add_spring(row::roll_contact::tangent.of("", word_of(ChainNumber::K5)), row::chain::K5.of(""));
   for (const char *name : {"f1", "f2", "f3", "f4", "f5", "f6", "critical_speed"})
     add(name);
   for (const auto &[name, result] : results)

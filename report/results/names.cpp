@@ -4,6 +4,8 @@
 #include "core/records/open_rows.h"
 #include "core/records/result_names.h"
 #include "core/records/result_place.h"
+#include "core/records/rows_of_bearing.h"
+#include "core/records/rows_of_bite.h"
 #include "core/records/rows_of_contact.h"
 #include "core/records/rows_of_stand.h"
 #include "report/results/named_mode.h"
@@ -32,10 +34,13 @@ std::string meaning_of(const std::string &name)
 
 const Result *chain_value(const Run &run, const std::string &name)
 {
-  for (const char *ending : {"", ".tangent", ".combined"})
-    if (const Result *result = run.find(name + ending))
-      return result;
-  return nullptr;
+  if (const Result *result = run.find(name))
+    return result;
+  if (is_roll_contact(name))
+    return run.find(row::roll_contact::tangent.of("", name));
+  if (is_bearing(name))
+    return run.find(row::bearing::tangent.of(name));
+  return choice_named<ChainNumber>(name) == ChainNumber::K4 ? run.find(row::bite_spring::combined.of()) : nullptr;
 }
 
 std::vector<Group> short_groups(const Run &run)
