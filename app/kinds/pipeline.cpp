@@ -30,6 +30,7 @@
 #include "core/model/case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
+#include "core/records/chain_results.h"
 #include "core/records/contact_name.h"
 #include "core/records/csv.h"
 #include "core/records/rows_of_stand.h"
@@ -68,9 +69,13 @@ namespace {
 // plastic slope.
 void add_published_checks(RunContext &run, const GivenValues &published)
 {
+  std::map<std::string, std::string> solved;  // by the key of a published value
+  for (const auto &[key, value] : published)
+    if (const auto name = solved_result_of(key))
+      solved[key] = *name;
   for (auto &[name, parameter] : run.results.values)
     for (const auto &[key, value] : published)
-      if (name == key || name == key + ".tangent" || name == key + ".combined")
+      if (name == key || (solved.count(key) && name == solved.at(key)))
         parameter.checks.push_back(check(CheckId::published, value.parameter.value, value.parameter.at.text()));
 }
 

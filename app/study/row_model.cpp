@@ -10,11 +10,10 @@
 #include "core/model/case.h"
 #include "core/records/cache_limit.h"
 #include "core/records/chain_number.h"
+#include "core/records/chain_results.h"
 #include "core/records/open_rows.h"
-#include "core/records/rows_of_bite.h"
 #include "core/records/rows_of_chatter.h"
 #include "core/records/rows_of_contact.h"
-#include "core/records/rows_of_stand.h"
 #include "core/records/short_names.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -97,13 +96,9 @@ std::vector<std::string> usual_names(const NamedResults &results)
       names.push_back(name);
     return known;
   };
-  const auto add_spring = [&](const ResultName &of_run, const ResultName &of_closed_forms) {
-    if (!add(of_run))  // a spring by both its names is one
-      add(of_closed_forms);
-  };
-  add_spring(row::roll_contact::tangent.of("", word_of(ChainNumber::K3)), row::chain::K3.of(""));
-  add_spring(row::bite_spring::combined.of(), row::chain::K4.of(""));
-  add_spring(row::roll_contact::tangent.of("", word_of(ChainNumber::K5)), row::chain::K5.of(""));
+  for (const ChainNumber spring : {ChainNumber::K3, ChainNumber::K4, ChainNumber::K5})
+    if (const auto solved = solved_result_of(word_of(spring)); !solved || !add(*solved))
+      add(word_of(spring));  // a spring by both its names is one
   for (const char *name : {"f1", "f2", "f3", "f4", "f5", "f6", "critical_speed"})
     add(name);
   for (const auto &[name, result] : results)

@@ -1,11 +1,10 @@
 #include "report/results/names.h"
 #include "core/records/chain_number.h"
+#include "core/records/chain_results.h"
 #include "core/records/contact_name.h"
 #include "core/records/open_rows.h"
 #include "core/records/result_names.h"
 #include "core/records/result_place.h"
-#include "core/records/rows_of_bearing.h"
-#include "core/records/rows_of_bite.h"
 #include "core/records/rows_of_contact.h"
 #include "core/records/rows_of_stand.h"
 #include "report/results/named_mode.h"
@@ -36,11 +35,8 @@ const Result *chain_value(const Run &run, const std::string &name)
 {
   if (const Result *result = run.find(name))
     return result;
-  if (is_roll_contact(name))
-    return run.find(row::roll_contact::tangent.of("", name));
-  if (is_bearing(name))
-    return run.find(row::bearing::tangent.of(name));
-  return choice_named<ChainNumber>(name) == ChainNumber::K4 ? run.find(row::bite_spring::combined.of()) : nullptr;
+  const auto solved = solved_result_of(name);
+  return solved ? run.find(*solved) : nullptr;
 }
 
 std::vector<Group> short_groups(const Run &run)

@@ -3,6 +3,7 @@
 #include "core/base/files.h"
 #include "core/base/valid_text.h"
 #include "core/records/result_folder.h"
+#include "core/records/rows_of_response.h"
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
@@ -22,16 +23,15 @@ Baseline read_baseline(const std::string &folder)
       !document["values"].is_object())
     throw InputError(Place{path, 1, 1}, "this is not an analysis.json of this program; analyse the record again");
   Baseline baseline;
-  baseline.folder          = valid_text(folder);
-  const json record        = document.value("record", json::object());
-  baseline.record          = record.is_object() && record.contains("file") && record["file"].is_string()
-                                 ? record["file"].get<std::string>()
-                                 : valid_text(folder);
-  const std::string ending = ".velocity_rms";
+  baseline.folder   = valid_text(folder);
+  const json record = document.value("record", json::object());
+  baseline.record   = record.is_object() && record.contains("file") && record["file"].is_string()
+                          ? record["file"].get<std::string>()
+                          : valid_text(folder);
   for (const auto &[name, value] : document["values"].items())
-    if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0 &&
-        value.is_object() && value.contains("value") && value["value"].is_number())
-      baseline.velocity_rms[name.substr(0, name.size() - ending.size())] = value["value"].get<double>();
+    if (const auto id = result_id(name); id && id->is_of(row::record::velocity_rms) && value.is_object() &&
+                                         value.contains("value") && value["value"].is_number())
+      baseline.velocity_rms[id->place("channel")] = value["value"].get<double>();
   const auto text_of = [](const json &one, const char *key) {
     return one.contains(key) && one[key].is_string() ? one[key].get<std::string>() : std::string();
   };
