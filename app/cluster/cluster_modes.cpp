@@ -1,6 +1,7 @@
 #include "app/cluster/cluster_modes.h"
 #include "app/cluster/cluster_bite.h"
 #include "core/model/case.h"
+#include "core/records/named_mode.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_stand.h"
 #include "reduce/stand/gap_modes.h"
@@ -60,11 +61,13 @@ void add_state(RunContext &run, const ClusterStand &stand, const ClusterPassRun 
     if (!is_listed(name))
       continue;
     Parameter f;
-    f.value         = named.modes.frequency[Eigen::Index(k)];
-    f.unit          = "Hz";
-    f.method        = fmt::format("{}: {}; roll stack {} (38.29)", name.name, name.decided,
-                           K4 > 0 ? fmt::format("with K4 = {:.5g} kN/mm between the work rolls", 1e-6 * K4)
-                                         : std::string("without the spring of the strip"));
+    f.value = named.modes.frequency[Eigen::Index(k)];
+    f.unit  = "Hz";
+    f.method =
+        mode_method({name.name, name.decided,
+                     fmt::format("roll stack {} (38.29)",
+                                 K4 > 0 ? fmt::format("with K4 = {:.5g} kN/mm between the work rolls", 1e-6 * K4)
+                                        : std::string("without the spring of the strip"))});
     f.at            = {"{}", {{pass.force.value, "kN", ".5g"}}};
     f.inputs        = keys;
     f.error_lacks   = {"stiffness of the supports"};

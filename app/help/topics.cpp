@@ -4,7 +4,6 @@
 #include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/base/si_unit.h"
-#include "core/base/text.h"
 #include "core/case/fields.h"
 #include "core/records/result_place.h"
 #include "core/records/result_row.h"
@@ -98,12 +97,6 @@ bool is_name_of(const std::string &pattern, const std::string &word)
   return same;
 }
 
-// The last part of a name, where the word is one: "work_roll.crown" of "crown".
-bool ends_in(const std::string &name, const std::string &word)
-{
-  return name.size() > word.size() + 1 && word.find('.') == std::string::npos && text_ends_with(name, "." + word);
-}
-
 // Calls visit(section, cells) for the rows of a page of tables.
 template <class Visit> void each_row(const TablePage name, const Visit &visit)
 {
@@ -180,8 +173,9 @@ std::string keys(const std::string &topic)
     section.erase(
         std::remove_if(section.begin(), section.end(), [](const char c) { return c == '[' || c == ']'; }),
         section.end());
-    const std::string name = (section == "top of the file" ? "" : section + ".") + without_backticks(cells[0]);
-    if (!is_name_of(name, topic) && !ends_in(name, topic))
+    const std::string key  = without_backticks(cells[0]),
+                      name = (section == "top of the file" ? "" : section + ".") + key;
+    if (!is_name_of(name, topic) && key != topic)  // "crown" alone
       return;
     const std::string entry =
         fmt::format("key {} = {}\n", name, without_backticks(cells[4])) +

@@ -30,6 +30,8 @@
 #include "core/model/case.h"
 #include "core/model/four_high.h"
 #include "core/model/lumped.h"
+#include "core/records/chain_results.h"
+#include "core/records/contact_name.h"
 #include "core/records/csv.h"
 #include "core/records/rows_of_stand.h"
 #include "reduce/stand/lumped_stand.h"
@@ -67,9 +69,13 @@ namespace {
 // plastic slope.
 void add_published_checks(RunContext &run, const GivenValues &published)
 {
+  std::map<std::string, std::string> solved;  // by the key of a published value
+  for (const auto &[key, value] : published)
+    if (const auto name = solved_result_of(key))
+      solved[key] = *name;
   for (auto &[name, parameter] : run.results.values)
     for (const auto &[key, value] : published)
-      if (name == key || name == key + ".tangent" || name == key + ".combined")
+      if (name == key || (solved.count(key) && name == solved.at(key)))
         parameter.checks.push_back(check(CheckId::published, value.parameter.value, value.parameter.at.text()));
 }
 
@@ -198,32 +204,39 @@ reduce::ChainInputs chain_inputs(const FourHigh &stand, const StandParts &parts,
   return in;
 }
 
+// nullptr: its stiffness is given.
+const SolvedContact *contact_of(const StandParts &parts, const ContactName contact)
+{
+  const auto entry = parts.contacts.find(word_of(contact));
+  return entry == parts.contacts.end() ? nullptr : &entry->second;
+}
+
 // The curves of a pass, as far as its parts have them.
 StandCurves curves_of(const FourHigh &stand, const StandParts &parts, const std::size_t p)
 {
-  const auto curve = [&](const char *contact) {
-    const auto entry = parts.contacts.find(contact);
-    return entry == parts.contacts.end() ? nullptr : &entry->second.curve;
+  const auto curve = [&](const ContactName contact) {
+    const SolvedContact *solved = contact_of(parts, contact);
+    return solved ? &solved->curve : nullptr;
   };
   // A roller bearing has one curve whatever the pass; an oil film has one for each speed.
   const bool same = !oil_film_of(stand.oil_films, stand.backup_roll.bearing) ||
                     stand.passes[p].speed == stand.passes.front().speed;
-  return {curve("upper"), curve("lower"), same ? &parts.bearings.front().backup_deflection : nullptr};
+  return {curve(ContactName::upper), curve(ContactName::lower),
+          same ? &parts.bearings.front().backup_deflection : nullptr};
 }
 
 // The mill modulus of a pass, from the results of all stages.
 void add_modulus(RunContext &run, const FourHigh &stand, const StandParts &parts, const double load,
                  const std::size_t p, const std::vector<Check> &gaps)
 {
-  const StandCurves curves = curves_of(stand, parts, p);
   ModulusParts modulus;
   modulus.pass              = p;
   modulus.load              = load;
-  modulus.upper             = curves.upper;
-  modulus.lower             = curves.lower;
+  modulus.upper             = contact_of(parts, ContactName::upper);
+  modulus.lower             = contact_of(parts, ContactName::lower);
   modulus.K4                = parts.K4[p];
   modulus.K_Zy              = {parts.bearings[p].K_Zy_upper, parts.bearings[p].K_Zy_lower};
-  modulus.backup_deflection = curves.bearings;
+  modulus.backup_deflection = curves_of(stand, parts, p).bearings;
   modulus.solid             = solid_rolls(parts.components);
   modulus.gap               = gaps;
   add_stand_modulus(run, stand, modulus);

@@ -9,7 +9,9 @@
 #include "core/case/provenance.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
+#include "core/records/contact_name.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_stand.h"
 #include "reduce/chain/frame_closure.h"
 #include <algorithm>
 #include <cmath>
@@ -153,7 +155,7 @@ ExpectedModes expected_modes(const FourHigh &stand, const double load, CaseRevie
   modes.damping = stand.dynamics.modal_damping;
   try {
     for (const ClosedFormResult &r : closed_form_stand(stand, load))
-      if (r.name.size() == 2 && r.name[0] == 'f') {
+      if (const auto id = result_id(r.name); id && id->is_of(row::modes::vertical) && id->place("open").empty()) {
         modes.lowest  = modes.lowest > 0 ? std::min(modes.lowest, r.parameter.value) : r.parameter.value;
         modes.highest = std::max(modes.highest, r.parameter.value);
       }
@@ -208,9 +210,9 @@ CaseReview review_stand(const Case &the_case, const std::string &force_file)
     review_theory(stand, passes[p], review);
     review_speed(passes[p], missing_for_critical_speed(the_case, stand, p), review);
   }
-  for (const auto &[name, contact] :
-       {std::pair("upper", &stand.upper_contact), std::pair("lower", &stand.lower_contact)})
-    if (!stand.given.count(name[0] == 'u' ? "K3" : "K5"))
+  for (const auto &[name, contact] : {std::pair(word_of(ContactName::upper), &stand.upper_contact),
+                                      std::pair(word_of(ContactName::lower), &stand.lower_contact)})
+    if (!stand.given.count(spring_of_contact(name)))
       try {
         swept_range(name, *contact, loads);
       } catch (const InputError &e) {

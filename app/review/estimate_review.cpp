@@ -7,8 +7,13 @@
 #include "core/case/estimates.h"
 #include "core/case/provenance.h"
 #include "core/model/case.h"
-#include "core/records/result_names.h"
-#include "core/records/result_words.h"
+#include "core/records/chain_number.h"
+#include "core/records/rows_of_bearing.h"
+#include "core/records/rows_of_bite.h"
+#include "core/records/rows_of_chatter.h"
+#include "core/records/rows_of_contact.h"
+#include "core/records/rows_of_response.h"
+#include "core/records/rows_of_stand.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -20,32 +25,68 @@ namespace mill {
 namespace {
 constexpr double no_move = 1e-5;  // relative; smaller changes are not reported
 
-bool is_mode(const std::string &name)
+bool is_mode(const ResultId &id)
 {
-  return name.size() >= 2 && name[0] == 'f' && name[1] >= '1' && name[1] <= '9';
+  return id.is_of(row::modes::vertical) && id.place("open").empty();
 }
 
-// Springs, masses, bearings, modes and mill modulus of the first pass; responses and later passes have a dot in
-// their name.
-bool is_ranked(const std::string &name)
+// Springs, masses, bearings, modes and mill modulus of the first pass, not those of a later one.
+bool is_ranked(const ResultId &id)
 {
-  static const std::set<std::string> of_stand{"stand.modulus.kiss", "stand.modulus.tangent"};
-  return name.find('.') == std::string::npos || of_stand.count(name);
+  return is_mode(id) || id.is_of(row::modes::horizontal) ||
+         ((id.is_of(row::chain::all) || id.is_of(row::stand::modulus_kiss) ||
+           id.is_of(row::stand::modulus_tangent)) &&
+          id.place("pass").empty());
 }
 
+// Springs of the chain and their bearings.
+constexpr const ResultRow *spring_rows[]{&row::chain::K1,         &row::chain::K2,   &row::chain::K3,
+                                         &row::chain::K4,         &row::chain::K5,   &row::chain::K6,
+                                         &row::chain::K7,         &row::chain::K_ZW, &row::chain::K_Zy,
+                                         &row::chain::K_Zy_lower, &row::chain::Kzc,  &row::chain::Kzc_across};
+
+// Results of other models and of responses that follow the frequencies of the chain.
+constexpr const ResultRow *rows_of_modes[]{&row::modes::of_model,           &row::modes::of_housing,
+                                           &row::modes::frequency,          &row::response::frf_frequency,
+                                           &row::nonlinear::bend,           &row::chatter::frequency,
+                                           &row::chatter::variant_frequency};
+
+// The spring of the closed forms that a result of finite elements is of, "K3" of "K3.tangent"; "": of none.
+std::string closed_form_of(const ResultId &id)
+{
+  if (id.is_of(row::roll_contact::all) && id.place("pass").empty())
+    return id.place("roll_contact");
+  if (id.is_of(row::bearing::all))
+    return id.place("bearing_spring");
+  return id.is_of(row::bite_spring::all) ? word_of(ChainNumber::K4) : "";
+}
+
+// The largest move of the results that is_meant(id) names.
 template <class Which> double largest_move(const EstimateRecord &record, const Which &is_meant)
 {
   double most = 0;
   for (const auto &[name, move] : record.moves)
-    if (is_meant(name))
+    if (const auto id = result_id(name); id && is_meant(*id))
       most = std::max(most, move);
   return most;
 }
 
-double largest_mode_move(const EstimateRecord &record)
-{
-  return largest_move(record, is_mode);
-}
+// What one estimate moves, with the largest moves that many results share.
+struct EstimateEffect {
+  const EstimateRecord &record;
+  double of_modes, of_springs;
+  explicit EstimateEffect(const EstimateRecord &r)
+      : record(r), of_modes(largest_move(r, is_mode)),
+        of_springs(largest_move(r, [](const ResultId &id) { return id.is_of(spring_rows); }))
+  {
+  }
+  double of(const std::string &result) const
+  {
+    const auto move = std::find_if(record.moves.begin(), record.moves.end(),
+                                   [&](const auto &one) { return one.first == result; });
+    return move == record.moves.end() ? 0 : move->second;
+  }
+};
 
 std::string quantity_of(const Estimate &e, const double value)
 {
@@ -55,9 +96,10 @@ std::string quantity_of(const Estimate &e, const double value)
 std::string sentence(const EstimateRecord &record)
 {
   const Estimate &e = record.estimate;
+  const double most = largest_move(record, is_mode);
   std::string moved;
   for (const auto &[name, move] : record.moves)
-    if (is_mode(name) && move == largest_mode_move(record) && move > no_move && moved.empty())
+    if (const auto id = result_id(name); id && is_mode(*id) && move == most && move > no_move && moved.empty())
       moved = fmt::format("; its interval moves {} by {:.2g} %", name, 100 * move);
   return fmt::format("{} is estimated: {} {} ({} .. {}), {}{}", e.key, quantity_of(e, e.value), e.unit,
                      quantity_of(e, e.low), quantity_of(e, e.high), e.rule, moved);
@@ -75,30 +117,30 @@ bool is_of_frame(const Estimate &e)
 }
 
 // What one estimate moves in a result: by the closed form of that name, "K3" of "K3.tangent"; of modes of other
-// models the most it moves any mode of the chain, of other moduli the most it moves any spring.  NaN: nothing
-// tells.
-double move_of(const EstimateRecord &record, const std::string &name, const std::vector<std::string> &known)
+// models the most it moves any mode of the chain, of other moduli the most it moves any spring.  NaN: no closed
+// form says it.
+double move_of(const EstimateEffect &effect, const ResultId &id, const std::string &name,
+               const std::set<std::string> &known)
 {
-  if (is_ranked(name) && holds(known, name))
-    return largest_move(record, [&](const std::string &result) { return result == name; });
-  const std::string stem = name.substr(0, name.find('.')), last = name.substr(name.rfind('.') + 1);
-  if (stem != name && (is_mode(last) || is_word(last, ResultWord::frequency)))
-    return largest_mode_move(record);
-  if (stem == family::stand)
-    return largest_move(record, [](const std::string &spring) { return spring[0] == 'K'; });
-  if (!holds(known, stem))
-    return not_given;
-  return largest_move(record, [&](const std::string &name) { return name == stem; });
+  if (is_ranked(id) && known.count(name))
+    return effect.of(name);
+  if (id.is_of(rows_of_modes) || (id.is_of(row::modes::vertical) && !is_mode(id)))
+    return effect.of_modes;
+  if (id.is_of(row::stand::all))
+    return effect.of_springs;
+  const std::string closed = closed_form_of(id);
+  return known.count(closed) ? effect.of(closed) : not_given;
 }
 
 // What all estimates of the rolls may move together: those of one source add up, different ones by squares.
-double moved_by_rolls(const std::vector<EstimateRecord> &records, const std::string &name, const KeyList &keys,
-                      const std::vector<std::string> &known)
+double moved_by_rolls(const std::vector<EstimateEffect> &effects, const std::string &name, const KeyList &keys,
+                      const std::set<std::string> &known)
 {
+  const auto id = result_id(name);
   std::map<std::string, double> by_source;
-  for (const EstimateRecord &record : records)
-    if (const Estimate &e = record.estimate; !is_of_frame(e) && holds(keys, e.key))
-      by_source[e.source.empty() ? e.key : e.source] += move_of(record, name, known);
+  for (const EstimateEffect &effect : effects)
+    if (const Estimate &e = effect.record.estimate; !is_of_frame(e) && holds(keys, e.key))
+      by_source[e.source.empty() ? e.key : e.source] += id ? move_of(effect, *id, name, known) : not_given;
   double squares = 0;
   for (const auto &entry : by_source)
     squares += entry.second * entry.second;
@@ -120,30 +162,33 @@ void close_records(std::vector<EstimateRecord> &records, const Results &results)
 
 std::vector<EstimateRecord> ranked_estimates(const FourHigh &stand, const double load)
 {
-  std::vector<EstimateRecord> records;
+  std::vector<std::pair<double, EstimateRecord>> by_effect;  // the largest move of a mode
   for (const Estimate &e : stand.estimates) {
     EstimateRecord record{e, {}};
-    const auto value_text = [&](const double value) {
+    const auto results_with = [&](const double value) {
       FourHigh other = stand;
       set_estimated(other, e.key, value);
       return closed_form_stand(other, load);
     };
     try {
-      const auto low = value_text(e.low), high = value_text(e.high);
+      const auto low = results_with(e.low), high = results_with(e.high);
       for (const ClosedFormResult &r : low)
-        if (const ClosedFormResult *other = find(high, r.name); other && is_ranked(r.name)) {
+        if (const ClosedFormResult *other = find(high, r.name)) {
           const double move = 0.5 * std::abs(std::log(other->parameter.value / r.parameter.value));
-          if (move > no_move)
+          if (const auto id = move > no_move ? result_id(r.name) : std::nullopt; id && is_ranked(*id))
             record.moves.emplace_back(r.name, move);
         }
     } catch (const InputError &) {  // an end of the interval that the closed forms refuse
     } catch (const SolverError &) {
     }
-    records.push_back(std::move(record));
+    const double of_modes = largest_move(record, is_mode);
+    by_effect.emplace_back(of_modes, std::move(record));
   }
-  std::stable_sort(records.begin(), records.end(), [](const EstimateRecord &a, const EstimateRecord &b) {
-    return largest_mode_move(a) > largest_mode_move(b);
-  });
+  std::stable_sort(by_effect.begin(), by_effect.end(),
+                   [](const auto &a, const auto &b) { return a.first > b.first; });
+  std::vector<EstimateRecord> records;
+  for (auto &entry : by_effect)
+    records.push_back(std::move(entry.second));
   return records;
 }
 
@@ -155,9 +200,12 @@ void mark_estimates(RunContext &run)
   const double load     = load_of_first(*stand);
   run.results.estimates = ranked_estimates(*stand, load);
   close_records(run.results.estimates, run.results);
-  std::vector<std::string> known;  // names of the closed forms
+  std::vector<EstimateEffect> effects;
+  for (const EstimateRecord &record : run.results.estimates)
+    effects.emplace_back(record);
+  std::set<std::string> known;  // names of the closed forms
   for (const ClosedFormResult &r : closed_form_stand(*stand, load))
-    known.push_back(r.name);
+    known.insert(r.name);
   for (auto &[name, p] : run.results.values) {
     KeyList more;
     for (const Estimate &e : stand->estimates)
@@ -167,7 +215,7 @@ void mark_estimates(RunContext &run)
       }
     if (p.estimated.empty())
       continue;
-    const double moved = moved_by_rolls(run.results.estimates, name, p.inputs, known);
+    const double moved = moved_by_rolls(effects, name, p.inputs, known);
     if (std::isnan(moved))
       for (const std::string &key : p.estimated)
         if (key.rfind("frame.", 0) != 0 && !holds(p.error_lacks, key))

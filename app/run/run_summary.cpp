@@ -4,10 +4,10 @@
 #include "core/base/si_unit.h"
 #include "core/base/visible_text.h"
 #include "core/case/fields.h"
+#include "core/records/named_mode.h"
 #include "core/records/result_names.h"
 #include "core/records/result_words.h"
 #include "core/records/rows_of_stand.h"
-#include "report/results/named_mode.h"
 #include "report/results/names.h"
 #include <algorithm>
 #include <cmath>
@@ -84,14 +84,14 @@ void add_mode_lines(const Results &results, std::vector<std::string> &lines)
   const auto rank = [](const auto &mode) {
     return is_word(mode.first, ResultWord::gap_first_kind)    ? 0
            : is_word(mode.first, ResultWord::gap_second_kind) ? 1
-           : mode.first.rfind("gap_", 0) == 0                 ? 2
+           : gap_kind_of(mode.first)                          ? 2
                                                               : 3;
   };
   std::stable_sort(modes.begin(), modes.end(), [&](const auto &a, const auto &b) { return rank(a) < rank(b); });
   for (std::size_t i = 0; i < std::min(modes.size(), most_modes); ++i) {
     const Parameter *open = results.find(row::modes::frequency.of(family::open, modes[i].first));
     const Parameter &p    = *modes[i].second;
-    lines.push_back(fmt::format("  {:<54} {:>9}{}{}", report::mode_in_words(p.method), engineering(p), accuracy(p),
+    lines.push_back(fmt::format("  {:<54} {:>9}{}{}", named_mode_of(p.method).name, engineering(p), accuracy(p),
                                 open ? ", open stand " + engineering(*open) : ""));
   }
   if (modes.size() > most_modes)

@@ -5,6 +5,7 @@
 #include "app/stages/stand/model_files.h"
 #include "core/model/case.h"
 #include "core/numerics/mesh_pair.h"
+#include "core/records/named_mode.h"
 #include "core/records/rows_of_stack.h"
 #include "core/records/rows_of_stand.h"
 #include "core/records/stack_names.h"
@@ -97,15 +98,16 @@ void add_named(RunContext &run, const MovingPass &pass, const reduce::StandWithM
       continue;
     const double on_coarse = mode < coarse.modes.frequency.size() ? coarse.modes.frequency[mode] : not_given;
     Parameter f            = on_two_meshes(run, pass.force, stand.modes.frequency[mode], on_coarse);
-    f.method =
-        fmt::format("{}: {}; rolls as beams about the solved state, {} (51.22)", name.name, name.decided,
-                    state == GapState::rolling ? "strip as springs between the work rolls" : "without the strip");
-    Parameter share      = f;
-    share.value          = name.gap_share;
-    share.unit           = "1";
-    share.method         = name.name + ": share in the static compliance of the gap (22.23)";
-    share.error_estimate = not_given;
-    share.error_lacks    = {"shape of the mode on two meshes"};
+    f.method               = mode_method({name.name, name.decided,
+                                          fmt::format("rolls as beams about the solved state, {} (51.22)",
+                                        state == GapState::rolling ? "strip as springs between the work rolls"
+                                                                                 : "without the strip")});
+    Parameter share        = f;
+    share.value            = name.gap_share;
+    share.unit             = "1";
+    share.method           = name.name + ": share in the static compliance of the gap (22.23)";
+    share.error_estimate   = not_given;
+    share.error_lacks      = {"shape of the mode on two meshes"};
     if (state == GapState::open)
       for (std::size_t i = 0; i < pass.lumped_open.names.size(); ++i)
         if (pass.lumped_open.names[i].key == name.key)

@@ -9,6 +9,8 @@
 #include "core/case/fields.h"
 #include "core/model/case.h"
 #include "core/records/cache_limit.h"
+#include "core/records/chain_number.h"
+#include "core/records/chain_results.h"
 #include "core/records/open_rows.h"
 #include "core/records/rows_of_chatter.h"
 #include "core/records/rows_of_contact.h"
@@ -94,10 +96,9 @@ std::vector<std::string> usual_names(const NamedResults &results)
       names.push_back(name);
     return known;
   };
-  for (const auto &[of_run, of_closed_forms] :
-       {std::pair("K3.tangent", "K3"), {"K4.combined", "K4"}, {"K5.tangent", "K5"}})
-    if (!add(of_run))  // a spring by both its names is one
-      add(of_closed_forms);
+  for (const ChainNumber spring : {ChainNumber::K3, ChainNumber::K4, ChainNumber::K5})
+    if (const auto solved = solved_result_of(word_of(spring)); !solved || !add(*solved))
+      add(word_of(spring));  // a spring by both its names is one
   for (const char *name : {"f1", "f2", "f3", "f4", "f5", "f6", "critical_speed"})
     add(name);
   for (const auto &[name, result] : results)

@@ -13,7 +13,7 @@
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
 #include "core/model/lumped.h"
-#include "core/records/chain_number.h"
+#include "core/records/number_in_chain.h"
 #include "core/records/rows_of_stand.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/modes.h"
@@ -55,18 +55,19 @@ void put_in_pass(ClosedFormResult &r, const std::string &prefix)
 }
 
 // Names of the chain's numbers with the prefix of a pass.
-std::vector<std::string> with_prefix(std::vector<std::string> parts, const std::string &prefix)
+std::vector<std::string> names_of(const std::vector<ChainNumber> &parts, const std::string &prefix = "")
 {
-  for (std::string &part : parts)
-    part = prefix + part;
-  return parts;
+  std::vector<std::string> names;
+  for (const ChainNumber part : parts)
+    names.push_back(prefix + word_of(part));
+  return names;
 }
 
 // M1, K7, not the bearings that hold the rolls along the pass line, nor a damper.
-bool of_the_chain(const std::string &name)
+std::optional<ChainNumber> number_of_chain(const std::string &name)
 {
   const auto number = choice_named<ChainNumber>(name);
-  return number && *number <= ChainNumber::K7;
+  return number && (is_mass_of_chain(*number) || is_spring_of_chain(*number)) ? number : std::nullopt;
 }
 
 // @param named  state whose names the results have
@@ -80,7 +81,7 @@ void add_vertical_modes(ClosedFormResults &all, const LumpedModel &model, const 
     r.parameter.value  = chain.modes.frequency[Eigen::Index(i)];
     r.parameter.unit   = "Hz";
     r.parameter.method = "six-mass chain";
-    r.from             = chain_parts(settings, chain.half[i]);
+    r.from             = names_of(chain_parts(settings, chain.half[i]));
     r.relation         = "modes of the chain";
     r.file             = "dynamics/response/modes";
     r.equation         = "(6.11)";
@@ -150,7 +151,7 @@ void add_response(ClosedFormResults &all, const LumpedModel &model, const Dynami
     r.parameter.unit  = "g";
     r.parameter.method =
         white ? "six-mass chain under white force of the same rms" : "six-mass chain, exact first-order hold";
-    r.from     = with_prefix(chain_parts(settings, half), prefix);
+    r.from     = names_of(chain_parts(settings, half), prefix);
     r.relation = white ? "response to white force of the same size" : "response to the force of " + pass.name;
     r.file     = white ? "app/trace/closed_form_response" : "dynamics/response/response";
     r.equation = white ? "(24.3)" : "(7.2)";
@@ -297,16 +298,18 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
     } else {
       const Station place = station_of(name, stand.dynamics.mass_reference, keys);
       ClosedFormResult r;
-      r.parameter        = p;
-      r.parameter.inputs = joined(inputs, followed);
-      r.closed           = followed;
-      r.relation         = place.relation;
-      r.file             = place.file;
-      r.equation         = place.equation;
-      r.own_keys         = place.own_keys;
-      if (stand.dynamics.mass_source == MassSource::fe && !place.from.empty() && name[0] == 'M')
+      r.parameter         = p;
+      r.parameter.inputs  = joined(inputs, followed);
+      r.closed            = followed;
+      r.relation          = place.relation;
+      r.file              = place.file;
+      r.equation          = place.equation;
+      r.own_keys          = place.own_keys;
+      const auto of_chain = number_of_chain(name);
+      const bool is_mass  = of_chain && is_mass_of_chain(*of_chain) && !place.from.empty();
+      if (stand.dynamics.mass_source == MassSource::fe && is_mass)
         r.stands_for = "shapes of the rolls by finite elements, dynamics.mass_source = \"fe\"";
-      else if (solid && name[0] == 'M' && !place.from.empty())
+      else if (solid && is_mass)
         r.stands_for = "shapes of the rolls by finite elements, backup_roll.bending_model = \"solid\"";
       for (const std::string &part : place.from)
         r.from.push_back(prefix + part);
@@ -319,14 +322,15 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
   if (solid && !is_given(stand.given, "K_ZW"))
     all.back().stands_for = "the roll by finite elements, backup_roll.bending_model = \"solid\"";
   // The numbers that were not added above, in the order of the relations: springs, then masses.
-  for (const char letter : {'K', 'M'}) {
+  for (const auto is_wanted : {is_spring_of_chain, is_mass_of_chain}) {
     std::size_t place = 0;  // in both lists
     reduce::each_number(
         [&](const std::string &name, const Parameter &number) {
-          if (!of_the_chain(name))
+          const auto of_chain = number_of_chain(name);
+          if (!of_chain)
             return;
           const std::size_t i = place++;
-          if (name[0] == letter && !find(all, prefix + name))
+          if (is_wanted(*of_chain) && !find(all, prefix + name))
             add(name, number, closed[i], full[i]);
         },
         chain.model);
@@ -401,7 +405,7 @@ ClosedFormResults closed_form_lumped(const Case &the_case, ClosedFormMemory &mem
   const auto keys = wanted_keys(memory, the_case.spec);
   reduce::each_number(
       [&](const std::string &name, const Parameter &number) {
-        if (of_the_chain(name) || is_bearing(name))
+        if (number_of_chain(name) || is_bearing(name))
           all.push_back(given_result(name, number));
       },
       model);

@@ -186,9 +186,9 @@ void add_named_modes_of_chain(std::vector<ClosedFormResult> &all, const LumpedMo
     share.parameter.value  = names[i].gap_share;
     share.parameter.unit   = "1";
     share.relation         = "share of a mode in the compliance of the gap";
-    for (const std::string &spring : gap_compliance_parts(settings))  // the halves share the gap
-      if (!holds(f->from, spring))
-        share.from.push_back(spring);
+    for (const ChainNumber spring : gap_compliance_parts(settings))  // the halves share the gap
+      if (!holds(f->from, word_of(spring)))
+        share.from.push_back(word_of(spring));
     inherit(share, all, {});
     share.parameter.inputs = joined(std::move(share.parameter.inputs), r.parameter.inputs);
     all.push_back(std::move(r));

@@ -5,6 +5,7 @@
 #include "core/model/case.h"
 #include "core/model/lumped_model.h"
 #include "core/records/contact_name.h"
+#include "core/records/number_in_chain.h"
 #include "core/records/record_text.h"
 #include <cmath>
 #include <fmt/format.h>
@@ -60,27 +61,28 @@ KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, const std::size
   return {};
 }
 
-std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, const Half half)
+std::vector<ChainNumber> chain_parts(const DynamicsSettings &dynamics, const Half half)
 {
   const bool measured = dynamics.force_meaning == ForceMeaning::measured,
              apart    = measured && dynamics.frame == FrameForm::open;
-  std::vector<std::string> parts;
-  for (std::size_t i = 0; i < 6; ++i)
-    if (!apart || (i < 3) == (half == Half::upper))
-      parts.push_back(fmt::format("M{}", i + 1));
-  for (std::size_t i = 0; i < 7; ++i)
-    if ((i != 3 || !measured) && (!apart || (i < 3) == (half == Half::upper)))
-      parts.push_back(fmt::format("K{}", i + 1));
+  std::vector<ChainNumber> parts;
+  const auto add = [&](const ChainNumber number, const bool upper) {
+    if (!apart || upper == (half == Half::upper))
+      parts.push_back(number);
+  };
+  for (int i = 0; i < 6; ++i)
+    add(ChainNumber(int(ChainNumber::M1) + i), i < 3);
+  for (int i = 0; i < 7; ++i)
+    if (const auto spring = ChainNumber(int(ChainNumber::K1) + i); spring != ChainNumber::K4 || !measured)
+      add(spring, i < 3);
   return parts;
 }
 
 KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dynamics, const Half half)
 {
   KeyList keys;
-  for (const std::string &part : chain_parts(dynamics, half)) {
-    const auto i = std::size_t(part[1] - '1');
-    keys         = joined(std::move(keys), (part[0] == 'M' ? model.M[i] : model.K[i]).inputs);
-  }
+  for (const ChainNumber part : chain_parts(dynamics, half))
+    keys = joined(std::move(keys), number_in_chain(model, part)->inputs);
   return keys;
 }
 

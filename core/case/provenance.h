@@ -27,8 +27,8 @@ KeyList spring_keys(MovingKeys &keys, const NamedSpring &spring, std::size_t p);
 /// A mode or a response of the six-mass chain follows the whole chain; with the measured force the bite has no
 /// spring, and in an open frame nothing else joins the upper half to the lower one.
 enum class Half { upper, lower };
-/// Numbers of the chain, "M1" .. "K7".
-std::vector<std::string> chain_parts(const DynamicsSettings &dynamics, Half half);
+/// Masses M1 .. M6 and springs K1 .. K7 of the chain.
+std::vector<ChainNumber> chain_parts(const DynamicsSettings &dynamics, Half half);
 /// The keys behind those numbers.
 KeyList chain_number_keys(const LumpedModel &model, const DynamicsSettings &dynamics, Half half);
 /// And what joins them to modes.

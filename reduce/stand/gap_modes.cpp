@@ -1,4 +1,5 @@
 #include "reduce/stand/gap_modes.h"
+#include "core/records/result_words.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -52,8 +53,8 @@ struct Stem {
 
 Stem stem_of_kind(const GapKind kind)
 {
-  return kind == GapKind::first ? Stem{"gap mode, first kind", "gap_first_kind"}
-                                : Stem{"gap mode, second kind", "gap_second_kind"};
+  return kind == GapKind::first ? Stem{"gap mode, first kind", word_of(ResultWord::gap_first_kind)}
+                                : Stem{"gap mode, second kind", word_of(ResultWord::gap_second_kind)};
 }
 
 Stem stem_of_part(const GapMotion &mode, const GapKind kind)

@@ -1,4 +1,5 @@
 #include "reduce/stand/stand_errors.h"
+#include "core/records/number_in_chain.h"
 #include "reduce/chain/error_sum.h"
 #include "reduce/chain/frame_closure.h"
 #include "reduce/chain/spring_chain.h"
@@ -215,7 +216,7 @@ std::vector<ModalSensitivity> modal_sensitivities(const StandWithModes &modes, c
   };
   for (const Connection &spring : modes.model.connections) {
     const Eigen::MatrixXd strain = spring.rows * V;
-    add(spring.name, chain.K[std::size_t(spring.name[1] - '1')],
+    add(spring.name, *number_in_chain(chain, choice_named<ChainNumber>(spring.name).value()),
         strain.transpose() * spring.stiffness.asDiagonal() * strain, none);
   }
   for (Eigen::Index i = 0; i < 6; ++i)

@@ -1,4 +1,5 @@
 #include "report/page/curves.h"
+#include "core/records/rows_of_bearing.h"
 #include "report/bearing/figures.h"
 #include "report/plot/number.h"
 #include "report/plot/svg.h"
@@ -23,7 +24,7 @@ std::vector<std::string> results_of_bearing(const Run &run, const std::string &b
 {
   std::vector<std::string> names;
   for (const char *name : {"Kzc", "Kzc1", "Kzc2", "Kzc3", "Kzc4"}) {
-    const Result *tangent = run.find(name + std::string(".tangent"));
+    const Result *tangent = run.find(row::bearing::tangent.of(name));
     const Result *result  = tangent ? tangent : run.find(name);
     if (result && std::any_of(result->inputs.begin(), result->inputs.end(), [&](const std::string &input) {
           return input.rfind("bearing." + bearing + ".", 0) == 0;
@@ -37,7 +38,7 @@ std::vector<Mark> bearing_loads(const Run &run, const std::string &bearing)
 {
   std::vector<Mark> marks;
   for (const std::string &name : results_of_bearing(run, bearing)) {
-    const Result *tangent = run.find(name + ".tangent");
+    const Result *tangent = run.find(row::bearing::tangent.of(name));
     const double load     = quantity_at(tangent ? *tangent : *run.find(name), "kN");
     if (!marks.empty() && std::abs(marks.back().x - load) <= 1e-9 * load)
       marks.back().label += ", " + name;

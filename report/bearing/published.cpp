@@ -1,3 +1,4 @@
+#include "core/records/rows_of_bearing.h"
 #include "report/bearing/figures.h"
 #include "report/page/curves.h"
 #include "report/plot/number.h"
@@ -57,10 +58,10 @@ Compared compared(const Run &run, const Table &table, const std::string &result)
              values_of(table, {"tangent", "kN/mm"}),
              values_of(table, {"load_that_fits_secant", "kN"}),
              values_of(table, {"load_that_fits_tangent", "kN"})};
-  c.assembled_secant  = value_in(run, result + ".secant");
-  c.assembled_tangent = value_in(run, result + ".tangent");
-  for (const char *name : {".rollers_times_Z5", ".tangent"})
-    if (const Result *stored = run.find(result + name); stored && c.total == 0)
+  c.assembled_secant  = value_in(run, row::bearing::secant.of(result));
+  c.assembled_tangent = value_in(run, row::bearing::tangent.of(result));
+  for (const RowOf<1> *one : {&row::bearing::rollers_times_Z5, &row::bearing::tangent})
+    if (const Result *stored = run.find(one->of(result)); stored && c.total == 0)
       for (const CheckId id : {CheckId::published_total, CheckId::published})
         if (const Check *check = find_check(stored->checks, id))
           c.total = 1e-6 * check->value;

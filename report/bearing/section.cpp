@@ -1,4 +1,5 @@
 #include "core/model/roller_bearing.h"
+#include "core/records/rows_of_bearing.h"
 #include "report/bearing/figures.h"
 #include "report/contact/pressure_map.h"
 #include "report/page/curves.h"
@@ -34,8 +35,9 @@ std::string arrangement_sentence(const BearingInfo &info)
 bool has_radial_load(const Run &run, const std::string &bearing)
 {
   const auto names = results_of_bearing(run, bearing);
-  return names.empty() || std::any_of(names.begin(), names.end(),
-                                      [&](const std::string &name) { return bool(run.find(name + ".secant")); });
+  return names.empty() || std::any_of(names.begin(), names.end(), [&](const std::string &name) {
+           return bool(run.find(row::bearing::secant.of(name)));
+         });
 }
 
 void sketch(Page &page, const Run &run, const std::string &bearing)

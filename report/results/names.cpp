@@ -1,5 +1,6 @@
 #include "report/results/names.h"
 #include "core/records/chain_number.h"
+#include "core/records/chain_results.h"
 #include "core/records/contact_name.h"
 #include "core/records/open_rows.h"
 #include "core/records/result_names.h"
@@ -32,10 +33,10 @@ std::string meaning_of(const std::string &name)
 
 const Result *chain_value(const Run &run, const std::string &name)
 {
-  for (const char *ending : {"", ".tangent", ".combined"})
-    if (const Result *result = run.find(name + ending))
-      return result;
-  return nullptr;
+  if (const Result *result = run.find(name))
+    return result;
+  const auto solved = solved_result_of(name);
+  return solved ? run.find(*solved) : nullptr;
 }
 
 std::vector<Group> short_groups(const Run &run)

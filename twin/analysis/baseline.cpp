@@ -3,6 +3,7 @@
 #include "core/base/files.h"
 #include "core/base/valid_text.h"
 #include "core/records/result_folder.h"
+#include "core/records/rows_of_response.h"
 #include "twin/analysis/channel_analysis.h"
 #include <algorithm>
 #include <cmath>
@@ -23,19 +24,18 @@ Baseline read_baseline(const std::string &folder)
       !document["values"].is_object())
     throw InputError(Place{path, 1, 1}, "this is not an analysis.json of this program; analyse the record again");
   Baseline baseline;
-  baseline.folder          = valid_text(folder);
-  const json record        = document.value("record", json::object());
-  baseline.record          = record.is_object() && record.contains("file") && record["file"].is_string()
-                                 ? record["file"].get<std::string>()
-                                 : valid_text(folder);
-  const double rate        = record.is_object() && record.contains("rate") && record["rate"].is_number()
-                                 ? record["rate"].get<double>()
-                                 : std::nan("");
-  const std::string ending = ".velocity_rms";
+  baseline.folder   = valid_text(folder);
+  const json record = document.value("record", json::object());
+  baseline.record   = record.is_object() && record.contains("file") && record["file"].is_string()
+                          ? record["file"].get<std::string>()
+                          : valid_text(folder);
+  const double rate = record.is_object() && record.contains("rate") && record["rate"].is_number()
+                          ? record["rate"].get<double>()
+                          : std::nan("");
   for (const auto &[name, value] : document["values"].items())
-    if (name.size() > ending.size() && name.compare(name.size() - ending.size(), ending.size(), ending) == 0 &&
-        value.is_object() && value.contains("value") && value["value"].is_number())
-      baseline.velocity_rms[name.substr(0, name.size() - ending.size())] = {value["value"].get<double>(), rate};
+    if (const auto id = result_id(name); id && id->is_of(row::record::velocity_rms) && value.is_object() &&
+                                         value.contains("value") && value["value"].is_number())
+      baseline.velocity_rms[id->place("channel")] = {value["value"].get<double>(), rate};
   const auto text_of = [](const json &one, const char *key) {
     return one.contains(key) && one[key].is_string() ? one[key].get<std::string>() : std::string();
   };

@@ -3,6 +3,8 @@
 #include "core/base/files.h"
 #include "core/model/dynamics_settings.h"
 #include "core/records/csv.h"
+#include "core/records/named_mode.h"
+#include "core/records/number_in_chain.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_stand.h"
 #include "reduce/stand/mode_names.h"
@@ -62,12 +64,12 @@ reduce::StandWithModes chain_with_modes(LumpedModel model, const DynamicsSetting
   return s;
 }
 
-std::vector<std::string> gap_compliance_parts(const DynamicsSettings &settings)
+std::vector<ChainNumber> gap_compliance_parts(const DynamicsSettings &settings)
 {
-  std::vector<std::string> springs;
+  std::vector<ChainNumber> springs;
   for (const Half half : {Half::upper, Half::lower})
-    for (const std::string &part : chain_parts(settings, half))
-      if (part[0] == 'K' && !holds(springs, part))
+    for (const ChainNumber part : chain_parts(settings, half))
+      if (is_spring_of_chain(part) && std::find(springs.begin(), springs.end(), part) == springs.end())
         springs.push_back(part);
   return springs;
 }
@@ -75,8 +77,8 @@ std::vector<std::string> gap_compliance_parts(const DynamicsSettings &settings)
 KeyList gap_compliance_keys(const LumpedModel &model, const DynamicsSettings &settings)
 {
   KeyList keys;
-  for (const std::string &spring : gap_compliance_parts(settings))
-    keys = joined(std::move(keys), model.K[std::size_t(spring[1] - '1')].inputs);
+  for (const ChainNumber spring : gap_compliance_parts(settings))
+    keys = joined(std::move(keys), number_in_chain(model, spring)->inputs);
   return keys;
 }
 
@@ -109,7 +111,7 @@ void add_named_modes(RunContext &run, const NamedModes &named)
       continue;
     Parameter p = *frequency, share = share_of(best, i, p, of_gap);
     share.inputs = joined(std::move(share.inputs), named.of_gap);
-    p.method     = mode.name + ": " + mode.decided + "; " + p.method;
+    p.method     = mode_method({mode.name, mode.decided, p.method});
     p.checks.clear();
     for (std::size_t m = 1; m < named.models.size(); ++m) {
       const reduce::StandWithModes &model = *named.models[m];

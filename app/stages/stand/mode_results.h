@@ -35,7 +35,7 @@ ResultName frequency_result(const StandModel &model, std::size_t mode, GapState 
 
 /// Springs of the static compliance of the gap, which the shares of the modes divide: those of both halves,
 /// whether or not anything joins the halves.  theory.md (22.23)
-std::vector<std::string> gap_compliance_parts(const DynamicsSettings &settings);
+std::vector<ChainNumber> gap_compliance_parts(const DynamicsSettings &settings);
 /// The keys behind those springs.
 KeyList gap_compliance_keys(const LumpedModel &model, const DynamicsSettings &settings);
 

@@ -7,7 +7,9 @@
 #include "core/case/moving_keys.h"
 #include "core/case/provenance.h"
 #include "core/numerics/difference.h"
+#include "core/records/chain_number.h"
 #include "core/records/result_names.h"
+#include "core/records/rows_of_bearing.h"
 #include "core/records/rows_of_stand.h"
 #include "fem/roll/contact_slope.h"
 #include "reduce/stand/stand_modulus.h"
@@ -101,11 +103,6 @@ private:
   {
     return stand_result(stand, parts.pass, row);
   }
-  double secant_of(const std::string &name, const double otherwise) const
-  {
-    const Parameter *p = run.results.find(of_pass(name));
-    return p ? p->value : otherwise;
-  }
   // Of both bearings over the rolling force; null: not known.
   const reduce::LoadDeflection *bearing_curve(const std::size_t seat) const
   {
@@ -116,8 +113,11 @@ private:
   double secant_of_bearings(const std::size_t seat) const
   {
     const double K_Zy = parts.K_Zy[seat].value;
-    if (parts.pass == 0)
-      return 2 * secant_of(seat == 0 ? "Kzc1.secant" : "Kzc4.secant", K_Zy / 2);
+    if (parts.pass == 0) {
+      const char *bearing     = word_of(seat == 0 ? ChainNumber::Kzc1 : ChainNumber::Kzc4);
+      const Parameter *secant = run.results.find(row::bearing::secant.of(bearing));
+      return secant ? 2 * secant->value : K_Zy;
+    }
     const auto *curve = bearing_curve(seat);
     return curve ? parts.load / reduce::deflected_at(*curve, parts.load).deflection : K_Zy;
   }
@@ -136,22 +136,26 @@ private:
     return reduce::spring_with_bearings(constant(name), parts.K_Zy[seat].value, secant_of_bearings(seat),
                                         bearing_curve(seat));
   }
-  PathSpring of_contact(const std::string &name, const ContactCurve *curve) const
+  PathSpring of_contact(const ChainNumber number, const SolvedContact *solved) const
   {
-    PathSpring contact = constant(name);
-    if (stand.given.count(name))
+    PathSpring contact = constant(word_of(number));
+    if (!solved)
       return contact;
-    contact.secant = secant_of(name + ".secant", contact.tangent);
-    if (curve)
-      contact.at_others = [curve](const double force) {
-        const auto slope = fem::slope_of(*curve, force);
-        return reduce::SpringAtForce{slope.tangent, slope.secant};
-      };
+    contact.secant    = solved->secant[parts.pass].value;
+    contact.at_others = [solved](const double force) {
+      const auto slope = fem::slope_of(solved->curve, force);
+      return reduce::SpringAtForce{slope.tangent, slope.secant};
+    };
     return contact;
+  }
+  static const ContactCurve *curve_of(const SolvedContact *solved)
+  {
+    return solved ? &solved->curve : nullptr;
   }
   reduce::PathModulus modulus_of(const std::vector<PathSpring> &path) const
   {
-    return reduce::path_modulus(path, touching, stand.frame, parts.load, {parts.upper, parts.lower});
+    return reduce::path_modulus(path, touching, stand.frame, parts.load,
+                                {curve_of(parts.upper), curve_of(parts.lower)});
   }
 
   void add_contact_of_work_rolls();
@@ -179,8 +183,9 @@ void check_by_differences(Parameter &tangent, const reduce::PathModulus &m)
 
 void Modulus::add_contact_of_work_rolls()
 {
-  const auto rolls  = reduce::touching_work_rolls(stand, parts.load, not_given);
-  Parameter tangent = touching_work_rolls(stand, parts.load, run.results.find(of_pass("K3.tangent")));
+  const auto rolls = reduce::touching_work_rolls(stand, parts.load, not_given);
+  Parameter tangent =
+      touching_work_rolls(stand, parts.load, parts.upper ? &parts.upper->tangent[parts.pass] : nullptr);
   tangent.inputs = of_rolls = touching_roll_keys(*run.keys, parts.pass);
   tangent.checks            = {{"differences of the approach (3.4)", rolls.by_differences, "1 % of the force"}};
   Parameter secant          = tangent;
@@ -201,8 +206,8 @@ void Modulus::add_touching()
                                constant("K7"),
                                with_bearings("K2", 0),
                                with_bearings("K6", 1),
-                               of_contact("K3", parts.upper),
-                               of_contact("K5", parts.lower),
+                               of_contact(ChainNumber::K3, parts.upper),
+                               of_contact(ChainNumber::K5, parts.lower),
                                part(K_ww, result(K_ww), result(name_of(row::stand::K_ww_secant)).value)};
   touching.back().at_others = [this](const double force) {
     const auto contact = reduce::line_contact(reduce::work_roll_pair(stand), force);

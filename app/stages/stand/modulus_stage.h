@@ -8,10 +8,10 @@
 namespace mill {
 /// The inputs of the mill modulus of one pass in addition to the results of the run.
 struct ModulusParts {
-  std::size_t pass          = 0;
-  double load               = not_given;                  ///< N, rolling force
-  const ContactCurve *upper = nullptr, *lower = nullptr;  ///< roll contacts; null: given
-  BiteSpring K4;                                          ///< of the pass; NaN: given
+  std::size_t pass           = 0;
+  double load                = not_given;                  ///< N, rolling force
+  const SolvedContact *upper = nullptr, *lower = nullptr;  ///< K3, K5; null: given
+  BiteSpring K4;                                           ///< of the pass; NaN: given
   std::array<Parameter, 2> K_Zy;  ///< N/m, both bearings of the upper and of the lower backup roll
   /// Both bearings of the upper and of the lower backup roll over the rolling force; null: not known for this
   /// pass.

@@ -4,6 +4,7 @@
 #include "app/trace/closed_form_speed.h"
 #include "core/base/visible_text.h"
 #include "core/model/four_high.h"
+#include "core/records/named_mode.h"
 #include "reduce/stand/stand_errors.h"
 #include "report/results/names.h"
 #include <algorithm>
@@ -35,7 +36,7 @@ void add_modes(QuickAnswer &answer, const ClosedFormStand &closed, const GapStat
     for (const reduce::ModalSensitivity &input : reduce::modal_sensitivities(named, closed.model))
       for (Eigen::Index i = 0; i < named.modes.frequency.size(); ++i) {
         const auto &name = named.names[std::size_t(i)];
-        if (name.key.rfind("gap_", 0) != 0)
+        if (!gap_kind_of(name.key))
           continue;
         const double w2 = std::pow(2 * M_PI * named.modes.frequency[i], 2);  // theory.md (22.9a), 24.5
         answer.moves.push_back({input.name, name.key, (input.dK(i, i) - w2 * input.dM(i, i)) / (2 * w2)});

@@ -5,7 +5,7 @@
 #include "core/case/lumped_model_toml.h"
 #include "core/model/assumed_error.h"
 #include "core/model/case.h"
-#include "core/records/chain_number.h"
+#include "core/records/number_in_chain.h"
 #include "twin/calibration/words.h"
 #include <algorithm>
 #include <cmath>
@@ -154,12 +154,8 @@ namespace {
 /// K or M of a model by its name; null: it has no such number.
 Parameter *number_of(LumpedModel &model, const std::string &name)
 {
-  if (name.size() != 2 || name[1] < '1')
-    return nullptr;
-  const auto i = std::size_t(name[1] - '1');
-  if (name[0] == 'K')
-    return i < model.K.size() ? &model.K[i] : nullptr;
-  return name[0] == 'M' && i < model.M.size() ? &model.M[i] : nullptr;
+  const auto number = choice_named<ChainNumber>(name);
+  return number ? number_in_chain(model, *number) : nullptr;
 }
 
 void calibrate(Parameter &number, const twin::Calibrated &u, const std::string &method)

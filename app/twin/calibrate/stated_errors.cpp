@@ -5,6 +5,7 @@
 #include "app/trace/stored_run.h"
 #include "core/base/errors.h"
 #include "core/model/case.h"
+#include "core/records/number_in_chain.h"
 #include "reduce/chain/frame_closure.h"
 #include "reduce/chain/spring_chain.h"
 #include <algorithm>
@@ -96,7 +97,7 @@ Errors errors_of_inputs(const FourHigh &stand, const double load, const std::map
         errors[name] += move;
   add_tolerances(errors, stand, load, numbers);
   for (auto &[name, error] : errors)
-    if (name[0] == 'K')
+    if (const auto number = choice_named<ChainNumber>(name); number && is_spring_of_chain(*number))
       error += law_error;
   return errors;
 }

@@ -1,3 +1,4 @@
+#include "core/records/chain_results.h"
 #include "core/records/result_names.h"
 #include <cmath>
 #include <gtest/gtest.h>
@@ -58,4 +59,18 @@ TEST(Curves, ColumnsAreThoseOfTheKind)
   table.add("roughness", "m", Eigen::Vector2d(1, 2));
   EXPECT_THROW(require_columns(curve::contact_barrel, table), std::logic_error) << "one too many";
   EXPECT_THROW(require_columns(curve::contact_barrel, Table()), std::logic_error) << "none at all";
+}
+
+TEST(ResultNames, ASpringHasTheResultThatARunSolves)
+{
+  const auto solved = [](const char *number) {
+    const auto name = solved_result_of(number);
+    return name ? name->text() : "";
+  };
+  EXPECT_EQ(solved("K3"), "K3.tangent");
+  EXPECT_EQ(solved("K5"), "K5.tangent");
+  EXPECT_EQ(solved("K4"), "K4.combined");
+  EXPECT_EQ(solved("Kzc4"), "Kzc4.tangent");
+  for (const char *other : {"K1", "M3", "K_ZW", "K3.tangent", ""})
+    EXPECT_EQ(solved(other), "") << other;
 }

@@ -4,6 +4,7 @@
 #include "core/base/force_text.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
+#include "core/records/number_in_chain.h"
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
@@ -26,15 +27,11 @@ std::string file_time(const double utc)
   return fmt::format("{:%Y%m%dT%H%M%SZ}", fmt::gmtime(std::time_t(utc)));
 }
 
-// "K3" -> 2
-std::size_t spring_index(const std::string &name)
+// The spring of this name; nullptr: the name is of a damping ratio.
+template <class Model> auto spring_of(Model &chain, const std::string &name) -> decltype(&chain.K[0])
 {
-  return std::size_t(name[1] - '1');
-}
-
-bool is_spring(const std::string &name)
-{
-  return name.size() == 2 && name[0] == 'K' && name[1] >= '1' && name[1] <= '7';
+  const auto number = choice_named<ChainNumber>(name);
+  return number && is_spring_of_chain(*number) ? number_in_chain(chain, *number) : nullptr;
 }
 
 // Aside and renamed.  A log that is there and cannot be read is not replaced.
@@ -61,9 +58,10 @@ std::string free_name(const std::string &folder, const double utc)
 LumpedModel recalibrated(LumpedModel chain, const twin::Recalibration &recalibration, const double load)
 {
   for (const twin::RecalibratedValue &value : recalibration.values) {
-    if (!value.identified || !is_spring(value.name))
+    Parameter *spring = value.identified ? spring_of(chain, value.name) : nullptr;
+    if (!spring)
       continue;
-    Parameter &K = chain.K[spring_index(value.name)];
+    Parameter &K = *spring;
     K.value *= std::exp(value.change);
     K.error_estimate = value.sd;
     K.source         = Source::measured;
@@ -206,12 +204,12 @@ PageProposal page_proposal(const Proposal &p)
     page.text += " Nothing is changed until it is adopted.";
   for (const twin::RecalibratedValue &value : p.recalibration.values) {
     ProposedValue row;
-    row.key          = twin::moves(value) == twin::Moves::ratios ? "damping" : value.name;
-    row.unit         = twin::moves(value) == twin::Moves::ratios ? "-" : "N/m";
-    row.identified   = value.identified;
-    const bool known = is_spring(value.name);
-    row.from         = known ? p.before.K[spring_index(value.name)].value : p.damping_before;
-    row.to           = known ? p.chain.K[spring_index(value.name)].value : p.damping;
+    row.key                 = twin::moves(value) == twin::Moves::ratios ? "damping" : value.name;
+    row.unit                = twin::moves(value) == twin::Moves::ratios ? "-" : "N/m";
+    row.identified          = value.identified;
+    const Parameter *before = spring_of(p.before, value.name), *after = spring_of(p.chain, value.name);
+    row.from = before ? before->value : p.damping_before;
+    row.to   = after ? after->value : p.damping;
     if (value.identified) {
       row.low  = row.to * std::exp(-1.96 * value.sd);
       row.high = row.to * std::exp(1.96 * value.sd);
