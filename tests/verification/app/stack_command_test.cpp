@@ -332,7 +332,7 @@ TEST(StackCommandResults, StayWhereTheOtherEngineHasNoAnswer)
   const StackRun &run = stack_run("four", by_beams + " --set roll.0.bending_force='[\"20000 kN\", \"20000 kN\"]'");
   EXPECT_LT(run.value("stack.crown"), 0) << "bent far beyond what the force opens";
   bool compared = false, named = false;
-  for (const auto &check : run.results.at("values").at("stack.crown").at("checks"))
+  for (const auto &check : run.results.at("values").at("stack.crown").value("checks", nlohmann::json::array()))
     compared = compared || check.at("name").get<std::string>().rfind("condensed", 0) == 0;
   for (const auto &warning : run.results.at("warnings"))
     named = named || warning.get<std::string>().find("no answer by condensed rolls") != std::string::npos;
