@@ -72,14 +72,19 @@ void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
     all.push_back({row.of(a.name + "-" + b.name), value, row.unit, std::move(method), std::move(checks)});
   };
   add(row::pair::force, pair.force, by_newton, {{by_statics, resultant.force, ""}});
-  add(row::pair::load_centre, pair.load_centre, by_newton, {{by_statics, resultant.centre, ""}});
+  const bool presses = pair.force > 0;  // an open contact has neither a centre nor a stiffness
+  if (presses)
+    add(row::pair::load_centre, pair.load_centre, by_newton, {{by_statics, resultant.centre, ""}});
   const std::string uneven = "the load is not uniform";
   add(row::pair::q_max, pair.peak_load, by_newton, {{"mean over the length of contact", even, uneven}});
-  add(row::pair::peak_pressure, pair.peak_pressure, "Hertz, largest line load (51.3)",
-      {{"Hertz, uniform load", 2 * even / (M_PI * even_width), uneven}});
+  if (presses)
+    add(row::pair::peak_pressure, pair.peak_pressure, "Hertz, largest line load (51.3)",
+        {{"Hertz, uniform load", 2 * even / (M_PI * even_width), uneven}});
   add(row::pair::touching, pair.touching, by_newton, {});
   add(row::pair::uniform_tangent, pair.uniform_tangent, "integral of dq/dd along the contact (51.4)",
       {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});
+  if (!presses)
+    return;
   add(row::pair::tangent, pair.loaded_tangent,
       "change of the force over that of the approach, which the line load weighs (51.21)",
       {{"uniform load (51.4)", length / reduce::compliance_of(law, even), uneven}});

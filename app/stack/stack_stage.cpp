@@ -22,7 +22,6 @@
 #include <fmt/format.h>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace mill {
@@ -45,6 +44,7 @@ double mean_opening(const reduce::StripState &strip)
 SolvedStack solve_for_gap(const StackInput &input, Stack stack, const MakeStackEngine &make)
 {
   const double wanted      = input.strip.exit_thickness - input.strip.gap;
+  const double tolerance   = std::max(1e-9 * std::abs(wanted), 1e-10 * input.strip.exit_thickness);  // m
   constexpr int most_steps = 20;
   stack.strip.force        = 1e3 * stack.strip.width * 1e3;  // N, 1 kN per mm of width to begin with
   SolvedStack solved;
@@ -54,7 +54,7 @@ SolvedStack solve_for_gap(const StackInput &input, Stack stack, const MakeStackE
       solved.engine = make(stack);
     solved.state         = solved.engine->solve();
     const double missing = wanted - mean_opening(solved.state.strip);
-    if (std::abs(missing) < 1e-9 * wanted)
+    if (std::abs(missing) < tolerance)
       return solved;
     // Contacts are softer under less load: no step goes below a tenth of the force.
     stack.strip.force = std::max(0.1 * stack.strip.force, stack.strip.force + solved.state.modulus.mean * missing);
@@ -66,17 +66,17 @@ SolvedStack solve_for_gap(const StackInput &input, Stack stack, const MakeStackE
                      "give strip.force, and compare stack.gap of that run with strip.gap", ""});
 }
 
-// The engine that gives the results, on two meshes, and the other.
-struct StackNumberSets {
-  StackNumbers fine, coarse, other;
-  const char *other_method;
-};
-
 // Zero by symmetry is zero but for rounding, which differs between meshes, engines and bearings.
 double without_rounding(const std::string &unit, const double value)
 {
   return is_in(unit, SiUnit::metre) && std::abs(value) < 1e-12 ? 0 : value;
 }
+
+// The engine that gives the results, on two meshes, and the other; empty where one has no equilibrium.
+struct StackNumberSets {
+  StackNumbers fine, coarse, other;
+  const char *other_method;
+};
 
 // By how much the results move, relative to each, with the errors of the bearings that hold rolls.
 struct BearingErrors {
@@ -105,13 +105,17 @@ BearingErrors bearing_errors(const StackInput &input, const Stack &stack, const 
     const double error         = tangent_of(study, {}).error_estimate;
     const bool known           = std::isfinite(error);
     const StackNumbers changed = numbers_of(with_softer_bearing(stack, name, known ? error : unknown));
-    for (std::size_t i = 0; i < held.size(); ++i) {
-      const double value  = without_rounding(held[i].unit, held[i].value);
-      const double change = value == 0 ? 0 : changed[i].value / value - 1;
+    std::map<std::string, double> moved;
+    for (const StackNumber &number : changed)
+      moved[number.name] = number.value;
+    for (const StackNumber &number : held) {
+      const double value  = without_rounding(number.unit, number.value);
+      const auto there    = moved.find(number.name);
+      const double change = value == 0 || there == moved.end() ? 0 : there->second / value - 1;
       if (known)
-        errors.square[held[i].name] += change * change;
+        errors.square[number.name] += change * change;
       else if (std::abs(change) > moves)
-        errors.lack[held[i].name].insert("bearing." + name);
+        errors.lack[number.name].insert("bearing." + name);
     }
   }
   return errors;
@@ -143,27 +147,30 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
 {
   const auto &[fine, coarse, other, other_method] = sets;
   const std::vector<std::string> inputs           = keys_of_stack(run.the_case);
-  std::map<std::string, double> checks;
+  std::map<std::string, double> checks, by_coarse;
   for (const StackNumber &number : other)
     checks[number.name] = number.value;
-  for (std::size_t i = 0; i < fine.size(); ++i) {
-    const StackNumber &number = fine[i];
-    const auto rounded_off    = [&](const double value) { return without_rounding(number.unit, value); };
+  for (const StackNumber &number : coarse)
+    by_coarse[number.name] = without_rounding(number.unit, number.value);
+  for (const StackNumber &number : fine) {
     Parameter p;
-    p.value  = rounded_off(number.value);
+    p.value  = without_rounding(number.unit, number.value);
     p.unit   = number.unit;
     p.method = number.method;
     p.at     = {"{}", {{force, "kN", ".5g"}}};
     p.inputs = inputs;
     p.checks = number.checks;
     for (Check &check : p.checks)
-      check.value = rounded_off(check.value);
+      check.value = without_rounding(number.unit, check.value);
     p.source = number.source;
     if (const auto check = checks.find(number.name); check != checks.end() && number.source != Source::given)
-      p.checks.push_back({other_method, rounded_off(check->second),
+      p.checks.push_back({other_method, without_rounding(number.unit, check->second),
                           "shoulders, the surface of the rolls around their contacts and the flattening at the "
                           "edges of the strip are in the condensed rolls only"});
-    p.error_estimate = p.value == 0 || p.value == coarse[i].value ? 0 : mesh_pair_error(p.value, coarse[i].value);
+    const auto coarser   = by_coarse.find(number.name);
+    const double halved  = coarser == by_coarse.end() ? not_given : coarser->second;
+    const bool undefined = std::isnan(halved) || (p.value == 0 && halved != 0);  // no share of zero
+    p.error_estimate     = undefined ? not_given : p.value == halved ? 0 : mesh_pair_error(p.value, halved);
     if (const auto &names = small_differences();
         std::find(names.begin(), names.end(), number.name.text()) != names.end())
       if (const double apart = engines_apart(sets, number.name); std::isfinite(apart) && p.value != 0)
@@ -190,6 +197,26 @@ void warn_of_engines(RunContext &run, const StackNumberSets &sets)
                 {name}});
 }
 
+// A profile deeper than the thickness: no strip has it, and no flatness follows from it.
+void warn_of_closed_gap(RunContext &run, const SolvedStack &solved)
+{
+  const reduce::StripState &strip = solved.state.strip;
+  Eigen::Index thinnest           = 0;
+  const double thickness          = strip.opening.minCoeff(&thinnest) + unloaded_gap(solved);
+  if (!(thickness <= 0))  // without an exit thickness it is NaN
+    return;
+  const double z = (strip.edges[thinnest] + strip.edges[thinnest + 1]) / 2;
+  run.warn(
+      {WarningId::value_doubtful,
+       "strip",
+       fmt::format("the loaded gap closes {:.4g} mm from the middle of the strip: its thickness there would be "
+                   "{:.4g} um",
+                   1e3 * std::abs(z), 1e6 * thickness),
+       "the strip cannot have this profile, and has no flatness",
+       "give strip.tension_modulus: fibres that get longer lose tension and need more force",
+       {row::stack::crown.of().text()}});
+}
+
 void warn_of_state(RunContext &run, const SolvedStack &solved)
 {
   const Stack &stack = solved.stack;
@@ -206,9 +233,11 @@ void warn_of_state(RunContext &run, const SolvedStack &solved)
                   fmt::format("the peak pressure of {:.0f} MPa is above five times the yield stress of roll {}",
                               1e-6 * pair.peak_pressure, stack.rolls[r].name)});
   }
+  warn_of_closed_gap(run, solved);
   for (const std::size_t r : {stack.upper, stack.lower}) {
     const StackRoll &roll = stack.rolls[r];
-    const double to_end   = roll.length / 2 - std::abs(stack.strip.offset - roll.shift) - stack.strip.width / 2;
+    const double beyond   = roll.length / 2 - std::abs(stack.strip.offset - roll.shift) - stack.strip.width / 2;
+    const double to_end   = std::abs(beyond) < 1e-6 ? 0 : beyond;  // rounding of drawings
     if (to_end < 2 * stack.strip.arc)
       run.warn({WarningId::strip_at_barrel_end, "",
                 fmt::format("the edge of the strip is {:.4g} mm from the end of the barrel of roll {}, less than "
@@ -300,10 +329,12 @@ Eigen::VectorXd flatness(const SolvedStack &solved)
   const reduce::StripState &state = solved.state.strip;
   if (!(strip.entry_thickness > 0) || !(strip.exit_thickness > 0))
     return {};
-  const Eigen::Index n          = state.opening.size();
-  const Eigen::VectorXd length  = state.edges.tail(n) - state.edges.head(n);
-  const Eigen::VectorXd entry   = (state.entry.array() + strip.entry_thickness).matrix();
-  const Eigen::VectorXd exit    = (state.opening.array() + unloaded_gap(solved)).matrix();
+  const Eigen::Index n         = state.opening.size();
+  const Eigen::VectorXd length = state.edges.tail(n) - state.edges.head(n);
+  const Eigen::VectorXd entry  = (state.entry.array() + strip.entry_thickness).matrix();
+  const Eigen::VectorXd exit   = (state.opening.array() + unloaded_gap(solved)).matrix();
+  if (!(exit.minCoeff() > 0))
+    return {};
   const Eigen::VectorXd stretch = (entry.array() / exit.array()).log().matrix();
   return (1e5 * (stretch.array() - stretch.dot(length) / length.sum())).matrix();
 }
@@ -312,6 +343,8 @@ StackNumbers traced_stack(const StackInput &input, const Stack &stack)
 {
   const SolvedStack solved = solve_stack(input, stack, beams_of(input, elements_over_width / 2));
   StackNumbers all         = stack_numbers(input, solved, by_beams);
+  for (StackNumber &number : all)
+    number.value = without_rounding(number.unit, number.value);
   const Eigen::VectorXd f =
       dynamic_cast<const reduce::BeamStack &>(*solved.engine).frequencies(frequencies_listed);
   for (Eigen::Index k = 0; k < f.size(); ++k)
@@ -386,6 +419,20 @@ void run_stack(RunContext &run, const StackInput &input, const Stack &drawn, con
 }
 
 namespace {
+BearingErrors errors_of_bearings(RunContext &run, const StackInput &input, const Stack &stack,
+                                 const StackBearings &bearings, const StackNumbers &numbers)
+{
+  try {
+    return bearing_errors(input, stack, bearings, run.threads);
+  } catch (const SolverError &) {  // of the beams: what a softer bearing changes stays unknown
+    BearingErrors errors;
+    for (const StackNumber &number : numbers)
+      for (const auto &bearing : bearings)
+        errors.lack[number.name].insert("bearing." + bearing.first);
+    return errors;
+  }
+}
+
 void solve_state(RunContext &run, const StackInput &input, const Stack &stack, const StackBearings &bearings,
                  double &force_found)
 {
@@ -396,23 +443,31 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, c
     return condensed ? condensed_of(kernels, stations_over_width / coarser, run.threads)
                               : beams_of(input, elements_over_width / coarser, run.threads);
   };
-  SolvedStack fine         = solve_stack(input, stack, engine(is_condensed, 1)),
-              coarse       = solve_stack(input, stack, engine(is_condensed, 2));
-  const SolvedStack other  = solve_stack(input, stack, engine(!is_condensed, 1));
-  const double force       = fine.stack.strip.force;
-  force_found              = force;
-  const char *method       = is_condensed ? by_condensed : by_beams,
-             *other_method = is_condensed ? by_beams : by_condensed;
-  StackNumberSets sets{stack_numbers(input, fine, method), stack_numbers(input, coarse, method),
-                       stack_numbers(input, other, other_method), other_method};
-  for (const auto &[numbers, solved, condensed, coarser] :
-       {std::tuple<StackNumbers *, const SolvedStack *, bool, int>(&sets.fine, &fine, is_condensed, 1),
-        {&sets.coarse, &coarse, is_condensed, 2},
-        {&sets.other, &other, !is_condensed, 1}}) {
-    const StackNumbers influences = stack_influences(input, *solved, engine(condensed, coarser));
-    numbers->insert(numbers->end(), influences.begin(), influences.end());
-  }
-  add_results(run, sets, bearing_errors(input, stack, bearings, run.threads), force);
+  const char *other_method = is_condensed ? by_beams : by_condensed;
+  const auto numbers_of    = [&](const SolvedStack &solved, const bool condensed, const int coarser) {
+    StackNumbers numbers          = stack_numbers(input, solved, condensed ? by_condensed : by_beams);
+    const StackNumbers influences = stack_influences(input, solved, engine(condensed, coarser));
+    numbers.insert(numbers.end(), influences.begin(), influences.end());
+    return numbers;
+  };
+  // What only judges the results does not end a run that has them.
+  const auto judging = [&](const bool condensed, const int coarser, const char *what, const char *lacks) {
+    try {
+      return numbers_of(solve_stack(input, stack, engine(condensed, coarser)), condensed, coarser);
+    } catch (const SolverError &e) {
+      run.warn({WarningId::stack_engines, "", fmt::format("no answer by {}: {}", what, e.report.what), lacks});
+      return StackNumbers{};
+    }
+  };
+  const SolvedStack fine = solve_stack(input, stack, engine(is_condensed, 1));
+  const double force     = fine.stack.strip.force;
+  force_found            = force;
+  const StackNumberSets sets{numbers_of(fine, is_condensed, 1),
+                             judging(is_condensed, 2, "half as many elements", "results have no error estimate"),
+                             judging(!is_condensed, 1, is_condensed ? "beams" : "condensed rolls",
+                                     "results are not compared with those of the other engine"),
+                             other_method};
+  add_results(run, sets, errors_of_bearings(run, input, stack, bearings, sets.fine), force);
   add_stack_bearings(run, input, fine.stack, bearings);
   write_stack_curves(run, input, fine);
   write_stack_maps(run, input, stack);

@@ -136,6 +136,14 @@ void check_shaft(const StackRollInput &roll, const std::size_t r, Reading &readi
           {});
       break;
     }
+  if (const double barrel = roll.barrel_length / 2;
+      given("sections") && !roll.shaft.empty() && !roll.saddles.given &&
+      std::min(-roll.shaft.front()[0], roll.shaft.back()[1]) < barrel - 1e-9)
+    contradict(
+        reading, key("sections"),
+        fmt::format("reaches from {} to {}, and the barrel to {} on both sides; write pieces up to its ends",
+                    millimetres(roll.shaft.front()[0]), millimetres(roll.shaft.back()[1]), millimetres(barrel)),
+        {key("barrel_length")});
 }
 
 // Bearings, chocks and bending act on the span; saddles replace the bearings.
@@ -303,9 +311,19 @@ void check_stack_rolls(const StackInput &input, const Node &root, Reading &readi
   }
 }
 
-void check_stack_strip(const StackStripInput &strip, Reading &reading)
+// A profile, bending or an eccentric can make the gap smaller than S before the strip presses.
+bool closes_gap(const StackRollInput &roll)
 {
-  const auto given = [&](const char *k) { return is_in_case(reading, std::string("strip.") + k); };
+  return roll.bending_force[0] != 0 || roll.bending_force[1] != 0 || !roll.saddles.eccentric.empty() ||
+         roll.crown != 0 || roll.thermal_crown != 0 || !roll.crown_table.empty() ||
+         !roll.crown_polynomial.empty() || !roll.thermal_crown_table.empty();
+}
+
+void check_stack_strip(const StackInput &input, Reading &reading)
+{
+  const StackStripInput &strip = input.strip;
+  const bool closes            = std::any_of(input.rolls.begin(), input.rolls.end(), closes_gap);
+  const auto given             = [&](const char *k) { return is_in_case(reading, std::string("strip.") + k); };
   const auto lacks = [&](const char *k) { return !given(k) && reading.usable({std::string("strip.") + k}); };
   if (given("force") && given("gap"))
     contradict(reading, "strip.force", "is given together with a gap; give one of the two", {"strip.gap"});
@@ -317,6 +335,10 @@ void check_stack_strip(const StackStripInput &strip, Reading &reading)
       if (lacks(key))
         contradict(reading, "strip.gap", fmt::format("needs {}: the force is that at which the strip has it", key),
                    {});
+  if (given("gap") && given("exit_thickness") && strip.gap >= strip.exit_thickness && !closes &&
+      reading.usable({"strip.gap", "strip.exit_thickness"}))
+    contradict(reading, "strip.gap", "is not smaller than the exit thickness: the strip would press on nothing",
+               {"strip.exit_thickness"});
   if (strip.law == StackStripLaw::modulus && lacks("modulus"))
     reading.add(reading.place(given("law") ? "strip.law" : "strip.width"),
                 "[strip] has law = \"modulus\" and no 'modulus'; add for example modulus = \"300 MPa\", or law = "
@@ -430,6 +452,16 @@ void check_window(const StackInput &input, Reading &reading)
   if (given("shift") && input.settings.bending_at == BendingAt::window)
     contradict(reading, "window.shift", "is not computed while bending forces stay in the window; remove it",
                {"stack.bending_at"});
+  const StackStripInput &strip = input.strip;
+  const double deepest         = std::max({strip.crown_at, strip.edge_drop[0], strip.edge_drop[1]});
+  if (given("width") && window.width[0] / 2 < deepest && strip.width / 2 >= deepest &&
+      reading.usable({"window.width", "strip.crown_at", "strip.edge_drop"}))
+    contradict(
+        reading, "window.width",
+        fmt::format("begins with a strip on which {} from the edge is beyond its middle, where the crown or "
+                    "the edge drop is read; begin with {} or more",
+                    millimetres(deepest), millimetres(2 * deepest)),
+        {strip.crown_at == deepest ? "strip.crown_at" : "strip.edge_drop"});
   std::vector<std::string> names;
   for (const StackRollInput &roll : input.rolls)
     names.push_back(roll.name);
@@ -476,7 +508,7 @@ StackCase read_stack(const Node &root, Reading &reading)
   input->span     = read_stand_span(root, reading);
   input->analysis = read_chatter_analysis(root, reading);
   check_stack_rolls(*input, root, reading);
-  check_stack_strip(input->strip, reading);
+  check_stack_strip(*input, reading);
   check_law_of_bite(*input, reading);
   check_window(*input, reading);
   check_stack_passes(*input, reading);

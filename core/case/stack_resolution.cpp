@@ -172,9 +172,10 @@ void check_barrels(const Stack &stack, const std::vector<Origin> &origins, Readi
 {
   for (const StackContact &contact : stack.contacts) {
     const StackRoll &a = stack.rolls[contact.a], &b = stack.rolls[contact.b];
-    const double overlap = std::min(a.shift + a.length / 2, b.shift + b.length / 2) -
-                           std::max(a.shift - a.length / 2, b.shift - b.length / 2);
-    const double least = least_overlap * std::min(a.length, b.length);
+    const double from    = std::max(a.shift - a.length / 2, b.shift - b.length / 2),
+                 to      = std::min(a.shift + a.length / 2, b.shift + b.length / 2);
+    const double overlap = to - from;
+    const double least   = least_overlap * std::min(a.length, b.length);
     if (overlap < least && !origins[contact.a].made)
       contradict(
           reading, roll_key(origins[contact.a].roll, "shift"),
@@ -182,6 +183,15 @@ void check_barrels(const Stack &stack, const std::vector<Origin> &origins, Readi
                       "the shorter barrel",
                       millimetres(std::max(0., overlap)), a.name, b.name, millimetres(least)),
           {roll_key(origins[contact.b].roll, "shift")});
+    const auto is_off = [&](const std::array<double, 2> &ring) {
+      return std::min(ring[1] + b.shift, to) <= std::max(ring[0] + b.shift, from);
+    };
+    if (overlap >= least && !contact.zones.empty() && !origins[contact.b].made &&
+        std::all_of(contact.zones.begin(), contact.zones.end(), is_off))
+      contradict(reading, roll_key(origins[contact.b].roll, "saddles.rings"),
+                 fmt::format("has no ring where roll {} touches, from {} to {} of the mill; put rings there",
+                             a.name, millimetres(from), millimetres(to)),
+                 {roll_key(origins[contact.a].roll, "barrel_length")});
   }
   for (const std::size_t r : {stack.upper, stack.lower}) {
     const StackRoll &roll = stack.rolls[r];
@@ -197,6 +207,32 @@ void check_barrels(const Stack &stack, const std::vector<Origin> &origins, Readi
             {roll_key(origins[r].roll, "barrel_length")});
         return;
       }
+    }
+  }
+}
+
+// Bending from the window stays where it is while its roll moves: it must still act on a neck.
+void check_loads(const Stack &stack, const std::vector<Origin> &origins, Reading &reading)
+{
+  for (std::size_t r = 0; r < stack.rolls.size(); ++r) {
+    const StackRoll &roll = stack.rolls[r];
+    double from = 0, to = 0;
+    for (const StackSection &section : roll.sections) {
+      from = std::min(from, section.from);
+      to   = std::max(to, section.to);
+    }
+    for (const StackLoad &load : roll.loads) {
+      const bool beyond = load.z < from - overlap_allowed || load.z > to + overlap_allowed;
+      if (origins[r].made || (!beyond && std::abs(load.z) >= roll.length / 2 - overlap_allowed))
+        continue;  // what is seen in the upper half is not said again of the one that is made of it
+      contradict(reading, roll_key(origins[r].roll, "shift"),
+                 fmt::format("puts a bending force at the window {} from the middle of roll {}, {}; reduce the "
+                             "shift, or write bending_at = \"chock\"",
+                             millimetres(std::abs(load.z)), roll.name,
+                             beyond ? "beyond the end of its neck at " + millimetres(load.z < 0 ? -from : to)
+                                    : "on its barrel, which ends at " + millimetres(roll.length / 2)),
+                 {"stack.bending_at"});
+      break;
     }
   }
 }
@@ -276,6 +312,7 @@ Stack resolved_stack(const StackInput &input, Reading &reading)
   const std::size_t before   = reading.problems.size();
   check_overlap(stack, origins, reading);
   check_barrels(stack, origins, reading);
+  check_loads(stack, origins, reading);
   if (reading.problems.size() == before && stack.strip.force > 0)
     check_resultants(stack, origins, reading);
   return stack;

@@ -68,7 +68,7 @@ PairState pair_state(const RollGroup &group, const std::size_t contact, const Li
   }
   pair.force           = pair.weight.dot(pair.load);
   pair.load_centre     = pair.weight.cwiseProduct(pair.z).dot(pair.load) / pair.force;
-  pair.peak_load       = pair.load.maxCoeff();
+  pair.peak_load       = pair.load.size() > 0 ? pair.load.maxCoeff() : 0;
   pair.peak_pressure   = 2 * pair.peak_load / (M_PI * half_width_of(law, pair.peak_load));
   pair.touching        = pair.weight.dot((pair.load.array() > 0).cast<double>().matrix()) / pair.weight.sum();
   pair.uniform_tangent = pair.weight.dot(pair.tangent);

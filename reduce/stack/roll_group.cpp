@@ -105,6 +105,8 @@ bool RollGroup::holds(const std::size_t roll) const
 
 Index RollGroup::unknown_of(const Beam &beam, const int station, const std::size_t axis) const
 {
+  if (station < beam.first || station > beam.last)
+    throw std::logic_error("roll group: a place beyond the end of roll " + stack.rolls[beam.roll].name);
   return beam.unknown[std::size_t(station - beam.first)] + (axis == axes.front() ? 0 : 2);
 }
 
@@ -162,7 +164,7 @@ void RollGroup::make_contacts()
         Index k = 0;
         for (int side = 0; side < 2; ++side)
           for (const std::size_t axis : axes) {
-            const BeamElement &element = pair[side]->elements[std::size_t(s - pair[side]->first)];
+            const BeamElement &element = pair[side]->elements.at(std::size_t(s - pair[side]->first));
             for (int g = 0; g < UnitGauss::n; ++g)
               e.row.block<4, 1>(k, g) =
                   (side == 0 ? 1 : -1) * direction[axis] * element.shape(UnitGauss::place[g]);

@@ -2,6 +2,7 @@
 #include "reduce/chain/roll_profile.h"
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace mill::reduce {
@@ -9,6 +10,9 @@ namespace {
 constexpr double same_place = 1e-6;  // m
 constexpr double finest     = 0.15;  // smallest element at the edge of the strip over the largest
 constexpr double grading    = 0.2;   // element length over the distance from the edge
+// As many elements on half a diameter of the thinnest roll as on the width of the strip, or fewer: 60 of them
+// leave elements of a thirtieth of the diameter.
+constexpr double away_over_diameter = 2;
 
 void add_breaks(std::vector<double> &z, const StackRoll &roll)
 {
@@ -25,20 +29,28 @@ void add_breaks(std::vector<double> &z, const StackRoll &roll)
   z.push_back(roll.shift - roll.length / 2);
   z.push_back(roll.shift + roll.length / 2);
 }
+
+// Along the strip, and away from it, where a bent roll changes over its diameter however narrow the strip is.
+struct Longest {
+  double at_strip, away;  // m
+};
+
 // The line load and the flattening change fast near the edges of the strip.
-double longest_at(const StackStrip &strip, const double z, const double longest)
+double longest_at(const StackStrip &strip, const double z, const Longest &longest)
 {
-  const double from_edge = std::abs(std::abs(z - strip.offset) - strip.width / 2);
-  return std::min(longest, std::max(longest * finest, grading * from_edge));
+  const double beyond = std::abs(z - strip.offset) - strip.width / 2;
+  return std::min(beyond > 0 ? longest.away : longest.at_strip,
+                  std::max(longest.at_strip * finest, grading * std::abs(beyond)));
 }
 
 // Places between two breaks, in steps that follow longest_at().
 std::vector<double> pieces_between(const StackStrip &strip, const double from, const double to,
-                                   const double longest)
+                                   const Longest &longest)
 {
   // Number of elements up to a place; its whole values are the places, after a stretch that makes the last one
   // whole.
-  constexpr int samples = 64;
+  constexpr int fewest = 64;
+  const int samples    = std::max(fewest, int(std::ceil((to - from) / longest.at_strip)));
   std::vector<double> count{0};
   const double step = (to - from) / samples;
   for (int i = 0; i < samples; ++i)
@@ -64,8 +76,12 @@ int Stations::place(const double position) const
 Stations stations_of(const Stack &stack, const double longest)
 {
   std::vector<double> breaks;
-  for (const StackRoll &roll : stack.rolls)
+  double thinnest = std::numeric_limits<double>::infinity();
+  for (const StackRoll &roll : stack.rolls) {
     add_breaks(breaks, roll);
+    thinnest = std::min(thinnest, roll.diameter);
+  }
+  const Longest lengths{longest, std::max(longest, away_over_diameter * thinnest * longest / stack.strip.width)};
   for (const StackContact &contact : stack.contacts)
     for (const auto &zone : contact_zones(stack, contact))
       breaks.insert(breaks.end(), zone.begin(), zone.end());
@@ -78,7 +94,7 @@ Stations stations_of(const Stack &stack, const double longest)
       const double from = stations.z.back();
       if (b - from < same_place)
         continue;
-      for (const double z : pieces_between(stack.strip, from, b, longest))
+      for (const double z : pieces_between(stack.strip, from, b, lengths))
         stations.z.push_back(z);
     }
     stations.z.push_back(b);

@@ -3,6 +3,7 @@
 #include "app/stages/bite/bite_files.h"
 #include "app/stages/bite/bite_results.h"
 #include "app/stages/bite/fit_stage.h"
+#include "core/base/errors.h"
 #include "core/model/bite_case.h"
 #include "core/model/case.h"
 #include "core/model/four_high.h"
@@ -172,6 +173,20 @@ std::optional<Warning> bite_without_theory(const bite::RollBite &bite, const Bit
   return {};
 }
 
+namespace {
+// What was computed before stays in the results: a bite that is refused then is a failure of the run.
+BiteStudy study_after_others(RunContext &run, const BiteQuestion &question)
+{
+  try {
+    return study_bite(run, question);
+  } catch (const SystemError &) {
+    throw;
+  } catch (const InputError &e) {
+    throw SolverError({e.problems.front().message, "", "", "", ""});
+  }
+}
+}  // namespace
+
 BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const std::size_t p, const double force,
                              const bool curves)
 {
@@ -185,7 +200,7 @@ BiteSpring solve_bite_spring(RunContext &run, const FourHigh &stand, const std::
   q.roll_key          = "work_roll.barrel_diameter";
   q.backup_half_width = backup_half_width(stand, force);
   add_measured(q, pass);
-  const BiteStudy study = study_bite(run, q);
+  const BiteStudy study = study_after_others(run, q);
   const BiteKeys keys   = keys_of_bite(run, p);
   add_study(run, study, keys);
   const BiteSpring spring = bite_spring(study, keys);
@@ -210,7 +225,7 @@ void solve_bite_case(RunContext &run, const BiteCase &spec)
     q.roll_key   = "work_roll.diameter";
     q.curves     = p == 0;
     add_measured(q, spec.passes[p]);
-    const BiteStudy study = study_bite(run, q);
+    const BiteStudy study = p == 0 ? study_bite(run, q) : study_after_others(run, q);
     const BiteKeys keys   = keys_of_bite(run, p);
     add_study(run, study, keys);
     const BiteSpring spring = bite_spring(study, keys);

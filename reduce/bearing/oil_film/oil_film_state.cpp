@@ -3,6 +3,7 @@
 #include "reduce/bearing/oil_film/viscosity.h"
 #include <algorithm>
 #include <cmath>
+#include <fmt/format.h>
 #include <limits>
 
 namespace mill::bearing {
@@ -69,6 +70,9 @@ struct WarmFilm {
   double slope;  // of the misfit of the heat balance by the temperature
 };
 
+constexpr double heat_balanced = 1e-4;  // K
+constexpr int most_heat_turns  = 60;
+
 WarmFilm warm_film(const OilFilmBearing &b, const OilFilmLoad &load, const int fineness, const WarmFilm *near,
                    const BalancedFilm *neighbour)
 {
@@ -81,7 +85,7 @@ WarmFilm warm_film(const OilFilmBearing &b, const OilFilmLoad &load, const int f
   };
   double T = w.temperature, g = misfit(T);
   double low = near ? 0 : T, high = std::numeric_limits<double>::infinity();
-  for (int turn = 0; turn < 60 && std::abs(g) > 1e-4; ++turn) {
+  for (int turn = 0; turn < most_heat_turns && std::abs(g) > heat_balanced; ++turn) {
     (g > 0 ? low : high) = T;
     double next          = T - g / w.slope;
     if (!(next > low && next < high))
@@ -101,6 +105,11 @@ WarmFilm warm_film(const OilFilmBearing &b, const OilFilmLoad &load, const int f
     if (T != from && (g - before) / (T - from) < -0.5)
       w.slope = (g - before) / (T - from);
   }
+  if (!(std::abs(g) <= heat_balanced))
+    throw SolverError({fmt::format("oil film of bearing {}: its warming does not settle", b.name),
+                       fmt::format("{:.4g} K out of balance at {:.4g} K after {} steps", g, T, most_heat_turns),
+                       "the viscosity falls so fast with the temperature that the film finds no balance",
+                       "less speed, more clearance, a colder or a thinner oil", ""});
   return w;
 }
 

@@ -9,6 +9,7 @@
 #include <chrono>
 #include <cmath>
 #include <fstream>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 using namespace mill;
@@ -274,6 +275,13 @@ TEST(OilFilm, CarriesItsLoadAndBalancesItsHeat)
   EXPECT_TRUE(
       near(s.at.sommerfeld, mu * 6.9 / (2 * M_PI) * 0.95 * 0.7 / 5e6 * ratio * ratio, within(2e-3, "grids")));
   EXPECT_LT(s.at.power_streamers, s.at.power_loss);
+}
+
+TEST(OilFilm, AHeatBalanceThatDoesNotSettleIsRefused)
+{
+  OilFilmBearing b = backup_bearing();
+  b.oil_heat       = std::numeric_limits<double>::quiet_NaN();  // no step brings this balance below its limit
+  EXPECT_THROW(solve_oil_film(b, five_meganewton), SolverError);
 }
 
 // Two neighbouring loads: the way of the axis between them is the inverse of the stiffness, at one temperature.

@@ -316,3 +316,44 @@ TEST(StackWarnings, NameContactPressureAndEdge)
             "the edge of the strip is 15 mm from the end of the barrel of roll W, less than twice "
             "the length of contact");
 }
+
+// 1400 mm of barrel, 1000 mm of strip, 200 mm off the middle: the edges meet, and rounding is not printed.
+TEST(StackWarnings, SayZeroWhereStripAndBarrelEndTogether)
+{
+  const StackRun &run = stack_run("four", by_beams + " --set strip.offset='200 mm'");
+  const auto edge     = warning_with(run.results, "strip-at-barrel-end");
+  ASSERT_TRUE(edge.is_object()) << run.results.at("warnings");
+  EXPECT_EQ(edge.at("fact"),
+            "the edge of the strip is 0 mm from the end of the barrel of roll W, less than twice the length of "
+            "contact");
+}
+
+// Under 8 MN without bending and shift the reference has a crown of 149 um: a strip of 120 um cannot have it.
+TEST(StackWarnings, NameAProfileThatTheStripCannotHave)
+{
+  const StackRun &run =
+      stack_run("six", by_beams + " --set strip.entry_thickness='0.2 mm'"
+                                  " --set strip.exit_thickness='0.12 mm' --set roll.1.shift='0 mm'"
+                                  " --set roll.0.bending_force='[\"0 kN\", \"0 kN\"]'"
+                                  " --set roll.1.bending_force='[\"0 kN\", \"0 kN\"]'");
+  EXPECT_GT(run.value("stack.crown"), 120 * um);
+  for (const char *name : {"stack.flatness.min", "stack.flatness.max"})
+    EXPECT_EQ(run.results.at("values").count(name), 0u) << name;
+  bool named = false;
+  for (const auto &warning : run.results.at("warnings"))
+    named = named || warning.get<std::string>().find("the loaded gap closes") != std::string::npos;
+  EXPECT_TRUE(named) << run.results.at("warnings");
+}
+
+// An engine that only judges the results may fail: they are there, without its check.
+TEST(StackCommandResults, StayWhereTheOtherEngineHasNoAnswer)
+{
+  const StackRun &run = stack_run("four", by_beams + " --set roll.0.bending_force='[\"20000 kN\", \"20000 kN\"]'");
+  EXPECT_LT(run.value("stack.crown"), 0) << "bent far beyond what the force opens";
+  bool compared = false, named = false;
+  for (const auto &check : run.results.at("values").at("stack.crown").value("checks", nlohmann::json::array()))
+    compared = compared || check.at("name").get<std::string>().rfind("condensed", 0) == 0;
+  for (const auto &warning : run.results.at("warnings"))
+    named = named || warning.get<std::string>().find("no answer by condensed rolls") != std::string::npos;
+  EXPECT_NE(compared, named) << run.results.at("warnings");
+}

@@ -3,12 +3,14 @@
 #include "core/model/stack_statics.h"
 #include "reduce/bearing/rigid_rings.h"
 #include "reduce/stack/beam_stack.h"
+#include "reduce/stack/stations.h"
 #include "tests/support/near.h"
 #include "tests/support/reference_stack.h"
 #include <algorithm>
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numeric>
+#include <stdexcept>
 
 using namespace mill;
 using namespace mill::reduce;
@@ -297,6 +299,57 @@ TEST(StackBeams, ARollThatNothingHoldsIsNamed)
   } catch (const SolverError &error) {
     EXPECT_NE(std::string(error.what()).find("singular"), std::string::npos) << error.what();
   }
+}
+
+TEST(StackBeams, AForceBeyondTheEndOfItsRollIsRefused)
+{
+  for (const double side : {-1., 1.}) {
+    Stack stack = stack_of("four-high");
+    stack.rolls[stack.upper].loads.push_back({side * 5, {0, kN}});  // the roll is 2.32 m long
+    EXPECT_THROW(BeamStack(stack, {}), std::logic_error) << side;
+  }
+}
+
+// Rolls do not change their diameter with the strip: away from it a bent roll needs no element shorter than a
+// thirtieth of the diameter.
+TEST(StackStations, ANarrowStripLeavesTheRollsTheirElements)
+{
+  Stack stack           = stack_of("four-high");
+  double length         = 0;
+  const double thinnest = stack.rolls[stack.upper].diameter;
+  for (const StackRoll &roll : stack.rolls)
+    length = std::max(length, roll.sections.back().to - roll.sections.front().from);
+  for (const double width : {0.2, 0.06, 0.01, 0.001}) {
+    stack.strip.width       = width;
+    const double longest    = width / 60;
+    const Stations stations = stations_of(stack, longest);
+    // Graded by a fifth from 0.15 of the longest: n elements reach 1.2^n times as far.
+    const double graded = std::log(length / (0.15 * longest)) / std::log(1.2), drawn = 40;
+    EXPECT_LT(double(stations.z.size()), length / (thinnest / 30) + 2 * graded + 80 + drawn) << width;
+    for (int e = 0; e + 1 < int(stations.z.size()); ++e) {
+      const double middle = (stations.z[std::size_t(e)] + stations.z[std::size_t(e) + 1]) / 2;
+      const bool on_strip = std::abs(middle) < width / 2;
+      ASSERT_LE(stations.length(e), (1 + 1e-9) * (on_strip ? longest : std::max(longest, thinnest / 30)))
+          << middle;
+    }
+  }
+}
+
+TEST(StackBeams, ElementsAwayFromANarrowStripAreShortEnough)
+{
+  Stack stack            = stack_of("four-high");
+  stack.strip.width      = 0.1;
+  stack.strip.crown_at   = 0.02;
+  stack.strip.edge_drop  = {0.04, 0.02};
+  BeamStackSettings fine = settings_of("four-high");
+  fine.elements_per_width *= 2;
+  BeamStack usual(stack, settings_of("four-high")), twice(stack, fine);
+  const StackState state = usual.solve(), finer = twice.solve();
+  EXPECT_TRUE(near(state.pairs[0].force, stack.strip.force, within(1e-9, "statics")));
+  EXPECT_TRUE(near(state.strip.middle, finer.strip.middle, within(1e-3, "error of the mesh")));
+  EXPECT_TRUE(
+      near(state.strip.crown, finer.strip.crown, within(1e-2, "error of the mesh at the edges of the strip")));
+  EXPECT_TRUE(near(state.pairs[0].peak_load, finer.pairs[0].peak_load, within(1e-3, "error of the mesh")));
 }
 
 // Two drawings may differ by micrometres; an element that short is as stiff as a rigid body.
