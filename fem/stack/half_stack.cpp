@@ -89,15 +89,16 @@ void HalfStack::set_width(StationedContact &contact, const double width) const
         bodies[i]->has_surface() ? width * std::exp(0.25) : 4 * contact.law.radius[i] * std::exp(-0.5);
 }
 
-// The least of b_0, 1.5 b_0, .. whose slope ln(b_0 e^(1/4) / b) - 1/2 is positive under the largest line load:
-// what a solved state has follows from its loads and not from the states before it.
+// The least of b_0, 1.5 b_0, .. that is no less than the half width under the largest line load: far beyond b_0
+// the slope of (51.17) takes away more than the flexibility of the rolls has. What a solved state has follows from
+// its loads and not from the states before it.
 double HalfStack::width_for(const StationedContact &contact) const
 {
   const double most       = contact.force.cwiseQuotient(contact.stations.length()).maxCoeff();
-  const double least      = std::exp(0.25) * reduce::half_width_of(contact.law, std::max(most, 0.));
+  const double least      = reduce::half_width_of(contact.law, std::max(most, 0.));
   const double most_width = std::min(contact.law.radius[0], contact.law.radius[1]);
   double width            = contact.first_width;
-  while (width <= least && width < most_width)
+  while (width < least && width < most_width)
     width *= wider;
   return width;
 }
