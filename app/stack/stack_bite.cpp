@@ -37,12 +37,12 @@ std::string missing_of_bite(const StackInput &input, const Pass &pass)
   return missing;
 }
 
-Stack with_slopes_of_bite(const StackInput &input, const Stack &stack)
+Stack with_slopes_of_bite(const StackInput &input, const Stack &stack, const Pass &pass)
 {
   if (input.strip.law != StackStripLaw::bite)
     return stack;
-  Pass as_given;
-  if (needs_speed(input.bite.friction) && !input.passes.empty())
+  Pass as_given = pass;
+  if (needs_speed(input.bite.friction) && std::isnan(as_given.speed) && !input.passes.empty())
     as_given.speed = input.passes.front().speed;
   StackBite rolled = stack_bite(input, stack, as_given, stack.strip.force);
   if (!(rolled.bite.roll_speed > 0))
@@ -50,10 +50,12 @@ Stack with_slopes_of_bite(const StackInput &input, const Stack &stack)
   const auto state = bite::solve_slab(rolled.bite, {bite::Theory::bland_ford, bite::Arc::hitchcock, 0});
   const auto by    = bite::linear_coefficients(rolled.bite, state, Linearisation::implicit);
   enum { exit_thickness, gap_rate, entry_tension, exit_tension, entry_thickness };
-  Stack sloped        = stack;
-  StackStrip &strip   = sloped.strip;
-  strip.modulus       = -by.force[exit_thickness] / strip.width;
-  strip.entry_modulus = by.force[entry_thickness] / strip.width;
+  Stack sloped          = stack;
+  StackStrip &strip     = sloped.strip;
+  strip.entry_thickness = rolled.bite.strip.entry_thickness;
+  strip.exit_thickness  = rolled.bite.strip.exit_thickness;
+  strip.modulus         = -by.force[exit_thickness] / strip.width;
+  strip.entry_modulus   = by.force[entry_thickness] / strip.width;
   strip.tension_modulus =
       std::abs(by.force[exit_tension]) / strip.width * input.bite.youngs_modulus / strip.exit_thickness;
   if (std::isnan(input.strip.arc))

@@ -21,6 +21,7 @@ StackBite stack_bite(const StackInput &input, const Stack &stack, const Pass &pa
 std::string missing_of_bite(const StackInput &input, const Pass &pass);
 
 /// The stack with the slopes of its bite, where law = "bite"; else as it is.  theory.md (51.5)
+/// @param pass  what it gives replaces that of [strip]; without a speed that of the first pass
 /// @throws InputError, SolverError  what the slab theory refuses
-Stack with_slopes_of_bite(const StackInput &input, const Stack &stack);
+Stack with_slopes_of_bite(const StackInput &input, const Stack &stack, const Pass &pass = {});
 }  // namespace mill

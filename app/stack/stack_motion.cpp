@@ -1,5 +1,6 @@
 #include "app/stack/stack_motion.h"
 #include "app/run/curve_files.h"
+#include "app/stack/stack_bite.h"
 #include "app/stages/response/dynamics_stage.h"
 #include "app/stages/stand/mode_results.h"
 #include "app/stages/stand/model_files.h"
@@ -64,7 +65,8 @@ Parameter on_two_meshes(const RunContext &run, const double force, const double 
   f.inputs         = keys_of_stack(run.the_case);
   f.error_estimate = not_given;
   f.error_lacks    = {"stiffness of the supports"};
-  f.checks.push_back({"half as many elements", coarse, ""});
+  if (std::isfinite(coarse))
+    f.checks.push_back({"half as many elements", coarse, ""});
   return f;
 }
 
@@ -96,18 +98,19 @@ void add_named(RunContext &run, const MovingPass &pass, const reduce::StandWithM
     const auto mode              = Eigen::Index(k);
     if (name.key.empty() || !name.listed || stand.modes.frequency[mode] > limit)
       continue;
-    const double on_coarse = mode < coarse.modes.frequency.size() ? coarse.modes.frequency[mode] : not_given;
+    // The same name, which another place in the list may have on the other mesh.
+    const auto same        = std::find_if(coarse.names.begin(), coarse.names.end(),
+                                          [&](const reduce::ModeName &other) { return other.key == name.key; });
+    const bool both        = same != coarse.names.end();
+    const double on_coarse = both ? coarse.modes.frequency[Eigen::Index(same - coarse.names.begin())] : not_given;
     Parameter f            = on_two_meshes(run, pass.force, stand.modes.frequency[mode], on_coarse);
     f.method               = mode_method({name.name, name.decided,
                                           fmt::format("rolls as beams about the solved state, {} (51.22)",
                                         state == GapState::rolling ? "strip as springs between the work rolls"
                                                                                  : "without the strip")});
-    Parameter share        = f;
-    share.value            = name.gap_share;
+    Parameter share        = on_two_meshes(run, pass.force, name.gap_share, both ? same->gap_share : not_given);
     share.unit             = "1";
     share.method           = name.name + ": share in the static compliance of the gap (22.23)";
-    share.error_estimate   = not_given;
-    share.error_lacks      = {"shape of the mode on two meshes"};
     if (state == GapState::open)
       for (std::size_t i = 0; i < pass.lumped_open.names.size(); ++i)
         if (pass.lumped_open.names[i].key == name.key)
@@ -160,6 +163,7 @@ MovingPass moving_pass(const StackInput &input, const Stack &stack, const Pass &
   made.force             = force_of_pass(pass, made.record, stack);
   made.stack             = stack;
   made.stack.strip.force = made.force;
+  made.stack             = with_slopes_of_bite(input, made.stack, pass);
   made.engine = std::make_shared<reduce::BeamStack>(made.stack, beam_settings(input, elements_per_width, threads));
   made.state  = made.engine->solve();
   made.moving = reduce::moving_stack(*made.engine);

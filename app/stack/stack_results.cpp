@@ -15,6 +15,20 @@
 #include <tuple>
 
 namespace mill {
+Stack loaded_where_solved(const SolvedStack &solved)
+{
+  const reduce::StripState &strip = solved.state.strip;
+  const Eigen::Index n            = strip.load.size();
+  const Eigen::VectorXd force     = strip.load.cwiseProduct(strip.edges.tail(n) - strip.edges.head(n));
+  const Eigen::VectorXd centre    = (strip.edges.tail(n) + strip.edges.head(n)) / 2;
+  const double off_middle         = force.dot(centre) / force.sum();
+  constexpr double rounding       = 1e-9;  // of the width: forces are balanced to 1e-10 of the rolling force
+  Stack loaded                    = solved.stack;
+  if (std::abs(off_middle) > rounding * loaded.strip.width)
+    loaded.strip.offset += off_middle;
+  return loaded;
+}
+
 namespace {
 const char *const by_factors = "exact derivative at the solved state, by the factors of Newton's last step";
 const char *const by_statics = "statics of rigid rolls (51.11)";
@@ -56,6 +70,16 @@ void add_strip_numbers(StackNumbers &all, const SolvedStack &solved, const bool 
   }
 }
 
+// Where the load of the strip lies, if that is not its middle; else empty.
+std::string load_of_strip(const SolvedStack &solved)
+{
+  constexpr double seen = 1e-5;  // m
+  const double centre   = loaded_where_solved(solved).strip.offset;
+  return std::abs(centre - solved.stack.strip.offset) < seen
+             ? ""
+             : fmt::format("with the load of the strip at {:.5g} mm, where its line load puts it", 1e3 * centre);
+}
+
 void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::size_t c,
                       const StackResultant &resultant, const char *by_newton)
 {
@@ -71,10 +95,11 @@ void add_pair_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
   const auto add = [&](const RowOf<1> &row, const double value, std::string method, std::vector<Check> checks) {
     all.push_back({row.of(a.name + "-" + b.name), value, row.unit, std::move(method), std::move(checks)});
   };
+  const std::string where = load_of_strip(solved);
   add(row::pair::force, pair.force, by_newton, {{by_statics, resultant.force, ""}});
   const bool presses = pair.force > 0;  // an open contact has neither a centre nor a stiffness
   if (presses)
-    add(row::pair::load_centre, pair.load_centre, by_newton, {{by_statics, resultant.centre, ""}});
+    add(row::pair::load_centre, pair.load_centre, by_newton, {{by_statics, resultant.centre, where}});
   const std::string uneven = "the load is not uniform";
   add(row::pair::q_max, pair.peak_load, by_newton, {{"mean over the length of contact", even, uneven}});
   if (presses)
@@ -107,10 +132,12 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
     reactions.emplace_back(roll.supports[s].z, state.reactions[s]);
   std::sort(reactions.begin(), reactions.end());
   if (reactions.size() == 2) {
-    const Eigen::RowVector2d balance = support_forces(solved.stack, r, resultants).row(1);
+    const Eigen::RowVector2d balance = support_forces(loaded_where_solved(solved), r, resultants).row(1);
     const Eigen::Index drive         = roll.supports[1].z > roll.supports[0].z ? 1 : 0;
-    add(row::roll::reaction_drive.of(roll.name), reactions[1].second, {{by_statics, balance[drive], ""}});
-    add(row::roll::reaction_operator.of(roll.name), reactions[0].second, {{by_statics, balance[1 - drive], ""}});
+    const std::string where          = load_of_strip(solved);
+    add(row::roll::reaction_drive.of(roll.name), reactions[1].second, {{by_statics, balance[drive], where}});
+    add(row::roll::reaction_operator.of(roll.name), reactions[0].second,
+        {{by_statics, balance[1 - drive], where}});
   } else {
     for (std::size_t s = 0; s < reactions.size(); ++s)
       add(row::roll::reaction_saddle.of(roll.name, std::to_string(s + 1)), reactions[s].second, {});
@@ -134,7 +161,7 @@ void add_roll_numbers(StackNumbers &all, const SolvedStack &solved, const std::s
 StackNumbers stack_numbers(const StackInput &input, const SolvedStack &solved, const char *method)
 {
   StackNumbers all;
-  const auto resultants = stack_resultants(solved.stack, solved.stack.strip.force);
+  const auto resultants = stack_resultants(loaded_where_solved(solved), solved.stack.strip.force);
   add_strip_numbers(all, solved, std::isnan(input.strip.gap), method);
   for (std::size_t c = 0; c < solved.stack.contacts.size(); ++c)
     add_pair_numbers(all, solved, c, resultants[c], method);

@@ -112,6 +112,8 @@ BearingErrors bearing_errors(const StackInput &input, const Stack &stack, const 
       const double value  = without_rounding(number.unit, number.value);
       const auto there    = moved.find(number.name);
       const double change = value == 0 || there == moved.end() ? 0 : there->second / value - 1;
+      if (!std::isfinite(change))
+        continue;  // it is left out of this state
       if (known)
         errors.square[number.name] += change * change;
       else if (std::abs(change) > moves)
@@ -121,25 +123,19 @@ BearingErrors bearing_errors(const StackInput &input, const Stack &stack, const 
   return errors;
 }
 
-// A crown that bending and shift take away is a small difference of large numbers, in which the engines differ
-// more than their meshes: by how much, m; NaN where they agree.
-double engines_apart(const StackNumberSets &sets, const std::string &name)
+// The same number of the other engine; NaN where it has none.
+double by_other_engine(const StackNumberSets &sets, const StackNumber &number)
 {
-  constexpr double share = 0.1, least = 2e-6;  // -, m
-  const auto of = [&](const StackNumbers &numbers) {
-    const auto entry = std::find_if(numbers.begin(), numbers.end(),
-                                    [&](const StackNumber &number) { return number.name.text() == name; });
-    return entry == numbers.end() ? not_given : entry->value;
-  };
-  const double here = of(sets.fine), other = of(sets.other), apart = std::abs(here - other);
-  return apart > least && apart > share * std::max(std::abs(here), std::abs(other)) ? apart : not_given;
+  const auto other = std::find_if(sets.other.begin(), sets.other.end(),
+                                  [&](const StackNumber &one) { return one.name.text() == number.name.text(); });
+  return other == sets.other.end() ? not_given : other->value;
 }
 
-const std::array<std::string, 2> &small_differences()
+// The engines may differ more than their meshes, most where a number is a small difference of large ones.
+double with_engines(const double of_meshes, const StackNumberSets &sets, const StackNumber &number)
 {
-  static const std::array<std::string, 2> names = {row::stack::crown.of().text(),
-                                                   row::stack::edge_drop.of().text()};
-  return names;
+  const double apart = std::abs(number.value - by_other_engine(sets, number));
+  return std::isfinite(apart) ? std::max(of_meshes, apart / std::abs(number.value)) : of_meshes;
 }
 
 void add_results(RunContext &run, const StackNumberSets &sets, const BearingErrors &of_bearings,
@@ -153,6 +149,8 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
   for (const StackNumber &number : coarse)
     by_coarse[number.name] = without_rounding(number.unit, number.value);
   for (const StackNumber &number : fine) {
+    if (std::isnan(number.value))
+      continue;
     Parameter p;
     p.value  = without_rounding(number.unit, number.value);
     p.unit   = number.unit;
@@ -171,10 +169,8 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
     const double halved  = coarser == by_coarse.end() ? not_given : coarser->second;
     const bool undefined = std::isnan(halved) || (p.value == 0 && halved != 0);  // no share of zero
     p.error_estimate     = undefined ? not_given : p.value == halved ? 0 : mesh_pair_error(p.value, halved);
-    if (const auto &names = small_differences();
-        std::find(names.begin(), names.end(), number.name.text()) != names.end())
-      if (const double apart = engines_apart(sets, number.name); std::isfinite(apart) && p.value != 0)
-        p.error_estimate = std::max(p.error_estimate, apart / std::abs(p.value));
+    if (p.value != 0 && number.source != Source::given)
+      p.error_estimate = with_engines(p.error_estimate, sets, number);
     if (const auto by = of_bearings.square.find(number.name); by != of_bearings.square.end())
       p.error_estimate = std::hypot(p.error_estimate, std::sqrt(by->second));
     if (const auto by = of_bearings.lack.find(number.name); by != of_bearings.lack.end()) {
@@ -185,16 +181,34 @@ void add_results(RunContext &run, const StackNumberSets &sets, const BearingErro
   }
 }
 
+// Where the engines differ by more than is usual of a profile.
 void warn_of_engines(RunContext &run, const StackNumberSets &sets)
 {
-  for (const std::string &name : small_differences())
-    if (const double apart = engines_apart(sets, name); std::isfinite(apart))
-      run.warn({WarningId::stack_engines,
-                name,
-                fmt::format("the engines differ by {:.1f} um, which is taken as its error", 1e6 * apart),
-                "bending and shift leave a small difference of large numbers",
-                "",
-                {name}});
+  constexpr double share = 0.1, least = 2e-6;  // -, m
+  static const std::array<const ResultRow *, 3> profile = {&row::stack::crown, &row::stack::edge_drop,
+                                                           &row::stack::wedge};
+  for (const StackNumber &number : sets.fine) {
+    const double other = by_other_engine(sets, number), apart = std::abs(number.value - other);
+    if (std::find(profile.begin(), profile.end(), &number.name.row()) == profile.end() || !(apart > least) ||
+        !(apart > share * std::max(std::abs(number.value), std::abs(other))))
+      continue;
+    run.warn({WarningId::stack_engines,
+              number.name.text(),
+              fmt::format("the engines differ by {:.1f} um, which is taken as its error", 1e6 * apart),
+              "bending and shift leave a small difference of large numbers",
+              "",
+              {number.name.text()}});
+  }
+}
+
+// Contacts whose change of the approach has no sign along their length, (51.21).
+void note_missing_tangents(RunContext &run, const StackNumbers &numbers)
+{
+  for (const StackNumber &number : numbers)
+    if (&number.name.row() == &row::pair::tangent && std::isnan(number.value))
+      run.progress.note(number.name.text() +
+                        " is left out: more rolling force loads the places of the contact so unevenly that the "
+                        "approach which the load weighs does not follow the force");
 }
 
 // A profile deeper than the thickness: no strip has it, and no flatness follows from it.
@@ -343,6 +357,8 @@ StackNumbers traced_stack(const StackInput &input, const Stack &stack)
 {
   const SolvedStack solved = solve_stack(input, stack, beams_of(input, elements_over_width / 2));
   StackNumbers all         = stack_numbers(input, solved, by_beams);
+  all.erase(std::remove_if(all.begin(), all.end(), [](const StackNumber &one) { return std::isnan(one.value); }),
+            all.end());
   for (StackNumber &number : all)
     number.value = without_rounding(number.unit, number.value);
   const Eigen::VectorXd f =
@@ -402,6 +418,16 @@ void move_stack(RunContext &run, const StackInput &input, const Stack &stack, co
   add_stack_speeds(run, input, passes);
 }
 
+// What the slab theory refuses of a pass is known before anything that takes long.
+void refuse_bites_of_passes(const StackInput &input, Stack stack)
+{
+  const double force = stack.strip.force;
+  for (const Pass &pass : input.passes) {
+    stack.strip.force = std::isnan(pass.load) ? force : pass.load;
+    with_slopes_of_bite(input, stack, pass);
+  }
+}
+
 void solve_state(RunContext &run, const StackInput &input, const Stack &stack, const StackBearings &bearings,
                  double &force);
 }  // namespace
@@ -410,6 +436,7 @@ void run_stack(RunContext &run, const StackInput &input, const Stack &drawn, con
 {
   const StackBearings bearings = solve_stack_bearings(run, input, drawn);
   Stack stack                  = with_slopes_of_bite(input, with_bearing_curves(drawn, bearings));
+  refuse_bites_of_passes(input, stack);
   if (goal >= Goal::simulate && goal != Goal::chatter)
     solve_state(run, input, stack, bearings, stack.strip.force);
   else if (!std::isnan(input.strip.gap))
@@ -468,11 +495,12 @@ void solve_state(RunContext &run, const StackInput &input, const Stack &stack, c
                                      "results are not compared with those of the other engine"),
                              other_method};
   add_results(run, sets, errors_of_bearings(run, input, stack, bearings, sets.fine), force);
-  add_stack_bearings(run, input, fine.stack, bearings);
+  add_stack_bearings(run, input, loaded_where_solved(fine), bearings);
   write_stack_curves(run, input, fine);
   write_stack_maps(run, input, stack);
   warn_of_state(run, fine);
   warn_of_engines(run, sets);
+  note_missing_tangents(run, sets.fine);
   say_what_is_assumed_of(run, input);
 }
 }  // namespace

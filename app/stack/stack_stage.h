@@ -45,6 +45,9 @@ SolvedStack solve_stack(const StackInput &input, const Stack &stack, const MakeS
 /// @throws SolverError  no equilibrium; `solved` has no engine then
 void solve_from(SolvedStack &solved, const StackInput &input, const Stack &stack, const MakeStackEngine &make);
 
+/// The stack with `strip.offset` at the centre of the solved line load, which is what statics takes.
+Stack loaded_where_solved(const SolvedStack &solved);
+
 /// S, the gap of the unloaded work rolls; NaN without an exit thickness.
 double unloaded_gap(const SolvedStack &solved);
 /// Flatness in I-units over the elements of the strip; empty without thicknesses.

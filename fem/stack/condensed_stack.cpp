@@ -298,10 +298,20 @@ struct CondensedStack::Implementation {
     return of[0].strip + of[1].strip;
   }
 
+  // A step on the way may have needed wider b_0 than the solution.
+  bool fit_widths()
+  {
+    bool changed = false;
+    for (HalfStack &half : halves)
+      changed = half.fit_widths(true) || changed;
+    return changed;
+  }
+
   int solve()
   {
     const VectorXd constant = law_constant();
     bool outdated           = !has_factors;
+    bool fitted             = false;  // once, so that a width cannot change from step to step
     for (int step = 1; step <= most_steps; ++step) {
       if (outdated)
         factorise();
@@ -322,6 +332,9 @@ struct CondensedStack::Implementation {
       }
       since += change;
       if (!exchanged && change < settled) {
+        outdated = !std::exchange(fitted, true) && fit_widths();
+        if (outdated)
+          continue;
         if (since > current)
           factorise();  // for the derivatives
         return step;

@@ -13,6 +13,7 @@ using Eigen::VectorXd;
 
 namespace {
 constexpr double least_radius_share = 0.03;  // b_0 of (51.17) over the smaller radius
+constexpr double wider              = 1.5;   // b_0 over the one before, where a load needs more
 
 VectorXd mean_departure(const StackRoll &roll, const ContactStations &stations)
 {
@@ -78,6 +79,44 @@ void HalfStack::place_stations(StationedContact &contact, const double force) co
   contact.touching.assign(std::size_t(length.size()), 1);
 }
 
+void HalfStack::set_width(StationedContact &contact, const double width) const
+{
+  contact.width = width;
+  // A body without orders of its own flattens by the whole of Johnson's law, the parabola's part of it included.
+  const std::array<const StackedRoll *, 2> bodies = {&stacked[contact.a], &stacked[contact.b]};
+  for (std::size_t i = 0; i < 2; ++i)
+    contact.reach[i] =
+        bodies[i]->has_surface() ? width * std::exp(0.25) : 4 * contact.law.radius[i] * std::exp(-0.5);
+}
+
+// The least of b_0, 1.5 b_0, .. that is no less than the half width under the largest line load: far beyond b_0
+// the slope of (51.17) takes away more than the flexibility of the rolls has. What a solved state has follows from
+// its loads and not from the states before it.
+double HalfStack::width_for(const StationedContact &contact) const
+{
+  const double most       = contact.force.cwiseQuotient(contact.stations.length()).maxCoeff();
+  const double least      = reduce::half_width_of(contact.law, std::max(most, 0.));
+  const double most_width = std::min(contact.law.radius[0], contact.law.radius[1]);
+  double width            = contact.first_width;
+  while (width < least && width < most_width)
+    width *= wider;
+  return width;
+}
+
+bool HalfStack::fit_widths(const bool may_shrink)
+{
+  std::vector<char> again(stacked.size(), 0);
+  for (StationedContact &contact : contacts) {
+    const double width = width_for(contact);
+    if (width <= contact.width && !(may_shrink && width < contact.width))
+      continue;
+    set_width(contact, width);
+    again[contact.a] = again[contact.b] = 1;
+  }
+  add_again(again);
+  return std::find(again.begin(), again.end(), 1) != again.end();
+}
+
 void HalfStack::make_contacts()
 {
   const auto resultants = stack_resultants(stack, stack.strip.force);
@@ -92,13 +131,9 @@ void HalfStack::make_contacts()
     contact.b       = place.at(drawn.b);
     contact.law = reduce::line_law(a.diameter / 2, a.material, b.diameter / 2, b.material, drawn.ring_stiffness);
     // The same whatever the load: the flexibility of the rolls is then one matrix for all settings of a stand.
-    contact.width       = least_radius_share * std::min(a.diameter, b.diameter) / 2;
-    contact.least_width = contact.width / 50;
-    // A body without orders of its own flattens by the whole of Johnson's law, the parabola's part of it included.
-    const std::array<const StackedRoll *, 2> bodies = {&stacked[contact.a], &stacked[contact.b]};
-    for (std::size_t i = 0; i < 2; ++i)
-      contact.reach[i] =
-          bodies[i]->has_surface() ? contact.width * std::exp(0.25) : 4 * contact.law.radius[i] * std::exp(-0.5);
+    contact.first_width = least_radius_share * std::min(a.diameter, b.diameter) / 2;
+    contact.least_width = contact.first_width / 50;
+    set_width(contact, contact.first_width);
     place_stations(contact, resultants[c].force);
     contact.gap = -mean_departure(a, contact.stations) - mean_departure(b, contact.stations);
     contacts.push_back(std::move(contact));
@@ -145,16 +180,23 @@ bool HalfStack::follow(const Stack &before)
     c.gap =
         -mean_departure(stack.rolls[names[c.a]], c.stations) - mean_departure(stack.rolls[names[c.b]], c.stations);
   }
+  add_again(again);
   for (std::size_t r = 0; r < stacked.size(); ++r)
-    if (again[r])
-      stacked[r].forget_lines();
-  add_lines(again);
-  for (std::size_t r = 0; r < stacked.size(); ++r)
-    if (again[r])
-      stacked[r].finish();
-    else
+    if (!again[r])
       stacked[r].take_loads();
   return std::find(again.begin(), again.end(), 1) != again.end();
+}
+
+// All lines of some rolls as their contacts are now.
+void HalfStack::add_again(const std::vector<char> &rolls)
+{
+  for (std::size_t r = 0; r < stacked.size(); ++r)
+    if (rolls[r])
+      stacked[r].forget_lines();
+  add_lines(rolls);
+  for (std::size_t r = 0; r < stacked.size(); ++r)
+    if (rolls[r])
+      stacked[r].finish();
 }
 
 void HalfStack::make_nodes()

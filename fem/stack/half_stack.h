@@ -15,7 +15,8 @@ struct StationedContact {
   Eigen::VectorXd gap;  ///< (N) m, of the undeformed profiles
   reduce::LineLaw law;
   std::array<double, 2> reach = {0, 0};  ///< m, c_i of (51.17)
-  double width                = 0;       ///< m, b_0 of (51.17)
+  double first_width          = 0;       ///< m, b_0 of (51.17) for every usual load
+  double width                = 0;       ///< m, b_0 of (51.17) as it is
   double least_width          = 0;       ///< m, of a station with hardly any load
   Eigen::VectorXd force;                 ///< (N) N
   Eigen::VectorXd slope;                 ///< (N) 1/Pa, of closing_of() at the last factors
@@ -49,8 +50,12 @@ public:
   /// @return        whether a flexibility changed, so that factorise() has to follow
   bool follow(const Stack &before);
 
-  /// At the present forces of the contacts.  @throws SolverError  a roll is not held
+  /// At the present forces of the contacts, with wider b_0 of (51.17) where one needs it.
+  /// @throws SolverError  a roll is not held
   void factorise();
+  /// b_0 of every contact as its present forces need it.  @param may_shrink  else it only grows
+  /// @return  whether one changed, so that factorise() has to follow
+  bool fit_widths(bool may_shrink);
   /// (n, n) m/N, of the strip's line with everything behind it.
   const Eigen::MatrixXd &at_strip() const
   {
@@ -87,6 +92,7 @@ public:
 
 private:
   [[noreturn]] void not_held(std::size_t roll) const;  ///< @param roll  place in `stacked`
+  [[noreturn]] void no_pressing(const StationedContact &contact) const;
   // The forces of a contact's touching stations, or the motions of a roll.
   struct Unknowns {
     bool is_force;
@@ -100,6 +106,9 @@ private:
   HalfVector right_of(const std::function<RollAnswer(std::size_t)> &answer_of) const;
   void make_contacts();
   void place_stations(StationedContact &contact, double force) const;
+  void set_width(StationedContact &contact, double width) const;
+  double width_for(const StationedContact &contact) const;
+  void add_again(const std::vector<char> &rolls);
   void add_lines(const std::vector<char> &of_roll);
   void make_nodes();
   std::vector<std::vector<std::size_t>> graph() const;

@@ -2,6 +2,7 @@
 #include "core/base/errors.h"
 #include "fem/stack/half_stack.h"
 #include <algorithm>
+#include <fmt/format.h>
 #include <set>
 #include <utility>
 
@@ -149,8 +150,19 @@ void HalfStack::not_held(const std::size_t roll) const
                      "check supports and contacts of every roll, and the signs of crowns and bending forces", ""});
 }
 
+void HalfStack::no_pressing(const StationedContact &contact) const
+{
+  const double most = contact.force.cwiseQuotient(contact.stations.length()).maxCoeff();
+  throw SolverError({"roll stack: contact " + stack.rolls[names[contact.a]].name + "-" +
+                         stack.rolls[names[contact.b]].name + " has no positive compliance",
+                     fmt::format("largest line load {:.4g} kN/mm", 1e-6 * most),
+                     "a line load beyond what the plane law of a contact describes",
+                     "smaller bending forces, or a smaller rolling force", ""});
+}
+
 void HalfStack::factorise()
 {
+  fit_widths(false);
   by_strip = stacked[work_roll].flexibility(strip_line, strip_line);
   for (StationedContact &c : contacts) {
     const VectorXd length = c.stations.length();
@@ -170,7 +182,9 @@ void HalfStack::factorise()
   }
   if (const std::size_t loose = factors.factorise(); loose < strip) {
     const Unknowns &node = nodes[loose];
-    not_held(node.is_force ? contacts[node.item].a : node.item);
+    if (node.is_force)
+      no_pressing(contacts[node.item]);
+    not_held(node.item);
   }
   // Of the strip's own flexibility, which a half space need not make symmetric, the rest is what is eliminated.
   by_strip += scale * MatrixXd(factors.block(strip, strip).values.selfadjointView<Eigen::Lower>());

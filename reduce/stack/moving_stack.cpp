@@ -404,7 +404,7 @@ MovingStack lumped_stack(const BeamStack &solved, const StackState &state)
     const StackContact &contact = stack.contacts[c];
     const auto direction        = direction_of(stack, contact);
     Connection pair{stack.rolls[contact.a].name + "-" + stack.rolls[contact.b].name, MatrixXd::Zero(1, n),
-                    VectorXd::Constant(1, state.pairs[c].loaded_tangent)};
+                    VectorXd::Constant(1, state.pairs[c].uniform_tangent)};
     for (const std::size_t axis : planes) {
       pair.rows(0, unknown(contact.a, axis)) = direction[axis];
       pair.rows(0, unknown(contact.b, axis)) = -direction[axis];

@@ -34,8 +34,9 @@ struct MovingStack {
 /// Cost: an eigenvalue problem of a roll for each shape of roll; O(rolls x bending_modes)^2 storage.
 MovingStack moving_stack(const BeamStack &solved, int bending_modes = 8);
 
-/// One mass for each roll and direction, between them one spring for each contact (PairState::loaded_tangent), and
-/// what holds a roll.  theory.md (51.23)
+/// One mass for each roll and direction, between them one spring for each contact, and what holds a roll.  A roll
+/// that neither tilts nor bends comes nearer by the same everywhere, so that the spring is the sum of all places
+/// (PairState::uniform_tangent), which is positive wherever the contact is not open.  theory.md (51.23)
 MovingStack lumped_stack(const BeamStack &solved, const StackState &state);
 
 /// With the strip as springs between the work rolls.

@@ -17,7 +17,7 @@ struct PairState {
   double peak_pressure   = 0;  ///< Pa
   double touching        = 0;  ///< share of the length that may touch
   double uniform_tangent = 0;  ///< N/m, integral of the tangent
-  double loaded_tangent  = 0;  ///< N/m, d(force)/d(approach that the load weighs), with the rolling force
+  double loaded_tangent  = 0;  ///< N/m, d(force)/d(approach that the load weighs), with the rolling force; or NaN
 };
 
 /// Deflection of one roll.
@@ -54,7 +54,8 @@ struct StackState {
   double residual  = 0;  ///< largest force out of balance over the rolling force
 };
 
-/// d(force) over d(approach that the line load weighs) of a contact.  theory.md (51.21)
+/// d(force) over d(approach that the line load weighs) of a contact; NaN where changes of opposite sign along the
+/// contact take away half of that of the approach.  theory.md (51.21)
 /// @param change  (places of the pair) N/m per N, of its line load with the rolling force
 double loaded_tangent(const PairState &pair, const Eigen::VectorXd &change);
 }  // namespace mill::reduce

@@ -115,6 +115,30 @@ TEST(StackMotionOfACase, TakesTheSlopesOfItsBite)
   EXPECT_GT(soft.tension_modulus, 0);
 }
 
+// law = "bite": a pass is the stack of a case whose strip has the values of the pass.
+TEST(StackMotionOfACase, TakesTheSlopesOfTheBiteOfItsPass)
+{
+  const auto six = [](const std::vector<std::string> &more) {
+    std::vector<std::string> sets{"strip.law=bite", "strip.friction=0.05", "strip.flow_stress.law=constant",
+                                  "strip.flow_stress.k=600 MPa"};
+    sets.insert(sets.end(), more.begin(), more.end());
+    return case_of_tree("stack-six-high.toml", sets);
+  };
+  const auto strip_of = [](const Case &made, const Pass &pass) {
+    const StackCase &spec = std::get<StackCase>(made.spec);
+    return moving_pass(*spec.input, with_slopes_of_bite(*spec.input, *spec.stack), pass, 30).stack.strip;
+  };
+  Pass thinner;
+  thinner.entry_thickness   = 1e-3;
+  thinner.exit_tension      = 100e6;
+  const StackStrip of_strip = strip_of(six({}), Pass{}), of_pass = strip_of(six({}), thinner),
+                   of_case = strip_of(six({"strip.entry_thickness=1 mm", "strip.exit_tension=100 MPa"}), Pass{});
+  EXPECT_GT(std::abs(of_pass.modulus / of_strip.modulus - 1), 0.01);
+  for (const auto member : {&StackStrip::modulus, &StackStrip::entry_modulus, &StackStrip::tension_modulus,
+                            &StackStrip::entry_thickness, &StackStrip::exit_thickness})
+    EXPECT_TRUE(near(of_pass.*member, of_case.*member, within(1e-12, "the same numbers")));
+}
+
 TEST(StackMotionOfACase, NamesItsModesFromTheCommandLine)
 {
   const std::string folder = scratch("stack-modes");
@@ -125,4 +149,19 @@ TEST(StackMotionOfACase, NamesItsModesFromTheCommandLine)
   EXPECT_TRUE(values.contains("mode.gap_first_kind.frequency"));
   EXPECT_TRUE(values.contains("open.mode.gap_first_kind.frequency"));
   EXPECT_FALSE(values.at("stack.f1").at("checks").empty()) << "one mass for each roll stands next to it";
+  const auto &share = values.at("mode.gap_first_kind.gap_share");
+  ASSERT_EQ(share.at("checks").size(), 1u);
+  // Both meshes of the beams resolve the lowest frequencies to 1e-4, and a share by squares of the shapes.
+  EXPECT_TRUE(near(share.at("checks")[0].at("value").get<double>(), share.at("value").get<double>(),
+                   within(1e-2, "elements twice as long")));
+}
+
+// Bending that makes the approach of the contacts fall with the force: the run has all its other results.
+TEST(StackMotionOfACase, RunsUnderBendingOfItsWorkRolls)
+{
+  const std::string folder = scratch("stack-bent");
+  const Outcome outcome    = millstand(
+         "modes cases/stack-four-high.toml --set 'roll.0.bending_force=[\"800 kN\", \"800 kN\"]' -o " + folder);
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_TRUE(nlohmann::json::parse(read_text(folder + "/results.json")).at("values").contains("stack.f1"));
 }

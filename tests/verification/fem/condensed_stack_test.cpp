@@ -63,6 +63,44 @@ TEST(CondensedStack, WithBeamsForRollsIsTheEngineOfBeams)
   }
 }
 
+namespace {
+Stack bent_four_high(const double newton)
+{
+  Stack stack = stack_named("four-high.bend");
+  for (StackRoll &roll : stack.rolls)
+    for (StackLoad &load : roll.loads)
+      load.force[1] = std::copysign(newton, load.force[1]);
+  return stack;
+}
+}  // namespace
+
+// Half widths beyond 0.03 of the radius: 40 kN/mm on rolls of 210 and 725 mm make one of 8.5 mm.
+TEST(CondensedStack, HoldsRollsUnderLoadsThatNeedAWiderContact)
+{
+  const Stack heavy = bent_four_high(5e6);
+  const CondensedReference condensed(heavy, CondensedMesh::coarse);
+  const reduce::StackState beams = reduce::BeamStack(heavy).solve();
+  const auto resultants          = stack_resultants(heavy, heavy.strip.force);
+  for (std::size_t c = 0; c < resultants.size(); ++c)
+    EXPECT_TRUE(near(condensed.state.pairs[c].force, resultants[c].force, within(1e-9, "no elasticity in it")));
+  EXPECT_GT(beams.pairs[0].peak_load, 30e6);
+  EXPECT_TRUE(near(condensed.state.strip.crown, beams.strip.crown, within(0.06, "shoulders, cross influence")));
+}
+
+// The widths for which the contacts are summed follow from the loads of the solution, not from those before it.
+TEST(CondensedStack, ReturnsToTheStateOfUsualLoadsAfterHeavyOnes)
+{
+  const Stack usual = bent_four_high(1e5), heavy = bent_four_high(5e6);
+  const CondensedReference cold(usual, CondensedMesh::coarse);
+  fem::CondensedStack engine(heavy, condensed_rolls(heavy, CondensedMesh::coarse));
+  engine.solve();
+  ASSERT_TRUE(engine.change(usual));
+  const reduce::StackState back = engine.solve();
+  EXPECT_TRUE(near(back.strip.middle, cold.state.strip.middle, within(1e-8, "steps of Newton's method end")));
+  EXPECT_TRUE(
+      near(back.pairs[0].peak_load, cold.state.pairs[0].peak_load, within(1e-8, "steps of Newton's method end")));
+}
+
 TEST(CondensedStack, ResultantsFollowFromStaticsAlone)
 {
   const Stack six = stack_named("six-high.all");

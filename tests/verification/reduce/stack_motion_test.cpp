@@ -98,7 +98,7 @@ TEST(StackMotion, LumpedFourHighIsTwoMassesAHalf)
   const auto modes         = stand_modes(lumped.model);
   const StackContact &pair = moved.stack.contacts[0];
   const double bearings    = 2 * moved.stack.rolls[pair.b].supports[0].stiffness[1],
-               contact     = moved.state.pairs[0].loaded_tangent;
+               contact     = moved.state.pairs[0].uniform_tangent;
   const auto a_row = Eigen::Index(pair.a), b_row = Eigen::Index(pair.b);
   const double backup = lumped.model.M(b_row, b_row), work = lumped.model.M(a_row, a_row);
   const double a = (bearings + contact) / backup, c = contact / work;
@@ -128,6 +128,64 @@ TEST(StackMotion, TangentOfAPairIsTheChangeBetweenTwoForces)
   }
   EXPECT_TRUE(near(moved.state.pairs[0].loaded_tangent, (force[1] - force[0]) / (approach[1] - approach[0]),
                    within(1e-5, "central difference over 0.2 % of the force")));
+}
+
+// (51.21) by hand: two places of 1 m with 1 and 2 N/m, 1 Pa each, so that their approaches are 1 and 2 m.
+TEST(StackMotion, APairHasATangentWhereItsPlacesMoveAlike)
+{
+  PairState pair;
+  pair.weight = pair.tangent = Eigen::Vector2d(1, 1);
+  pair.load = pair.approach = Eigen::Vector2d(1, 2);
+  // The mean approach is sum q^2 / sum q, 5/3; both loads larger by the share x: it is larger by x, too.
+  EXPECT_TRUE(near(loaded_tangent(pair, pair.load), 3 / (5. / 3), within(1e-14, "rounding")));
+  // One more newton on both: sum q^2 changes by 2 (1 + 2), sum q by 2, the mean by 6/3 - 5 * 2/9 = 8/9.
+  EXPECT_TRUE(near(loaded_tangent(pair, Eigen::Vector2d(1, 1)), 2 / (8. / 9), within(1e-14, "rounding")));
+  // The smaller load grows at the cost of the larger one: sum q^2 by 2 (3 - 4), sum q by 1. More force, and the
+  // mean approach is less.
+  EXPECT_TRUE(std::isnan(loaded_tangent(pair, Eigen::Vector2d(3, -2))));
+}
+
+namespace {
+// Work rolls of the four-high bent by `times` the 100 kN per chock of its reference.
+Stack bent_four_high(const double times)
+{
+  Stack stack = reference_stack(reference("four-high.bend", "stack"));
+  for (StackRoll &roll : stack.rolls)
+    for (StackLoad &load : roll.loads)
+      load.force[1] *= times;
+  return stack;
+}
+}  // namespace
+
+// A lumped stack is the stack of beams in which no roll tilts or bends: the stiffness of its translations alone.
+TEST_P(StackInMotion, LumpedIsTheStackWhoseRollsOnlyTranslate)
+{
+  const Moved moved(GetParam());
+  const MovingStack lumped = lumped_stack(moved.engine, moved.state);
+  Eigen::MatrixXd moves    = Eigen::MatrixXd::Zero(Eigen::Index(moved.moving.moved.size()), lumped.model.M.rows());
+  for (std::size_t i = 0; i < moved.moving.moved.size(); ++i)
+    for (std::size_t k = 0; k < lumped.moved.size(); ++k) {
+      const MovedRoll &full = moved.moving.moved[i], &one = lumped.moved[k];
+      if (full.motion == MovedRoll::Motion::translation && full.roll == one.roll && full.axis == one.axis)
+        moves(Eigen::Index(i), Eigen::Index(k)) = std::sqrt(lumped.model.M(Eigen::Index(k), Eigen::Index(k)));
+    }
+  const Eigen::MatrixXd restricted = moves.transpose() * stiffness_of(moved.moving.model) * moves,
+                        of_lumps   = stiffness_of(lumped.model);
+  EXPECT_TRUE(near((restricted - of_lumps).cwiseAbs().maxCoeff(), 0,
+                   within_absolute(1e-8 * of_lumps.cwiseAbs().maxCoeff(), "rounding of shapes of a free beam")));
+}
+
+// Bending that carries much of a contact: the force then relieves its loaded ends and loads its middle. Fewer
+// freedoms cannot lower the lowest frequency (Rayleigh).
+TEST(StackMotion, LumpedStackIsHeldUnderBendingOfItsWorkRolls)
+{
+  for (const double times : {0., 4., 6., 8., 10., 12., 15., 20.}) {
+    const Moved moved(bent_four_high(times));
+    const MovingStack lumped = lumped_stack(moved.engine, moved.state);
+    EXPECT_GT(stand_modes(lumped.model).frequency[0], stand_modes(moved.moving.model).frequency[0]) << times;
+    for (const PairState &pair : moved.state.pairs)
+      EXPECT_FALSE(pair.loaded_tangent <= 0) << times;
+  }
 }
 
 TEST(StackMotion, StripBetweenTheRollsMovesOnlyModesThatOpenTheGap)
