@@ -3,6 +3,7 @@
 #include "app/python/python_values.h"
 #include "app/trace/trace_key.h"
 #include "core/base/files.h"
+#include "core/base/save_in_place.h"
 #include "core/base/units.h"
 #include "core/case/input_reference.h"
 #include <algorithm>
@@ -147,7 +148,7 @@ py::tuple check(const HeldCase &held)
 // With every value, since records are known by paths from the folder of the file.
 void save(const HeldCase &held, const py::handle path)
 {
-  write_atomically(path_of(path), held.read()->resolved);
+  save_in_place(path_of(path), held.read()->resolved);
 }
 }  // namespace
 

@@ -1,5 +1,6 @@
 #include "app/run/output_dir.h"
 #include "app/run/run_setup.h"
+#include "app/run/source_location.h"
 #include "core/base/errors.h"
 #include "core/base/file_ending.h"
 #include "core/base/files.h"
@@ -15,15 +16,14 @@ namespace fs = std::filesystem;
 
 namespace mill {
 namespace {
-// Name of the case to which a folder belongs; empty when it is not the folder of a run.
-std::string owner_of(const std::string &directory)
+// A text of a JSON file of a folder; empty when it is not there.
+std::string text_in(const std::string &file, const char *key)
 {
-  const std::string manifest = directory + "/run.json";
-  if (!fs::exists(manifest))
+  if (!fs::exists(file))
     return "";
-  const auto json  = nlohmann::json::parse(read_text(manifest), nullptr, false);
-  const bool named = json.is_object() && json.contains("case") && json["case"].is_string();
-  return named ? json["case"].get<std::string>() : "";
+  const auto json  = nlohmann::json::parse(read_text(file), nullptr, false);
+  const bool named = json.is_object() && json.contains(key) && json[key].is_string();
+  return named ? json[key].get<std::string>() : "";
 }
 
 // Nothing but what an interrupted run left behind.
@@ -57,13 +57,17 @@ OutputDir::OutputDir(std::string path, const Case &the_case, const bool overwrit
   const FolderLock alone(target);  // no run is in the middle of publishing here
   finish_publishing(target);
   if (!is_free(directory) && !overwrite) {
-    const std::string owner = owner_of(directory);
+    const std::string manifest = directory + "/run.json";
+    const std::string owner    = text_in(manifest, "case");
     if (owner.empty())
       throw InputError("the folder " + directory +
                        " holds files that no run wrote; choose another with -o, or give --force-overwrite");
     if (owner != the_case.name)
       throw InputError("the folder " + directory + " holds the results of the case '" + owner +
                        "'; choose another with -o, or give --force-overwrite");
+    if (const std::string other = other_source(manifest, the_case.path); !other.empty())
+      throw InputError("the folder " + directory + " holds the results of another case file of this name, " +
+                       other + "; choose another with -o, or give --force-overwrite");
   }
   require_replaceable(target);
   if (alone.held())

@@ -2,6 +2,7 @@
 #include "app/process/out_of_memory.h"
 #include "app/process/version.h"
 #include "app/run/run_kind.h"
+#include "app/run/source_location.h"
 #include "core/base/files.h"
 #include "core/base/name_part.h"
 #include "core/base/valid_text.h"
@@ -254,6 +255,7 @@ std::string manifest_json(const RunContext &run)
                 {"version", version()},
                 {"case", c.name},
                 {"case_path", valid_text(c.path)},
+                {source_location, location_of(c.path)},
                 {"kind", c.kind},
                 {"title", c.title},
                 {"run_id", run.out.run_id()},

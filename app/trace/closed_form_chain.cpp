@@ -244,6 +244,14 @@ Parameter bent_beam(const FourHigh &stand, const SpringFactors &factors)
   return p;
 }
 
+// The closed form bends a beam, whatever the case asks for: what a run follows in the model is left out.
+KeyList as_beam(KeyList keys)
+{
+  const KeyList choice = keys_in("backup_roll", "bending_model");
+  keys.erase(std::remove(keys.begin(), keys.end(), choice.front()), keys.end());
+  return keys;
+}
+
 // The chain twice: with the keys that closed forms follow, whose numbers count, and with all keys of a run.
 reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std::size_t pass, const double load,
                               const SpringFactors &factors, MovingKeys *keys)
@@ -288,8 +296,10 @@ reduce::LumpedStand add_chain(ClosedFormResults &all, FourHigh &stand, const std
                  false, ChainReading::closed_form);
     full = reduce::chain_keys(*keys, stand, {list("K3"), list("K4"), list("K5"), list("K_Zy"), list("K_Zy_lower")},
                               solid);
-    closed_bending = bent_backup_keys(*keys, false, false);
-    bending        = bent_backup_keys(*keys, solid, false);
+    closed_bending = as_beam(bent_backup_keys(*keys, false, false));
+    for (KeyList &followed : closed)
+      followed = as_beam(std::move(followed));
+    bending = bent_backup_keys(*keys, solid, false);
   }
   const auto add = [&](const std::string &name, const Parameter &p, const KeyList &followed,
                        const KeyList &inputs) {

@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/case/kinds.h"
 #include "core/case/old_keys.h"
+#include "core/case/resolved_sections.h"
 #include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
@@ -94,16 +95,10 @@ std::map<std::string, std::string> resolved_values(const std::string &text)
   std::map<std::string, std::string> values;
   std::istringstream lines(text);
   std::string section, line;
-  std::map<std::string, int> listed;  // sections of each name in double brackets so far
+  ResolvedSections sections;
   while (std::getline(lines, line)) {
-    if (line.rfind("[[", 0) == 0) {
-      const std::string name = line.substr(2, line.find("]]") - 2);
-      section                = fmt::format("{}.{}.", name, listed[name]++);
-    } else if (!line.empty() && line[0] == '[') {
-      section = line.substr(1, line.rfind(']') - 1) + ".";
-      if (const auto list = listed.find(section.substr(0, section.find('.'))); list != listed.end())
-        section.insert(list->first.size(), fmt::format(".{}", list->second - 1));  // of the one above
-      section.erase(std::remove(section.begin(), section.end(), '"'), section.end());
+    if (!line.empty() && line[0] == '[') {
+      section = sections.prefix(line);
     } else if (const auto equals = line.find(" = "); equals != std::string::npos && line[0] != '#') {
       std::string value = line.substr(equals + 3);
       if (const auto mark = value.rfind("  # default"); mark != std::string::npos)

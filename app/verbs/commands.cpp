@@ -15,6 +15,7 @@
 #include "app/verbs/run_command.h"
 #include "app/verbs/stack_command.h"
 #include "core/base/files.h"
+#include "core/base/save_in_place.h"
 #include "core/base/short_number.h"
 #include "core/base/visible_text.h"
 #include "core/case/case_sheet.h"
@@ -110,7 +111,7 @@ int write_template(const CommandLine &command)
   }
   if (fs::exists(command.output) && !command.force_overwrite)
     throw InputError("the file " + command.output + " exists; choose another with -o, or give --force-overwrite");
-  write_atomically(command.output, text);
+  save_in_place(command.output, text);
   return 0;
 }
 

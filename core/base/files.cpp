@@ -2,6 +2,7 @@
 #include "core/base/errors.h"
 #include "core/base/input_file.h"
 #include "core/base/name_part.h"
+#include "core/base/save_in_place.h"
 #include "core/base/text.h"
 #include "core/base/uninterrupted.h"
 #include <algorithm>
@@ -107,10 +108,20 @@ int write_all(const int file, const std::string &text)
 }
 }  // namespace
 
-void write_atomically(const std::string &path, const std::string &text)
+namespace {
+// Mode and, where the system allows it, owner of the file that is replaced; 0 or the error number.
+int become_like(const int file, const struct stat &old)
+{
+  if (::fchown(file, old.st_uid, old.st_gid) != 0)
+    errno = 0;  // of another user: the file becomes ours, as with every editor that renames
+  return ::fchmod(file, old.st_mode & 0777) == 0 ? 0 : errno;
+}
+
+void replace_file(const std::string &path, const std::string &text, const bool keep_mode)
 {
   struct stat target {};
-  if (::lstat(path.c_str(), &target) == 0 && !S_ISLNK(target.st_mode) && !S_ISDIR(target.st_mode))
+  const bool exists = ::lstat(path.c_str(), &target) == 0;
+  if (exists && !S_ISLNK(target.st_mode) && !S_ISDIR(target.st_mode))
     if (const std::string kind = other_kind(target.st_mode); !kind.empty())
       cannot("written", path, kind);
   // A rename is atomic only inside one file system, hence a name in the same folder.
@@ -119,7 +130,9 @@ void write_atomically(const std::string &path, const std::string &text)
   if (file.number < 0)
     cannot_write(path, errno);
   const Descriptor lock(::fcntl(file.number, F_DUPFD_CLOEXEC, 0));  // ours until the file has its name
-  int error        = write_all(file.number, text);
+  int error = keep_mode && exists && S_ISREG(target.st_mode) ? become_like(file.number, target) : 0;
+  if (error == 0)
+    error = write_all(file.number, text);
   const int closed = file.close();
   if (error == 0)
     error = closed;
@@ -129,6 +142,19 @@ void write_atomically(const std::string &path, const std::string &text)
     ::unlink(temporary.c_str());
     cannot_write(path, error);
   }
+}
+}  // namespace
+
+void write_atomically(const std::string &path, const std::string &text)
+{
+  replace_file(path, text, false);
+}
+
+void save_in_place(const std::string &path, const std::string &text)
+{
+  std::error_code error;
+  const auto file = std::filesystem::canonical(path, error);  // a new file, and a link to nothing, have none
+  replace_file(error ? path : file.string(), text, true);
 }
 
 std::string read_text(const std::string &path)

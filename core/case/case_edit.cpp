@@ -219,6 +219,70 @@ std::string with_new_key(const std::string &text, const Location &where, const s
   return joined_lines(lines);
 }
 
+bool reads_back(const std::string &text, const std::vector<std::string> &parts)
+{
+  try {
+    return locate(read_case_text("the case", text), parts).entry != nullptr;
+  } catch (const InputError &) {  // the key is there twice, or its section is
+    return false;
+  }
+}
+
+// Everything before the last part of a dotted key: "steel." of "steel.density = ..".
+std::string dotted_prefix(const std::string &line)
+{
+  char quote       = 0;
+  std::size_t last = 0;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quote != 0)
+      quote = c == quote ? '\0' : quote;
+    else if (c == '"' || c == '\'')
+      quote = c;
+    else if (c == '=')
+      break;
+    else if (c == '.')
+      last = i + 1;
+  }
+  return line.substr(0, last);
+}
+
+// A key of a section without a header line: behind a dotted key of the same section.
+std::string with_dotted_key(const std::string &text, const Location &where, const std::string &key,
+                            const std::string &toml)
+{
+  auto lines = lines_of(text);
+  for (const Node::Entry &entry : where.section->entries)
+    if (const auto line = std::size_t(entry.key_place.line); !entry.value.section && line > 0) {
+      const std::string added =
+          line_with(dotted_prefix(lines[line - 1]) + key_text(key), toml, "", end_of_line(text));
+      lines.insert(lines.begin() + std::ptrdiff_t(line - 1),
+                   added);  // before it: its value may have several lines
+      break;
+    }
+  return joined_lines(lines);
+}
+
+// The first of the ways to write it with which the key is read where it belongs.
+std::string with_added_key(const std::string &text, const Location &where, const std::vector<std::string> &parts,
+                           const std::string &toml)
+{
+  std::string next = with_new_key(text, where, parts.back(), toml);
+  if (!where.section || reads_back(next, parts))
+    return next;
+  next = with_dotted_key(text, where, parts.back(), toml);
+  if (reads_back(next, parts))
+    return next;
+  Location with_header = where;  // a section that only sections below it name
+  with_header.section  = nullptr;
+  next                 = with_new_key(text, with_header, parts.back(), toml);
+  if (!where.is_item && reads_back(next, parts))
+    return next;
+  throw InputError(where.section->place,
+                   fmt::format("{} is written in a way that {} cannot be added to; write it into the file",
+                               where.header, key_text(parts.back())));
+}
+
 std::string as_comment(const std::string &text, const Node::Entry &entry, const std::size_t value_end)
 {
   auto lines       = lines_of(text);
@@ -277,7 +341,7 @@ std::string with_value(const std::string &text, const std::string &key, const st
   const Node root      = read_case_text("the case", text);
   const Location where = locate(root, parts);
   if (!where.entry)
-    return toml.empty() ? text : with_new_key(text, where, parts.back(), toml);
+    return toml.empty() ? text : with_added_key(text, where, parts, toml);
   const Node &value = where.entry->value;
   if (value.section)
     throw InputError(value.place, fmt::format("'{}' is a section and not a value", key));

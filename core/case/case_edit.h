@@ -7,12 +7,13 @@ namespace mill {
 ///
 /// A key of the file gets the new value at its place.  A key that is not in the file takes the place
 /// of its comment line "# key = .." in its section, or is added behind the last key of the section; a section that
-/// is missing is added at the end.  `[[pass]]` number n of n passes is added with a name.
+/// is missing is added at the end.  A section that is written with dotted keys gets another one.  `[[pass]]`
+/// number n of n passes is added with a name.
 /// @param text  TOML; lines may end in CRLF
 /// @param key   full, as --set has it: "work_roll.barrel_diameter", "pass.0.load", "bearing.\"crb 1.5\".bore"
 /// @param toml  value as TOML, on one line; empty: the line of the key becomes a comment
 /// @throws InputError  text that is not TOML; a key inside an inline table that is not in the file
-/// Cost: one or two parses.
+/// Cost: one to three parses.
 std::string with_value(const std::string &text, const std::string &key, const std::string &toml);
 
 /// A value as it stands in a case file.

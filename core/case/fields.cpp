@@ -68,7 +68,11 @@ std::optional<double> scalar(const Item &item, const std::string &form, const Ra
 
 std::optional<Value> count(const Item &item)
 {
-  if (item.node.kind != Node::Kind::integer)
+  constexpr double largest = 1e9;  // of a real number that is taken, as 4.0; it fits into an int
+  const bool whole         = item.node.kind == Node::Kind::integer ||
+                     (item.node.kind == Node::Kind::real && std::abs(item.node.number) <= largest &&
+                      item.node.number == std::floor(item.node.number));
+  if (!whole)
     return item.refuse(fmt::format("is not a whole number; {}", needed(item.row)));
   if (!inside(item.node.number, item.row.range))
     return item.refuse(fmt::format("is outside {}", range_in(item.row.range, "count")));

@@ -13,11 +13,21 @@
 #include <filesystem>
 #include <fstream>
 #include <stdexcept>
+#include <sys/statvfs.h>
 #include <vector>
 
 namespace fs = std::filesystem;
 
 namespace mill::fmu {
+namespace {
+// Is the file system of a folder mounted without the right to run programs?
+bool runs_nothing(const std::string &folder)
+{
+  struct statvfs system {};
+  return ::statvfs(folder.c_str(), &system) == 0 && (system.f_flag & ST_NOEXEC) != 0;
+}
+}  // namespace
+
 UnpackedUnit::UnpackedUnit(const std::string &archive, const std::string &identifier, const int fmi_version)
 {
   std::string pattern = (fs::temp_directory_path() / "millstand-unit-XXXXXX").string();
@@ -36,8 +46,14 @@ UnpackedUnit::UnpackedUnit(const std::string &archive, const std::string &identi
     const std::string path =
         folder_ + "/binaries/" + (fmi_version == 3 ? "x86_64-linux/" : "linux64/") + identifier + ".so";
     library_ = dlopen(path.c_str(), RTLD_NOW | RTLD_LOCAL);
-    if (!library_)
-      throw std::runtime_error(dlerror());
+    if (!library_) {
+      const std::string reason = dlerror();
+      if (runs_nothing(folder_))
+        throw SystemError("the unit cannot be tried, since programs may not run from " +
+                          fs::temp_directory_path().string() + " (mounted noexec): " + reason +
+                          "; set TMPDIR to another folder");
+      throw std::runtime_error(reason);
+    }
   } catch (...) {
     remove_folder(folder_);
     throw;

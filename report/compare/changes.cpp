@@ -1,10 +1,10 @@
+#include "core/case/resolved_sections.h"
 #include "core/records/result_names.h"
 #include "core/records/rows_of_chatter.h"
 #include "core/records/rows_of_stand.h"
 #include "report/compare/certainty.h"
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <optional>
 #include <sstream>
 
@@ -54,14 +54,11 @@ Inputs inputs_in(const std::string &resolved)
   Inputs inputs;
   std::istringstream lines(resolved);
   std::string line, section;
-  std::map<std::string, int> repeated;
+  ResolvedSections sections;
   while (std::getline(lines, line)) {
     line = trimmed(line);
-    if (line.rfind("[[", 0) == 0) {
-      const std::string name = line.substr(2, line.find("]]") - 2);
-      section                = name + "." + std::to_string(repeated[name]++) + ".";
-    } else if (!line.empty() && line[0] == '[')
-      section = line.substr(1, line.find(']') - 1) + ".";
+    if (!line.empty() && line[0] == '[')
+      section = sections.prefix(line);
     else if (const auto estimate = estimate_in(line, section))
       inputs.push_back(*estimate);
     else if (const auto equals = line.find(" = "); !line.empty() && line[0] != '#' && equals != std::string::npos)

@@ -79,7 +79,8 @@ std::string certainty_cell(const ChangedResult &changed)
   const std::string error = accuracy(changed.error);
   switch (changed.certainty) {
   case Certainty::certain:
-    return "certain: follows from " + named_keys(changed.behind);
+    return changed.behind.empty() ? "certain: neither run states an error"
+                                  : "certain: follows from " + named_keys(changed.behind);
   case Certainty::beyond:
     return "beyond the accuracy of the difference, " + error;
   case Certainty::within:

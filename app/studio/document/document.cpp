@@ -3,6 +3,7 @@
 #include "core/base/choice.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/save_in_place.h"
 #include "core/case/case_edit.h"
 #include "core/case/case_file.h"
 #include <algorithm>
@@ -265,7 +266,7 @@ void Document::save()
   if (on_disk != s.history.on_disk && on_disk != s.history.text)
     throw InputError(s.path + " was changed outside of the studio since it was read; save it under another name "
                               "there, or take it back, and save again");
-  write_atomically(s.path, s.history.text);
+  save_in_place(s.path, s.history.text);
   s.change({{"op", word_of(LineOf::saved)}});
 }
 

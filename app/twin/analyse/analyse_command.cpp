@@ -2,6 +2,7 @@
 #include "app/process/address_space.h"
 #include "app/process/console.h"
 #include "app/run/output_dir.h"
+#include "app/run/source_location.h"
 #include "app/twin/analyse/analysed_stand.h"
 #include "app/twin/analyse/analysis_lines.h"
 #include "app/twin/stand/record_options.h"
@@ -19,6 +20,8 @@
 #include <cmath>
 #include <filesystem>
 #include <fmt/format.h>
+#include <map>
+#include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
 
@@ -56,10 +59,12 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
 }
 
 void write_folder(const std::string &folder, const twin::CleanRecord &record, const twin::Analysis &analysis,
-                  const twin::CaseModel *stand, const twin::AnalysisSettings &settings)
+                  const twin::CaseModel *stand, const twin::AnalysisSettings &settings, const std::string &path)
 {
-  const auto tables      = twin::analysis_tables(analysis);
-  const std::string json = twin::analysis_json(record, analysis, stand, settings);
+  const auto tables = twin::analysis_tables(analysis);
+  auto document     = nlohmann::ordered_json::parse(twin::analysis_json(record, analysis, stand, settings));
+  document[source_location] = location_of(path);
+  const std::string json    = document.dump(1) + "\n";
   replace_results(folder,
                   {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv", "poles.csv",
                    "singular.csv", "h1.csv", "modes_h1.csv", "candidates.csv", "report.html"},
@@ -72,6 +77,32 @@ void write_folder(const std::string &folder, const twin::CleanRecord &record, co
                   });
 }
 
+// "rec-analysis" for "day1/rec.csv", where nothing else is said.
+std::string folder_of(const CommandLine &command, const std::string &path)
+{
+  const std::string stem = fs::path(path).stem().string();
+  return command.output.empty()      ? "out/" + stem + "-analysis"
+         : command.names.size() == 1 ? command.output
+                                     : command.output + "/" + stem;
+}
+
+void require_different_folders(const CommandLine &command)
+{
+  std::map<std::string, std::string> folders;  // and the record of each
+  for (const std::string &path : command.names)
+    if (const auto [other, is_new] = folders.emplace(folder_of(command, path), path); !is_new)
+      throw InputError("the records " + other->second + " and " + path + " would both write to the folder " +
+                       other->first + "; analyse them one after the other, each with its own -o");
+}
+
+// A baseline of later days is not replaced by the record of another day that has the same name.
+void require_same_record(const std::string &folder, const std::string &path, const CommandLine &command)
+{
+  const std::string other = command.force_overwrite ? "" : other_source(folder + "/analysis.json", path);
+  if (!other.empty())
+    throw InputError("the folder " + folder + " holds the analysis of another record, " + other +
+                     "; choose another with -o, or give --force-overwrite");
+}
 }  // namespace
 
 int analyse_command(const CommandLine &command)
@@ -88,12 +119,9 @@ int analyse_command(const CommandLine &command)
   }
   const twin::ReadOptions reading       = read_options(command, monitoring);
   const twin::AnalysisSettings settings = settings_of(command, monitoring, plant);
+  require_different_folders(command);
   for (const std::string &path : command.names) {
-    const std::string stem   = fs::path(path).stem().string();
-    const bool alone         = command.names.size() == 1;
-    const std::string folder = command.output.empty() ? "out/" + stem + "-analysis"
-                               : alone                ? command.output
-                                                      : command.output + "/" + stem;
+    const std::string folder = folder_of(command, path);
     twin::RawRecord raw;
     console::next_bar_ends_at(double(&path - command.names.data() + 1) / double(command.names.size()));
     console::ProgressBar bar({{"read", 3}, {"clean", 1}, {"spectra", 4}, {"modes", 3}, {"findings", 1}},
@@ -103,11 +131,12 @@ int analyse_command(const CommandLine &command)
     progress.at("read", 0);
     raw = twin::read_record(path, reading);
     require_result_folder(folder, "analysis.json", "analysis", command.force_overwrite);
+    require_same_record(folder, path, command);
     progress.at("clean", 0);
     const twin::CleanRecord record = twin::clean_record(std::move(raw));
     raw                            = {};  // its times are done with
     const twin::Analysis analysis  = twin::analyse(record, stand ? &*stand : nullptr, settings, progress);
-    write_folder(folder, record, analysis, stand ? &*stand : nullptr, settings);
+    write_folder(folder, record, analysis, stand ? &*stand : nullptr, settings, path);
     bar.finish();
     if (!command.quiet)
       for (const std::string &line : analysis_lines(analysis, folder))

@@ -175,8 +175,8 @@ int calibrate_records(const CommandLine &command, const Case &the_case, const Re
   Progress progress;
   progress.step = [&](const std::string &stage, const double fraction) { bar.show(stage, fraction); };
   progress.at("read", 0);
-  MeasuredPieces pieces = measured_pieces(set, at_first_pass.places,
-                                          read_options(command, monitoring_of(command.target, command.sets)));
+  MeasuredPieces pieces = measured_pieces(set, at_first_pass.places, read_options(command, Monitoring()),
+                                          monitoring_of(command.target, command.sets).channels());
   console::next_bar_ends_at(0.5);
   const PriorChain chain = at_load_of(command, the_case, at_first_pass, pieces.load);
   twin::CalibrationFacts facts{the_case.name, chain.source, pieces.files,

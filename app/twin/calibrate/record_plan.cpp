@@ -80,6 +80,10 @@ RecordPlan record_plan(const PriorChain &prior, const std::string &case_name,
   for (const Eigen::Index place : record.places)
     plan.sensors.push_back(prior.places[std::size_t(place)]);
   plan.identification = planned(prior.stand, unknowns, record);
+  if (!plan.identification.shrink.allFinite())
+    throw InputError("--plan: what records would show cannot be computed with this --duration, --noise, "
+                     "--force-up-to and --force-rms, which lie too far apart; the noise of a usual sensor is "
+                     "--noise \"0.005 m/s2\"");
   add_ratios(plan, prior);
   plan.unseen  = unseen_directions(plan.identification, prior.stand);
   plan.weakest = weakest_direction(plan.identification, prior.stand);

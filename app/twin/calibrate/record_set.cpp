@@ -192,21 +192,25 @@ RecordSet read_record_set(const std::string &folder)
 }
 
 MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::string> &places,
-                               const twin::ReadOptions &options)
+                               const twin::ReadOptions &options, const std::map<std::string, std::string> &of_case)
 {
+  // Two clocks of the same make differ by some 1e-5, and a frequency by as much: far below every interval of a
+  // calibration, the narrowest of which is about 1e-3.
+  constexpr double same_rate = 1e-4;
   MeasuredPieces result;
   std::vector<twin::CleanRecord> records;
   for (const RecordEntry &entry : set.entries) {
     twin::ReadOptions sheet_options = options;
-    sheet_options.channels.insert(entry.channels.begin(), entry.channels.end());
+    for (const auto *less_near : {&entry.channels, &of_case})
+      sheet_options.channels.insert(less_near->begin(), less_near->end());  // a name that is there stays
     records.push_back(twin::clean_record(twin::read_record(entry.file, sheet_options)));
     const twin::CleanRecord &record = records.back();
     for (const twin::CleanChannel &channel : record.channels)
       if (channel.clipped > 0 && (twin::is_driving_force(channel.name) ||
                                   std::find(places.begin(), places.end(), channel.name) != places.end()))
         result.clipped.push_back(valid_text(fs::path(entry.file).filename().string()) + ": " + channel.name);
-    if (std::abs(record.rate / records.front().rate - 1) > 1e-3)
-      throw InputError(fmt::format("{} has {:.6g} samples per second, {} {:.6g}; calibrate them one after the "
+    if (std::abs(record.rate / records.front().rate - 1) > same_rate)
+      throw InputError(fmt::format("{} has {:.8g} samples per second, {} {:.8g}; calibrate them one after the "
                                    "other, or bring them to one rate",
                                    record.file, record.rate, records.front().file, records.front().rate));
     if (entry.between != set.entries.front().between)

@@ -4,6 +4,7 @@
 #include "twin/calibration/calibration.h"
 #include "twin/cleaning/clean_record.h"
 #include "twin/records/raw_record.h"
+#include <map>
 #include <string>
 #include <vector>
 
@@ -26,7 +27,10 @@ struct MeasuredPieces {
 
 /// Reads and cleans the records.
 /// @param places  of the chain, "upper_frame" ..
+/// @param options  of the command line; its names of columns come before those of records.toml
+/// @param of_case  names of columns in the case, for those that neither of them names
 /// @throws InputError  force in some records only, no common sensor, different rates, pieces that are too short
 MeasuredPieces measured_pieces(const RecordSet &set, const std::vector<std::string> &places,
-                               const twin::ReadOptions &options);
+                               const twin::ReadOptions &options,
+                               const std::map<std::string, std::string> &of_case = {});
 }  // namespace mill

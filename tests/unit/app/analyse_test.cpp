@@ -73,6 +73,35 @@ TEST(Analyse, LeavesFindingsTablesAndAPage)
   EXPECT_NE(spoken.out.find("largest peak 120.0"), std::string::npos) << spoken.out;
 }
 
+TEST(Analyse, ARecordOfTheSameNameDoesNotReplaceAnotherOne)
+{
+  const std::string folder = scratch("analyse-names");
+  for (const char *day : {"day1", "day2"}) {
+    fs::create_directories(folder + "/" + day);
+    small_record(folder, std::string(day) + "/rec.csv");
+  }
+  const Outcome both = millstand("analyse day1/rec.csv day2/rec.csv -q -o an", folder);
+  EXPECT_EQ(both.exit_code, 2);
+  EXPECT_NE(both.err.find("the records day1/rec.csv and day2/rec.csv would both write to the folder an/rec"),
+            std::string::npos)
+      << both.err;
+  EXPECT_FALSE(fs::exists(folder + "/an"));
+  ASSERT_EQ(millstand("analyse day1/rec.csv -q", folder).exit_code, 0);
+  const std::string json = folder + "/out/rec-analysis/analysis.json", first = mill::read_text(json);
+  const Outcome second = millstand("analyse day2/rec.csv -q", folder);
+  EXPECT_EQ(second.exit_code, 2);
+  EXPECT_NE(second.err.find("the folder out/rec-analysis holds the analysis of another record, "),
+            std::string::npos)
+      << second.err;
+  EXPECT_EQ(mill::read_text(json), first);
+  EXPECT_EQ(millstand("analyse ../" + fs::path(folder).filename().string() + "/day1/rec.csv -q", folder).exit_code,
+            0)
+      << "the same record by another path";
+  fs::rename(folder + "/day1/rec.csv", folder + "/rec.csv");
+  EXPECT_EQ(millstand("analyse rec.csv -q", folder).exit_code, 0) << "the record has been moved";
+  EXPECT_EQ(millstand("analyse day2/rec.csv -q --force-overwrite", folder).exit_code, 0);
+}
+
 TEST(Analyse, Refusals)
 {
   const std::string folder = scratch("analyse-refusals");

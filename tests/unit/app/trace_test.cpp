@@ -338,3 +338,11 @@ TEST(Trace, TheLastRunIsComparedAndCanGiveTheSprings)
   EXPECT_NE(trace_text(other).find(", with other inputs): "), std::string::npos);
   std::filesystem::remove_all(folder);
 }
+
+// The closed form is a beam whatever bending_model says, so that only a run can show what it moves.
+TEST(Trace, TheBendingModelReachesTheStiffnessOfTheBackupRoll)
+{
+  const std::string text = trace_text(traced({demo, "backup_roll.bending_model", {}, nowhere}));
+  EXPECT_EQ(text.find("reaches no result"), std::string::npos) << text;
+  EXPECT_NE(text.find("K_ZW"), std::string::npos) << text;
+}

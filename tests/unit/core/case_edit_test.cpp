@@ -99,6 +99,28 @@ TEST(CaseEdit, LineEndsOfWindowsStay)
   EXPECT_EQ(mill::with_value("a = 1\r\n", "b.c", "3"), "a = 1\r\n\r\n[b]\r\nc = 3\r\n");
 }
 
+TEST(CaseEdit, ASectionOfDottedKeysGetsADottedKey)
+{
+  const std::string dotted = "title = \"t\"\nsteel.density = \"7850 kg/m3\"\n[strip]\nwidth = \"1 m\"\n";
+  EXPECT_EQ(
+      mill::with_value(dotted, "steel.poisson_ratio", "0.3"),
+      "title = \"t\"\nsteel.poisson_ratio = 0.3\nsteel.density = \"7850 kg/m3\"\n[strip]\nwidth = \"1 m\"\n");
+  EXPECT_EQ(value(mill::with_value(dotted, "steel.title", "\"s\""), "steel.title"), "s")
+      << "the title of the case is another key";
+  const std::string inside = "[bearing]\nwork.rows = 4\nback.rows = 2\n";
+  EXPECT_EQ(mill::with_value(inside, "bearing.back.bore", "\"1 m\""),
+            "[bearing]\nwork.rows = 4\nback.bore = \"1 m\"\nback.rows = 2\n");
+}
+
+TEST(CaseEdit, ASectionThatOnlySectionsBelowItNameGetsItsHeader)
+{
+  const std::string below = "[contact.upper]\nmethod = \"line\"\n";
+  const std::string next  = mill::with_value(below, "contact.samples", "24");
+  EXPECT_EQ(value(next, "contact.samples"), "24") << next;
+  EXPECT_EQ(value(next, "contact.upper.method"), "line") << next;
+  EXPECT_EQ(value(next, "contact.upper.samples"), "(none)") << next;
+}
+
 TEST(CaseEdit, WhatCannotBeWrittenIsRefused)
 {
   EXPECT_THROW(mill::with_value("[a", "a.b", "1"), mill::InputError);

@@ -152,6 +152,11 @@ TEST_F(Fields, ValuesOfTheWrongKindAreRefused)
   EXPECT_EQ(with_length("ratio = 0.6"), "s.ratio = 0.6 is outside 0 .. 0.5");
   EXPECT_EQ(with_length("count = 2.5"),
             "s.count = 2.5 is not a whole number; a whole number is needed, for example 4");
+  EXPECT_EQ(with_length("count = 9.0"), "s.count = 9 is outside 1 .. 8") << "9.0 is whole, and too large";
+  EXPECT_EQ(with_length("count = 1e300"),
+            "s.count = 1e+300 is not a whole number; a whole number is needed, for example 4");
+  EXPECT_EQ(with_length("count = inf"),
+            "s.count = inf is not a whole number; a whole number is needed, for example 4");
   EXPECT_EQ(with_length("count = 9"), "s.count = 9 is outside 1 .. 8");
   EXPECT_EQ(with_length("count = 99999999999999"), "s.count = 99999999999999 is outside 1 .. 8");
   EXPECT_EQ(with_length("flag = 1"), "s.flag = 1 is neither true nor false");

@@ -1,6 +1,7 @@
 // Whole files: written at once or not at all, read back byte by byte.
 #include "core/base/errors.h"
 #include "core/base/files.h"
+#include "core/base/save_in_place.h"
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
@@ -161,4 +162,20 @@ TEST(Hash, IsFnv1a)
   EXPECT_EQ(hash_of(""), "cbf29ce484222325");
   EXPECT_EQ(hash_of("a"), "af63dc4c8601ec8c");
   EXPECT_EQ(hash_of("foobar"), "85944171f73967e8");
+}
+
+TEST_F(Files, AUsersFileIsSavedBehindItsLinkAndKeepsItsMode)
+{
+  fs::create_directory(folder / "real");
+  const fs::path file = folder / "real" / "case.toml", link = folder / "case.toml";
+  write_atomically(file.string(), "old");
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);  // 0600: of one user alone
+  fs::create_symlink("real/case.toml", link);
+  save_in_place(link.string(), "new");
+  EXPECT_TRUE(fs::is_symlink(link));
+  EXPECT_EQ(read_text(file.string()), "new");
+  EXPECT_EQ(fs::status(file).permissions(), fs::perms::owner_read | fs::perms::owner_write);
+  EXPECT_EQ(n_entries(), 2u) << "the link and the folder";
+  save_in_place((folder / "first").string(), "x");
+  EXPECT_EQ(read_text((folder / "first").string()), "x") << "a file that is new";
 }

@@ -38,6 +38,33 @@ TEST(Comparison, InputsThatDiffer)
   EXPECT_EQ(changed[1].values[0], "");
 }
 
+TEST(Comparison, SectionsBelowAListBelongToTheirItem)
+{
+  const std::string text =
+      "[[roll]]\nname = \"A\"\n[roll.saddles]\nstiffness = \"1 kN/mm\"\n[[roll]]\nname = \"B\"\n"
+      "[roll.saddles]\nstiffness = ";
+  const auto changed = changed_inputs({text + "\"2000 kN/mm\"\n", text + "\"4000 kN/mm\"\n"});
+  ASSERT_EQ(changed.size(), 1u) << "the second of two rolls, numbered from 0";
+  EXPECT_EQ(changed[0].key, "roll.1.saddles.stiffness");
+  EXPECT_EQ(changed[0].values, (std::vector<std::string>{"\"2000 kN/mm\"", "\"4000 kN/mm\""}));
+}
+
+TEST(Comparison, NamesOfSectionsHaveNoQuotes)
+{
+  const auto changed =
+      changed_inputs({"[bearing.\"crb 1.5\"]\nbore = \"1 mm\"\n", "[bearing.\"crb 1.5\"]\nbore = \"2 mm\"\n"});
+  ASSERT_EQ(changed.size(), 1u);
+  EXPECT_EQ(changed[0].key, "bearing.crb 1.5.bore") << "as results name their inputs";
+}
+
+TEST(Comparison, RunsWithoutErrorsAndOtherInputsSaySo)
+{
+  const std::string page = comparison_page({run_with("a", {{"K1", 100}}, 0), run_with("b", {{"K1", 150}}, 0)},
+                                           {"title = \"x\"\n", "title = \"x\"\n"});
+  EXPECT_NE(page.find("certain: neither run states an error"), std::string::npos);
+  EXPECT_EQ(page.find("follows from"), std::string::npos) << "there is nothing that it could name";
+}
+
 TEST(Comparison, ResultsThatDifferLargestFirst)
 {
   const std::vector<mill::report::Run> runs{
