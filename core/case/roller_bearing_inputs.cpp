@@ -105,10 +105,8 @@ PartsRead parts_of(const RollerBearing &b, const BearingAsks asks, const LoadFor
   p.arms               = form.tilts || asks == A::tilting;
   const bool by_slices = asks == A::life_by_slices || asks == A::modified_life, turn = rollers_turn(b, form);
   // What the cone carries is less than the load of the cup by what the rib takes.
-  p.rib = p.tapered && (asks == A::rib || by_slices || turn);
-  // A roller at right angles to the load is pressed by rounding alone, and that depends on the sum over slices.
-  const bool at_right_angles = asks == A::across && b.rollers_per_row % 4 == 0;
-  p.slices = p.drawn || p.arms || by_slices || at_right_angles || b.profile != RollerProfile::none;
+  p.rib    = p.tapered && (asks == A::rib || by_slices || turn);
+  p.slices = p.drawn || p.arms || by_slices || b.profile != RollerProfile::none;
   p.hands  = p.tapered && (p.drawn || p.arms || form.pushes || asks == A::row_axial);
   p.rings  = p.drawn || b.roller_law == OneRollerLaw::elastic;
   p.sized  = p.rings || p.rounded || turn;
