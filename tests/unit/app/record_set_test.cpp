@@ -14,14 +14,14 @@ using namespace mill;
 namespace {
 const std::vector<std::string> places{"upper_work_roll", "lower_work_roll"};
 
-// Four seconds of two tones, by its rate in Hz.
+// Four seconds, by its rate in Hz; a third tone keeps the peaks apart, which would be taken for clipping.
 void write_record(const std::string &path, const double rate)
 {
   std::string text = "time [s],force [kN],A1 [m/s2]\n";
   for (int k = 0; k < int(4 * rate); ++k) {
     const double t = k / rate;
     text += fmt::format("{:.9f},{:.6f},{:.6f}\n", t, 900 + std::sin(2 * M_PI * 70 * t + 0.1 * k * k),
-                        std::sin(2 * M_PI * 90 * t + 0.2 * k * k));
+                        std::sin(2 * M_PI * 90 * t + 0.2 * k * k) + 0.3 * std::sin(2 * M_PI * 31 * t));
   }
   write_atomically(path, text);
 }

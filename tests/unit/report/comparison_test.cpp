@@ -62,7 +62,7 @@ TEST(Comparison, RunsWithoutErrorsAndOtherInputsSaySo)
   const std::string page = comparison_page({run_with("a", {{"K1", 100}}, 0), run_with("b", {{"K1", 150}}, 0)},
                                            {"title = \"x\"\n", "title = \"x\"\n"});
   EXPECT_NE(page.find("certain: neither run states an error"), std::string::npos);
-  EXPECT_EQ(page.find("follows from"), std::string::npos) << "there is nothing that it could name";
+  EXPECT_EQ(page.find("certain: follows from"), std::string::npos) << "there is nothing that it could name";
 }
 
 TEST(Comparison, ResultsThatDifferLargestFirst)
