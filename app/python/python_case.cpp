@@ -5,6 +5,7 @@
 #include "core/base/files.h"
 #include "core/base/save_in_place.h"
 #include "core/base/units.h"
+#include "core/case/fields.h"
 #include "core/case/input_reference.h"
 #include <algorithm>
 #include <filesystem>
@@ -13,7 +14,8 @@
 namespace py = pybind11;
 
 namespace mill::python {
-HeldCase::HeldCase(std::string path) : file(std::move(path))
+// Absolute, since the file is read again later, when the working folder may be another one.
+HeldCase::HeldCase(const std::string &path) : file(path.empty() ? path : std::filesystem::absolute(path).string())
 {
   read_case_file(file);
 }
@@ -126,6 +128,36 @@ py::object value_of_key(const HeldCase &held, const std::string &key)
   return known.stands_in ? py::str(known.shown) : value_object(*known.value);
 }
 
+bool takes_text(const HeldCase &held, const std::string &key)
+{
+  try {
+    const Kind kind = find_key(*held.read(), held.sets(), key, {}).row.kind;
+    return kind == Kind::text || kind == Kind::choice || kind == Kind::path;
+  } catch (const InputError &) {  // an unknown key, which set() refuses, or a case with other errors
+    return false;
+  }
+}
+
+// "12", "true" and "1979-05-27" are a number, a flag and a date of TOML.
+bool reads_as_another_type(const std::string &value)
+{
+  try {
+    const Node root = read_case_text("the value", "value = " + value);
+    const auto kind = root.entries.empty() ? Node::Kind::text : root.entries.front().value.kind;
+    return kind != Node::Kind::text && kind != Node::Kind::array && kind != Node::Kind::table;
+  } catch (const InputError &) {  // what is not TOML is a text
+    return false;
+  }
+}
+
+// A text for a key of texts stays one, whatever it looks like; --set would need quotes in it.
+void set_value(HeldCase &held, const std::string &key, const py::handle value)
+{
+  const std::string text = text_of_value(value);
+  const bool in_quotes   = py::isinstance<py::str>(value) && reads_as_another_type(text) && takes_text(held, key);
+  held.set(key, in_quotes ? quoted(text) : text);
+}
+
 std::vector<std::string> key_names(const HeldCase &held)
 {
   std::vector<std::string> names;
@@ -138,9 +170,10 @@ std::vector<std::string> key_names(const HeldCase &held)
 py::tuple check(const HeldCase &held)
 {
   std::shared_ptr<const CheckedCase> checked;
+  const HeldCase unchanging = held;  // another thread may set a value meanwhile
   {
     const py::gil_scoped_release others_run;
-    checked = held.checked(Verb::check);
+    checked = unchanging.checked(Verb::check);
   }
   return problem_tuple(remarks_of(*checked));
 }
@@ -164,10 +197,8 @@ py::class_<HeldCase> add_case(py::module_ &module)
           "resolved", [](const HeldCase &c) { return c.read()->resolved; },
           "Every value with its defaults, as a case file.")
       .def("__getitem__", &value_of_key, py::arg("key"), "As written, or the default; None: not given.")
-      .def(
-          "__setitem__",
-          [](HeldCase &c, const std::string &key, const py::handle value) { c.set(key, text_of_value(value)); },
-          py::arg("key"), py::arg("value"), "A text \"150 um\", a pair (150, \"um\"), a number, a flag or a list.")
+      .def("__setitem__", &set_value, py::arg("key"), py::arg("value"),
+           "A text \"150 um\", a pair (150, \"um\"), a number, a flag or a list.")
       .def("keys", &key_names, "Every key that a case of this kind may have.")
       .def("copy", [](const HeldCase &c) { return c; })
       .def("check", &check, "Finds every error; returns the warnings.  Raises InputError.")
@@ -178,7 +209,7 @@ py::class_<HeldCase> add_case(py::module_ &module)
             py::list sets;
             for (const std::string &set : c.sets())
               sets.append(set);
-            return py::make_tuple(std::filesystem::absolute(c.path()).string(), c.text(), sets);
+            return py::make_tuple(c.path(), c.text(), sets);
           },
           [](const py::tuple &state) {
             // A file of the user is read again where it still is: its records are known by paths from its folder.

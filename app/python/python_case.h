@@ -17,11 +17,11 @@ class HeldCase {
 public:
   /// A file of the user.  Read at once, so that a missing file is an error here; errors of its values are those of
   /// check().
-  explicit HeldCase(std::string path);
+  explicit HeldCase(const std::string &path);
   /// A text that has no file of the user's: `name` is that of the case.
   HeldCase(const std::string &name, const std::string &text);
 
-  const std::string &path() const;
+  const std::string &path() const;        ///< absolute
   std::vector<std::string> sets() const;  ///< "backup_roll.crown=150 um"
   std::string text() const;               ///< of the file, without what was set
   /// @throws InputError  the key or the value is wrong; other errors of the case are left for check()

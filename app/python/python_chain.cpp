@@ -3,8 +3,10 @@
 #include "app/stages/response/dynamics_stage.h"
 #include "core/case/lumped_model_toml.h"
 #include "core/model/case.h"
+#include "core/process/memory.h"
 #include "dynamics/response/mill_model.h"
 #include "dynamics/response/response.h"
+#include <cmath>
 #include <fmt/format.h>
 #include <pybind11/eigen.h>
 #include <pybind11/stl.h>
@@ -38,7 +40,15 @@ HeldChain chain_of(const HeldRun &run)
 // Samples at `rate`, or a pair of times and forces.
 ForceRecord force_record(const py::object &force, const double rate)
 {
-  const auto numbers = [](const py::handle values) { return values.cast<Eigen::VectorXd>(); };
+  const auto numbers = [](const py::handle values) {
+    try {
+      return values.cast<Eigen::VectorXd>();
+    } catch (const py::cast_error &) {
+      throw InputError(
+          "force is one row of numbers in N, or a pair (times in s, forces in N) of two such rows; a table of "
+          "several columns is not");
+    }
+  };
   ForceRecord record;
   if (py::isinstance<py::tuple>(force) && py::len(force) == 2) {
     record.time  = numbers(force.cast<py::tuple>()[0]);
@@ -68,14 +78,44 @@ std::shared_ptr<const HeldTable> simulated(const HeldChain &held, const ForceRec
   return mill::python::held(table);
 }
 
+// A number in Hz, or a quantity.
+double hertz_of(const py::handle rate)
+{
+  double hertz = 0;
+  if (py::isinstance<py::float_>(rate) || py::isinstance<py::int_>(rate))
+    hertz = rate.cast<double>();
+  else if (py::isinstance<py::str>(rate) || py::isinstance<py::tuple>(rate) || py::isinstance<NamedResult>(rate))
+    hertz = quantity(rate, "rate", "20 kHz");
+  else if (py::hasattr(rate, "__float__"))  // a number of numpy
+    hertz = py::float_(py::reinterpret_borrow<py::object>(rate));
+  else
+    throw InputError("rate = " + py::repr(rate).cast<std::string>() +
+                     " is not a rate; a number in Hz or a text is needed, for example \"20 kHz\"");
+  if (!(hertz > 0 && std::isfinite(hertz)))
+    throw InputError(fmt::format("rate = {:g} Hz must be above 0 Hz and finite", hertz));
+  return hertz;
+}
+
+void require_memory_for(const HeldChain &held, const ForceRecord &record, const double hertz)
+{
+  const auto n         = record.time.size();
+  const double seconds = record.time[n - 1] - record.time[0];
+  // Time, force, load cell and an acceleration of each mass, once as response and once as table.
+  const double columns  = 2 * (3 + double(held.chain.labels.size()));
+  const double needed   = seconds * hertz * columns * double(sizeof(double));
+  const MemoryLeft left = memory_left();
+  if (needed > left.bytes)
+    throw InputError(fmt::format(
+        "the force lasts {:.6g} s; at {:.6g} samples per second the response takes {}, and {} leaves {}; give a "
+        "shorter force or a lower rate",
+        seconds, hertz, megabytes(needed), left.end, megabytes(left.bytes)));
+}
+
 py::object simulate(const HeldChain &held, const py::object &force, const py::handle rate)
 {
-  const double hertz = py::isinstance<py::str>(rate) || py::isinstance<py::tuple>(rate)
-                           ? quantity(rate, "rate", "20 kHz")
-                           : rate.cast<double>();
-  if (!(hertz > 0))
-    throw InputError(fmt::format("rate = {:g} Hz must be above 0 Hz", hertz));
+  const double hertz       = hertz_of(rate);
   const ForceRecord record = force_record(force, hertz);
+  require_memory_for(held, record, hertz);
   std::shared_ptr<const HeldTable> table;
   {
     const py::gil_scoped_release others_run;

@@ -5,6 +5,7 @@
 #include "app/python/python_values.h"
 #include "app/study/study_command.h"
 #include "app/study/sweep_command.h"
+#include "app/study/varied_key.h"
 #include "app/twin/analyse/analyse_command.h"
 #include "app/twin/calibrate/calibrate_command.h"
 #include "core/records/short_names.h"
@@ -134,6 +135,7 @@ void add_commands(py::module_ &module)
   module.def("_carry_out", &carry_out_verb, py::arg("verb"), py::arg("case"), py::arg("options"),
              py::arg("progress") = py::none());
   module.def("_full_name", &full_result_name, py::arg("name"));
+  module.def("_list_items", &list_items, py::arg("text"));
   module.def("_text_of_value", &text_of_value, py::arg("value"));
 }
 }  // namespace mill::python

@@ -8,6 +8,7 @@
 #include "app/verbs/run_command.h"
 #include "core/base/files.h"
 #include "core/records/json_archive.h"
+#include "core/records/result_folder.h"
 #include "core/records/short_names.h"
 #include <algorithm>
 #include <filesystem>
@@ -67,6 +68,18 @@ HeldRun held_run(const HeldCase &the_case, const CommandLine &command, const Che
   return out;
 }
 
+// Refuses a target inside of the folder of the run, which would be copied into itself without end.
+bool is_folder_of(const HeldRun &run, const std::string &target)
+{
+  const fs::path from = fs::weakly_canonical(run.folder), to = fs::weakly_canonical(fs::absolute(target));
+  if (to == from)
+    return true;
+  if (const fs::path inside = to.lexically_relative(from); !inside.empty() && *inside.begin() != "..")
+    throw InputError("the folder " + target + " is inside of the folder of the run, " + run.folder +
+                     "; choose another");
+  return false;
+}
+
 // The folder of the run under another name, by the rules of -o.
 std::string report(const HeldRun &run, const py::handle where, const bool overwrite)
 {
@@ -75,12 +88,19 @@ std::string report(const HeldRun &run, const py::handle where, const bool overwr
     throw InputError(
         "this run came out of a pickle, which holds results and curves but not the files of its page; "
         "call report() before, or give out= to run()");
-  const auto the_case = run.the_case.read();
+  const std::string page = target + "/report.html";
+  const auto the_case    = run.the_case.read();
   const py::gil_scoped_release others_run;
+  if (!fs::is_directory(run.folder))
+    throw InputError("the folder of this run, " + run.folder + ", has been removed; run the case again");
+  if (is_folder_of(run, target))
+    return page;
   const OutputDir out(target, *the_case, overwrite, run_id_of(*the_case, run.verb, ""));
-  fs::copy(run.folder, out.staging(), fs::copy_options::recursive | fs::copy_options::overwrite_existing);
+  for (const std::string &name : mill::result_names())
+    if (const fs::path part = fs::path(run.folder) / name; fs::exists(part))
+      fs::copy(part, out.file(name), fs::copy_options::recursive | fs::copy_options::overwrite_existing);
   out.publish();
-  return target + "/report.html";
+  return page;
 }
 
 std::vector<std::string> result_names(const HeldRun &run)
@@ -192,7 +212,7 @@ HeldRun run_case(const HeldCase &the_case, const Verb verb, const RunWishes &wis
     command.output          = scratch->path();
     command.force_overwrite = true;
   } else {
-    command.output = path_of(wishes.out);
+    command.output = fs::absolute(path_of(wishes.out)).string();  // the run is asked for its folder later
   }
   HeldRun held = long_call<HeldRun>(wishes.progress, [the_case, command, scratch](const Progress &shown) {
     const auto checked = the_case.checked(command.verb, command.force);

@@ -17,25 +17,6 @@ std::string trimmed(const std::string &text)
   return first == std::string::npos ? "" : text.substr(first, last - first + 1);
 }
 
-// Parts between commas that are outside of quotes and brackets.
-std::vector<std::string> list_items(const std::string &text)
-{
-  std::vector<std::string> items(1);
-  int depth   = 0;
-  bool inside = false;
-  for (const char c : text) {
-    inside = c == '"' ? !inside : inside;
-    depth += inside ? 0 : (c == '[' || c == '{') - (c == ']' || c == '}');
-    if (c == ',' && depth == 0 && !inside)
-      items.emplace_back();
-    else
-      items.back() += c;
-  }
-  for (std::string &item : items)
-    item = trimmed(item);
-  return items;
-}
-
 // A number with or without its unit, or a word.
 struct Item {
   double number = not_a_number();
@@ -130,6 +111,24 @@ std::string number_value(const double number, const std::string &unit, const boo
 {
   const std::string one = number_text(number) + (unit.empty() ? "" : " " + unit);
   return pair ? "[\"" + one + "\", \"" + one + "\"]" : one;
+}
+
+std::vector<std::string> list_items(const std::string &text)
+{
+  std::vector<std::string> items(1);
+  int depth   = 0;
+  bool inside = false;
+  for (const char c : text) {
+    inside = c == '"' ? !inside : inside;
+    depth += inside ? 0 : (c == '[' || c == '{') - (c == ']' || c == '}');
+    if (c == ',' && depth == 0 && !inside)
+      items.emplace_back();
+    else
+      items.back() += c;
+  }
+  for (std::string &item : items)
+    item = trimmed(item);
+  return items;
 }
 
 WrittenVariation split_variation(const std::string &written, const char sign)

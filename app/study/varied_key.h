@@ -36,6 +36,9 @@ struct KnownKey {
 /// @throws InputError  unknown key, with the nearest known one
 KnownKey known_key(const Case &the_case, const std::vector<std::string> &sets, const std::string &name);
 
+/// Parts of a text between commas that are outside of quotes and brackets, without blanks around them.
+std::vector<std::string> list_items(const std::string &text);
+
 /// Reads "KEY=a,b,c" or "KEY=lo..hi:n" (n values, both ends taken).  A unit may follow every number or the last
 /// one alone: "0,50,100 um", "0..200 um:21".
 /// @throws InputError  unknown key; a number without unit or of another dimension; an interval that is reversed or

@@ -17,11 +17,20 @@ def _text(value):
     return None if value is None else _text_of_value(value)
 
 
+def _toml_text(text):
+    """A text of a TOML file.  JSON has the same quotes and escapes, but it may leave DEL as it is."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError:
+        raise InputError(f"{ascii(text)} holds bytes that are not UTF-8; rename the file or its folder") from None
+    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\u007f")
+
+
 class Record:
     """A file of measured channels, and what it does not say itself."""
 
     def __init__(self, path, *, units=None, channels=None, scales=None, rate=None, zone=None, between="smooth"):
-        self.path = str(path)
+        self.path = str(Path(path).absolute())  # the program may change its folder before the record is read
         if not Path(self.path).is_file():
             raise InputError(f"the record {self.path} is not a file")
         self.units = dict(units or {})
@@ -59,7 +68,7 @@ class Record:
             **self._reading(),
         )
         _carry_out("analyse", case, options, progress)
-        return Analysis(json.loads((folder / "analysis.json").read_text()), folder, kept)
+        return Analysis(json.loads((folder / "analysis.json").read_text(encoding="utf-8")), folder, kept)
 
     def __repr__(self):
         return f"<millstand.Record {self.path}>"
@@ -143,28 +152,59 @@ class Calibration:
         return {**self.__dict__, "_kept": None}
 
 
+def _wish(record, name):
+    """What the program reads of one wish of a record, to compare it with that of another."""
+    value = getattr(record, name)
+    if isinstance(value, dict):
+        return {column: _text_of_value(one) for column, one in value.items()}
+    return _text(value)
+
+
+def _require_same(records, name):
+    """The program takes this wish once for all records: with different ones some would be read wrongly."""
+    first = records[0]
+    for other in records[1:]:
+        if _wish(other, name) != _wish(first, name):
+            raise InputError(
+                f"{name}={getattr(first, name)!r} of {first.path}, but {name}={getattr(other, name)!r} of {other.path}: "
+                f"one calibration has one `{name}` for all its records; give all of them the same, or write it into "
+                "the files"
+            )
+
+
+def _described(record, channels):
+    """The [[record]] of a records.toml."""
+    lines = [
+        "[[record]]",
+        f"file = {_toml_text(str(Path(record.path).resolve()))}",
+        f"between = {_toml_text(record.between)}",
+    ]
+    if channels:
+        pairs = (f"{_toml_text(column)} = {_toml_text(place)}" for column, place in channels.items())
+        lines.append(f"channels = {{ {', '.join(pairs)} }}")
+    return "\n".join(lines) + "\n"
+
+
 def _calibrate(self, records, *, free=None, model=None, model_error=None, accept=False, out=None, threads=0,
                overwrite=False, progress=None):
     """Fits masses, springs and damping of a case to records, as `millstand calibrate` does.
 
-    records   of ms.record(), or paths of files that say all by themselves
+    records   of ms.record(), or paths of files that say all by themselves; `channels` may differ from record to
+              record, all else that ms.record() takes is the same for all
     progress  called on the way as progress(stage, fraction)
     """
     records = [one if isinstance(one, Record) else Record(one) for one in records]
     if not records:
         raise InputError("calibrate needs at least one record, for example case.calibrate([ms.record(\"stand4.csv\")])")
+    for name in ("rate", "zone", "units", "scales", "between"):
+        _require_same(records, name)
+    first = records[0]
+    # What is given once for all is an option, whose columns the program looks for in every record.
+    one_naming = all(_wish(one, "channels") == _wish(first, "channels") for one in records)
     folder, kept = _folder(out, "calibration")
-    units, channels, scales = {}, {}, {}
-    for one in records:
-        units.update(one.units)
-        channels.update(one.channels)
-        scales.update(one.scales)
     with tempfile.TemporaryDirectory(prefix="millstand-records-") as listed:
-        entries = "".join(
-            f"[[record]]\nfile = {json.dumps(str(Path(one.path).resolve()))}\nbetween = {json.dumps(one.between)}\n"
-            for one in records
-        )
-        (Path(listed) / "records.toml").write_text(entries)
+        entries = "".join(_described(one, {} if one_naming else _wish(one, "channels")) for one in records)
+        (Path(listed) / "records.toml").write_text(entries, encoding="utf-8")
         options = _options(
             measured=listed,
             free=free,
@@ -174,11 +214,11 @@ def _calibrate(self, records, *, free=None, model=None, model_error=None, accept
             out=str(folder),
             threads=threads,
             overwrite=overwrite,
-            units=_pairs(units),
-            channels=_pairs(channels),
-            scales=_pairs(scales),
-            rate=_text(records[0].rate),
-            zone=records[0].zone,
+            units=_pairs(first.units),
+            channels=_pairs(first.channels) if one_naming else None,
+            scales=_pairs(first.scales),
+            rate=_text(first.rate),
+            zone=first.zone,
         )
         _carry_out("calibrate", self, options, progress)
-    return Calibration(json.loads((folder / "calibration.json").read_text()), folder, self, kept)
+    return Calibration(json.loads((folder / "calibration.json").read_text(encoding="utf-8")), folder, self, kept)

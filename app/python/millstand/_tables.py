@@ -7,15 +7,31 @@ from pathlib import Path
 
 import numpy as np
 
-from ._errors import SolverError
-from ._millstand import _carry_out, _full_name, _text_of_value
+from ._errors import InputError, SolverError
+from ._millstand import _carry_out, _full_name, _list_items, _text_of_value
 
 
 def _variation(key, values):
     """KEY=a,b,c of a list; a text is taken as written: "0..200 um:21"."""
     if isinstance(values, str):
         return f"{key}={values}"
-    return f"{key}={','.join(_text_of_value(value) for value in values)}"
+    items = [_item(key, _text_of_value(value)) for value in values]
+    return f"{key}={','.join(items)}"
+
+
+def _item(key, text):
+    """One value of a list.  A text that would be read as several values is put in quotes, which keep it whole."""
+    if _stays_whole(text):
+        return text
+    quoted = '"' + text.replace("\\", "\\\\") + '"'
+    if '"' in text or not _stays_whole(quoted):
+        raise InputError(f"{key}: the value {text} has a comma, a bracket or a quote that would end it too early")
+    return quoted
+
+
+def _stays_whole(text):
+    """Is the text one value, wherever it is in a list?"""
+    return _list_items(f"{text},0") == [text.strip(" \t"), "0"]
 
 
 def _nan_for_null(values):
@@ -25,7 +41,7 @@ def _nan_for_null(values):
 def _folder(out, what):
     """The folder of a verb, and what keeps it alive when the user named none."""
     if out is not None:
-        return Path(out), None
+        return Path(out).absolute(), None  # the program may change its folder before it reads the results
     kept = tempfile.TemporaryDirectory(prefix=f"millstand-{what}-")
     return Path(kept.name) / what, kept
 
@@ -98,7 +114,7 @@ def sweep(case, vary, watch=None, *, model="full", out=None, threads=0, fresh=Fa
         overwrite=overwrite,
     )
     code = _carry_out("sweep", case, options, progress)
-    table = SweepTable(json.loads((folder / "sweep.json").read_text()), folder, kept)
+    table = SweepTable(json.loads((folder / "sweep.json").read_text(encoding="utf-8")), folder, kept)
     if code != 0:
         raise SolverError(f"every row of the sweep failed; the first: {table.failures[0]}")
     return table
@@ -108,7 +124,7 @@ class Study:
     """The folder of a study; `report` is its report.json."""
 
     def __init__(self, folder, kept=None):
-        self.folder = str(folder)
+        self.folder = str(Path(folder).absolute())
         self._kept = kept
 
     def run(self, *, engine="here", jobs=0, keep=False, cache_limit=None, progress=None):
@@ -131,7 +147,7 @@ class Study:
     def report(self, *, allow_failed=False):
         """Statistics of the finished rows; writes report.html and returns the content of report.json."""
         _carry_out("study", None, {"action": "report", "target": self.folder, "allow_failed": allow_failed})
-        return json.loads((Path(self.folder) / "report.json").read_text())
+        return json.loads((Path(self.folder) / "report.json").read_text(encoding="utf-8"))
 
     def merge(self):
         """results.csv of the finished rows; returns its path."""

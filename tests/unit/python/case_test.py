@@ -1,6 +1,7 @@
 """Cases, their errors, and runs: the same answers as the program gives."""
 
 import json
+import os
 import pickle
 import subprocess
 import tempfile
@@ -88,6 +89,48 @@ class Cases(unittest.TestCase):
         self.assertEqual(case["dynamics.modal_damping"], "2 %")
         self.assertEqual(pickle.loads(pickle.dumps(case))["dynamics.modal_damping"], "2 %")
 
+    def test_a_text_of_digits_is_a_text_where_the_key_takes_texts(self):
+        case = ms.load(CASES / "published-1400.toml")
+        for text in ("12", "true", "1979-05-27", "two words"):
+            case["title"] = text
+            self.assertEqual(case["title"], text)
+            self.assertEqual(case.title, text)
+        case = ms.load(CASES / "four-high-1400.toml")
+        case["strip.friction"] = "0.3"  # a number stays one
+        self.assertEqual(case["strip.friction"], 0.3)
+
+    def test_a_relative_path_stays_that_of_the_folder_in_which_it_was_given(self):
+        text = (CASES / "published-1400.toml").read_text().replace('"data/', f'"{CASES}/data/')
+        lines = [line for line in text.splitlines(keepends=True) if not line.startswith("title")]
+        here = os.getcwd()
+        with tempfile.TemporaryDirectory() as folder:
+            for name in ("one", "two"):
+                (Path(folder) / name).mkdir()
+                (Path(folder) / name / "stand.toml").write_text("".join([f'title = "{name}"\n', *lines]))
+            try:
+                os.chdir(Path(folder) / "one")
+                case = ms.load("stand.toml")
+                run = case.modes(out="out")
+                table = ms.sweep(case, {"dynamics.modal_damping": ["1 %", "2 %"]}, ["f1"], model="quick", out="table")
+                os.chdir(Path(folder) / "two")
+                case["dynamics.modal_damping"] = "2 %"
+                self.assertEqual(case.title, "one")
+                self.assertEqual(pickle.loads(pickle.dumps(run)).case.title, "one")
+                self.assertTrue(Path(run.report("copy")).samefile(Path(folder) / "two" / "copy" / "report.html"))
+                self.assertTrue((Path(table.folder) / "sweep.json").is_file())
+            finally:
+                os.chdir(here)
+
+    def test_a_value_with_a_comma_is_one_value_of_a_list(self):
+        case = ms.load(CASES / "published-1400.toml")
+        table = ms.sweep(case, {"title": ["a,b", "c\\d,e", "f]", "g"]}, ["f1"], model="quick")
+        self.assertEqual(len(table), 4)
+        self.assertEqual(table.failures, [""] * 4)
+        with self.assertRaisesRegex(ms.InputError, "1,5 %"):  # a decimal comma is not two values
+            ms.sweep(case, {"dynamics.modal_damping": ["1,5 %", "2 %"]}, ["f1"], model="quick")
+        with self.assertRaisesRegex(ms.InputError, "too early"):
+            ms.sweep(case, {"title": ['a",b', "c"]}, ["f1"], model="quick")
+
     def test_a_saved_case_runs_to_the_same_results(self):
         case = ms.load(CASES / "published-1400.toml")
         case["dynamics.modal_damping"] = "2 %"
@@ -171,6 +214,20 @@ class Runs(unittest.TestCase):
             (Path(folder) / "mine" / "letter.txt").write_text("kept")
             with self.assertRaises(ms.InputError):
                 run.report(Path(folder) / "mine")
+
+    def test_a_report_into_the_folder_of_the_run_is_there_and_one_inside_of_it_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            out = Path(folder) / "out"
+            run = ms.load(CASES / "published-1400.toml").modes(out=out)
+            (out / "letter.txt").write_text("of somebody else")
+            files = sorted(out.rglob("*"))
+            self.assertTrue(Path(run.report(run.folder)).is_file())
+            with self.assertRaisesRegex(ms.InputError, "inside of the folder of the run"):
+                run.report(out / "curves" / "copy")
+            self.assertEqual(sorted(out.rglob("*")), files)
+            run.report(Path(folder) / "copy")
+            self.assertFalse((Path(folder) / "copy" / "letter.txt").exists())
+            self.assertEqual((Path(folder) / "copy" / "results.json").read_text(), (out / "results.json").read_text())
 
     def test_progress_is_called_and_its_exception_ends_the_run(self):
         seen = []

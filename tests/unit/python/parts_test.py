@@ -112,6 +112,19 @@ class Chains(unittest.TestCase):
         for wrong in (np.zeros(1), np.array([0, np.nan]), (np.array([1.0, 0.0]), np.zeros(2))):
             with self.assertRaises(ms.InputError):
                 chain.simulate(wrong)
+        with self.assertRaisesRegex(ms.InputError, "one row of numbers"):
+            chain.simulate(np.zeros((3, 3)))
+        with self.assertRaisesRegex(ms.InputError, "rate = None is not a rate"):
+            chain.simulate(np.zeros(3), rate=None)
+        # 1e12 s at 20 kHz are 2e16 samples, more than any machine holds.
+        with self.assertRaisesRegex(ms.InputError, "the force lasts 1e\\+12 s"):
+            chain.simulate((np.array([0, 1e12]), np.zeros(2)))
+
+    def test_a_rate_is_a_number_of_any_kind_or_a_text(self):
+        chain = lumped_run().chain
+        force = np.arange(10.0)
+        for rate in (20000, np.float32(20000), np.int64(20000), "20 kHz", (20, "kHz")):
+            self.assertEqual(len(chain.simulate(force, rate=rate)), 10, rate)
 
 
 class ChatterOfATandem(unittest.TestCase):
