@@ -12,6 +12,7 @@
 #include "core/case/case_template.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
+#include "core/records/result_folder.h"
 #include "twin/web/server/listen_address.h"
 #include <algorithm>
 #include <filesystem>
@@ -97,6 +98,16 @@ web::PageSettings settings_of(const CommandLine &command, const std::string &fol
   return settings;
 }
 
+// A program that was ended leaves what it had staged, and no later one works in its folder.
+void remove_what_stays(const std::string &folder)
+{
+  const FolderLock alone(folder);
+  if (alone.held())
+    remove_leftovers(folder);
+  std::error_code ignored;
+  fs::remove(folder, ignored);  // only where it is empty
+}
+
 bool is_of_text(const std::string &kind, const std::string &key)
 {
   const Row *row = row_of_key(kind, key);
@@ -124,6 +135,13 @@ Studio::Studio(const CommandLine &command)
     server_.emplace(settings, site);
   }
   open_.set_value();
+}
+
+// Requests that are answered until the server has ended find the jobs still there, but nothing runs any more that
+// would publish by a server in its destructor.
+Studio::~Studio()
+{
+  jobs_.end();
 }
 
 std::string Studio::url() const
@@ -214,6 +232,8 @@ void Studio::publish_job(const JobState &job)
 {
   if (server_)
     server_->publish("run", text_of(job_json(job)));
+  if (job.status == JobStatus::cancelled || job.status == JobStatus::failed)
+    remove_what_stays(folder_ + "/" + job.id);
 }
 
 // A case file in place of the present one, or a sheet that fills a template.

@@ -1,8 +1,10 @@
 #include "app/studio/document/document.h"
 #include "app/studio/document/journal.h"
+#include "app/studio/jobs/jobs.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "tests/support/program.h"
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
