@@ -36,4 +36,10 @@ inline std::string word(const nlohmann::json &request, const char *name)
     throw InputError(fmt::format("\"{}\" must be given, as a text", name));
   return entry->get<std::string>();
 }
+
+/// As word(); empty where it is not given.  @throws InputError  it is not a text
+inline std::string word_if_given(const nlohmann::json &request, const char *name)
+{
+  return request.contains(name) ? word(request, name) : "";
+}
 }  // namespace mill::studio

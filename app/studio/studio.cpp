@@ -12,6 +12,7 @@
 #include "core/case/case_template.h"
 #include "core/case/input_reference.h"
 #include "core/model/case.h"
+#include "core/records/result_folder.h"
 #include "twin/web/server/listen_address.h"
 #include <algorithm>
 #include <filesystem>
@@ -97,6 +98,16 @@ web::PageSettings settings_of(const CommandLine &command, const std::string &fol
   return settings;
 }
 
+// A program that was ended leaves what it had staged, and no later one works in its folder.
+void remove_what_stays(const std::string &folder)
+{
+  const FolderLock alone(folder);
+  if (alone.held())
+    remove_leftovers(folder);
+  std::error_code ignored;
+  fs::remove(folder, ignored);  // only where it is empty
+}
+
 bool is_of_text(const std::string &kind, const std::string &key)
 {
   const Row *row = row_of_key(kind, key);
@@ -124,6 +135,13 @@ Studio::Studio(const CommandLine &command)
     server_.emplace(settings, site);
   }
   open_.set_value();
+}
+
+// Requests that are answered until the server has ended find the jobs still there, but nothing runs any more that
+// would publish by a server in its destructor.
+Studio::~Studio()
+{
+  jobs_.end();
 }
 
 std::string Studio::url() const
@@ -180,8 +198,10 @@ std::string Studio::kind_of_text(const std::string &text) const
 web::PageReply Studio::document() const
 {
   const DocumentState s = document_.state();
+  std::error_code no_folder;
   ordered_json out{{"revision", s.revision},
                    {"path", document_.path()},
+                   {"case", fs::absolute(document_.path(), no_folder).lexically_normal().string()},
                    {"notice", document_.notice()},
                    {"saved", s.saved},
                    {"undo", s.undo},
@@ -212,6 +232,8 @@ void Studio::publish_document(const std::string &by)
 
 void Studio::publish_job(const JobState &job)
 {
+  if (job.status == JobStatus::cancelled || job.status == JobStatus::failed)
+    remove_what_stays(folder_ + "/" + job.id);
   if (server_)
     server_->publish("run", text_of(job_json(job)));
 }
@@ -230,8 +252,9 @@ void Studio::import(const nlohmann::json &request)
 
 web::PageReply Studio::edit(const std::string &body)
 {
-  const auto request = object_of(body);
-  const auto op      = choice_named<PageEdit>(word(request, "op"));
+  const auto request   = object_of(body);
+  const auto op        = choice_named<PageEdit>(word(request, "op"));
+  const std::string by = word_if_given(request, "by");  // before anything is changed
   if (op == PageEdit::hello) {
     server_->publish("windows", text_of({{"open", server_->statistics().event_streams}}));
     return document();
@@ -267,30 +290,44 @@ web::PageReply Studio::edit(const std::string &body)
     return {400, text_of({{"error", error.problems.empty() ? error.what() : error.problems.front().message},
                           {"problems", problems}})};
   }
-  publish_document(request.value("by", ""));
+  publish_document(by);
   return document();
 }
 
 web::PageReply Studio::check(const std::string &body)
 {
-  const auto request = object_of(body);
+  const auto request   = object_of(body);
+  const std::string by = word_if_given(request, "by");
   std::vector<Edit> edits;
+  std::vector<RefusedEdit> refused;
+  std::size_t asked      = 0;
   const std::string kind = kind_of_text(document_.state().text);
   if (const auto list = request.find("edits"); list != request.end()) {
     if (!list->is_array() || list->size() > most_edits)
       throw InputError(fmt::format("\"edits\" is a list of at most {}", most_edits));
+    asked = list->size();
     for (const auto &edit : *list) {
       if (!edit.is_object())
         throw InputError("an edit has id, key and value");
-      const std::string key = word(edit, "key");
-      const auto value      = edit.find("value");
-      const bool removed    = value == edit.end() || value->is_null();
-      edits.push_back(
-          {word(edit, "id"), key, removed ? "" : toml_as_typed(word(edit, "value"), is_of_text(kind, key))});
+      const std::string id = word(edit, "id"), key = word(edit, "key");
+      const auto value     = edit.find("value");
+      const bool removed   = value == edit.end() || value->is_null();
+      const std::string as = removed ? "" : word(edit, "value");
+      try {
+        edits.push_back({id, key, removed ? "" : toml_as_typed(as, is_of_text(kind, key))});
+      } catch (const InputError &error) {
+        refused.push_back({id, error.problems.empty() ? error.what() : error.problems.front().message});
+      }
     }
   }
   const long before = document_.state().revision;
-  document_.set(edits);
+  for (RefusedEdit &edit : document_.set(edits))
+    refused.push_back(std::move(edit));
+  ordered_json refusals = ordered_json::array();
+  for (const RefusedEdit &edit : refused)
+    refusals.push_back({{"id", edit.id}, {"error", edit.message}});
+  if (asked > 0 && refused.size() == asked)
+    return {400, text_of({{"error", refused.front().message}, {"refused", refusals}})};
   const DocumentState s    = document_.state();
   const CheckAnswer answer = check_answer(document_.path(), s.text);
   ordered_json out         = check_json(answer, s.text);
@@ -298,8 +335,9 @@ web::PageReply Studio::check(const std::string &body)
   out["saved"]             = s.saved;
   out["undo"]              = s.undo;
   out["redo"]              = s.redo;
+  out["refused"]           = refusals;
   if (s.revision != before)
-    publish_document(request.value("by", ""));
+    publish_document(by);
   return {200, text_of(out)};
 }
 

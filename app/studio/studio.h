@@ -26,6 +26,7 @@ const web::PageTable &page_table();
 class Studio {
 public:
   explicit Studio(const CommandLine &command);
+  ~Studio();
   std::string url() const;
   std::string notice() const;
 
@@ -50,6 +51,7 @@ private:
   const std::string folder_;  ///< of the runs
   std::mutex memory_access_;
   ClosedFormMemory memory_;
+  std::mutex run_access_;  ///< one at a time begins a run
   Jobs jobs_;
   std::promise<void> open_;
   const std::shared_future<void> opened_ = open_.get_future();  // server_ has its value

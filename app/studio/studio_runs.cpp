@@ -75,6 +75,7 @@ web::PageReply Studio::run(const std::string &body)
   const bool exported = format && *format != ExportFormat::statespace;
   if (!order && !exported)
     throw InputError("\"what\" is run, fmu, modelica, matlab or cancel");
+  const std::lock_guard one_at_a_time(run_access_);  // two have not the same number
   if (jobs_.state().status == JobStatus::running)
     return {409, text_of({{"error", jobs_.state().id + " is running; wait for its end, or cancel it"}})};
   std::error_code error;

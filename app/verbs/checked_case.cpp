@@ -5,7 +5,7 @@
 #include "app/run/run_kind.h"
 #include "app/stack/four_high_stack.h"
 #include "app/stages/bearing/bearing_model.h"
-#include "core/base/errors.h"
+#include "core/base/error_list.h"
 #include "core/base/files.h"
 #include "core/model/kind_of_case.h"
 
@@ -24,12 +24,23 @@ void add_pass_of_record(Case &the_case, const std::string &force_file)
   lumped->passes.push_back(pass);
 }
 
+Case case_of_command(const CommandLine &command)
+{
+  if (command.text.empty())
+    return read_case(command.target, command.sets);
+  const std::string text = read_text(command.text);
+  show_lines_of(command.target, text);
+  return read_case_of(command.target, text, command.sets);
+}
+
 // --as stack: the same case in the place of its file.
 Case case_as(const Case &written, const std::string &kind)
 {
   if (kind != word_of(KindOfCase::stack))
     throw InputError("--as " + kind + ": a case of kind four-high can be taken as a stack, --as stack");
-  return read_case_of(written.path, four_high_as_stack(written));
+  const std::string text = four_high_as_stack(written);
+  show_lines_of(written.path, text);
+  return read_case_of(written.path, text);
 }
 
 CaseReview reviewed(const Case &the_case, const std::string &force)
@@ -47,9 +58,7 @@ CaseReview reviewed(const Case &the_case, const std::string &force)
 
 CheckedCase checked_case(const CommandLine &command)
 {
-  CheckedCase checked{command.text.empty() ? read_case(command.target, command.sets)
-                                           : read_case_of(command.target, read_text(command.text), command.sets),
-                      {}};
+  CheckedCase checked{case_of_command(command), {}};
   if (!command.as_kind.empty())
     checked.the_case = case_as(checked.the_case, command.as_kind);
   add_pass_of_record(checked.the_case, command.force);

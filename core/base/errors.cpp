@@ -8,6 +8,8 @@
 #include <cerrno>
 #include <fmt/format.h>
 #include <map>
+#include <mutex>
+#include <optional>
 #include <sstream>
 #include <tuple>
 
@@ -33,10 +35,32 @@ private:
   std::map<std::string, std::vector<std::string>> files;
 };
 
+// Texts that were read in the place of those of files.
+struct GivenTexts {
+  std::mutex access;
+  std::map<std::string, std::string> texts;  // by path
+};
+GivenTexts &given_texts()
+{
+  static GivenTexts all;
+  return all;
+}
+
+std::optional<std::string> text_that_was_read(const std::string &path)
+{
+  GivenTexts &given = given_texts();
+  {
+    const std::lock_guard lock(given.access);
+    if (const auto text = given.texts.find(path); text != given.texts.end())
+      return text->second;
+  }
+  return text_if_readable(path);
+}
+
 std::vector<std::string> Sources::lines_of(const std::string &path)
 {
   std::vector<std::string> lines;
-  std::istringstream file(text_if_readable(path).value_or(""));  // what cannot be read has no lines
+  std::istringstream file(text_that_was_read(path).value_or(""));  // what cannot be read has no lines
   for (std::string line; std::getline(file, line);) {
     if (!line.empty() && line.back() == '\r')
       line.pop_back();
@@ -184,6 +208,13 @@ std::vector<Problem> sorted(std::vector<Problem> problems)
   return problems;
 }
 }  // namespace
+
+void show_lines_of(const std::string &path, const std::string &text)
+{
+  GivenTexts &given = given_texts();
+  const std::lock_guard lock(given.access);
+  given.texts[path] = text;
+}
 
 std::string shortened(const std::string &text)
 {

@@ -37,7 +37,7 @@ protected:
   {
     return browser->wait_for(
         "return !document.querySelector('#quick.old') && document.getElementById('answer-note').textContent === ''"
-        " && JSON.parse(localStorage.getItem('millstand-studio-edits') || '{\"edits\":[]}').edits.length === 0",
+        " && !Object.keys(localStorage).some(name => name.startsWith('millstand-studio-edits/'))",
         20);
   }
   void type(const std::string &key, const std::string &value)

@@ -76,8 +76,11 @@ struct History {
     std::string next = text;
     for (const json &edit : edits) {
       const std::string id = edit.at("id").get<std::string>();
-      if (id.empty() || done.insert(id).second)
-        next = with_value(next, edit.at("key").get<std::string>(), edit.at("toml").get<std::string>());
+      if (!id.empty() && done.count(id) > 0)
+        continue;
+      next = with_value(next, edit.at("key").get<std::string>(), edit.at("toml").get<std::string>());
+      if (!id.empty())
+        done.insert(id);
     }
     to(std::move(next));
   }
@@ -131,15 +134,8 @@ struct Document::State {
     return {{"millstand_studio", 1}, {"text", history.on_disk}};
   }
 
-  // An edit, which alone can be refused, is tried first, so that the journal holds only what can be replayed.
   void change(const json &line)
   {
-    if (const auto op = line.at("op").get<std::string>(); op == word_of(LineOf::set)) {
-      History trial;
-      trial.text = history.text;
-      trial.done = history.done;
-      trial.set(line.at("edits"));
-    }
     journal->append(line.dump(-1, ' ', false, json::error_handler_t::replace));
     history.take(line);
     if (journal->bytes() > largest)
@@ -159,8 +155,8 @@ struct Document::State {
     journal->replace(lines);
   }
 
-  // Lines of an earlier studio; false where the file is another one by now.
-  bool replay(const std::vector<std::string> &lines, const std::string &text)
+  // What an earlier studio had at its end; nothing where its lines cannot be read.
+  static std::optional<History> replayed(const std::vector<std::string> &lines)
   {
     History old;
     try {
@@ -172,14 +168,39 @@ struct Document::State {
           old.take(line);
       }
     } catch (const json::exception &) {
-      return false;
+      return {};
     } catch (const InputError &) {
-      return false;
+      return {};
     }
-    if (lines.empty() || old.on_disk != text)
-      return false;
-    history = std::move(old);
-    return true;
+    return old;
+  }
+
+  // @param on_disk  text of the case file now; empty without one
+  // @return  false: the file is another one than that of the journal.  Its pins and runs are taken over then, and
+  // edits that no file holds are set aside.
+  bool take_up(const std::vector<std::string> &lines, const std::string &on_disk)
+  {
+    std::optional<History> old = replayed(lines);
+    if (old && old->on_disk != on_disk && old->text == on_disk) {  // saved, and ended before the journal had it
+      history = std::move(*old);
+      change({{"op", word_of(LineOf::saved)}});
+      return true;
+    }
+    if (old && old->on_disk == on_disk) {
+      history = std::move(*old);
+      if (history.text != history.on_disk)
+        notice = "Changes that were not saved have been taken up again.";
+      return true;
+    }
+    notice =
+        old ? "The case file was changed outside of the studio." : "The journal of the studio cannot be read.";
+    if (!old || old->text != old->on_disk)
+      notice += " Changes that were not saved are in " + journal->set_aside() + ".";
+    if (old) {
+      history.pins = std::move(old->pins);
+      history.runs = std::move(old->runs);
+    }
+    return false;
   }
 };
 
@@ -194,16 +215,8 @@ Document::Document(std::string path, const std::function<std::string()> &text_of
   read_case_text(s.path, text);  // what is not TOML cannot be edited
   s.journal.emplace(journal_path(s.path));
   const auto lines = s.journal->lines();
-  if (!lines.empty() && s.replay(lines, known ? *known : "")) {
-    if (s.history.text != s.history.on_disk)
-      s.notice = "Changes that were not saved have been taken up again.";
+  if (!lines.empty() && s.take_up(lines, known.value_or("")))
     return;
-  }
-  if (!lines.empty()) {
-    s.journal->set_aside();
-    s.notice = "The case file was changed outside of the studio. Changes that were not saved are in " +
-               journal_path(s.path) + ".old.";
-  }
   s.history.on_disk = known ? *known : "";
   s.history.text    = text;
   s.begin_again();
@@ -228,15 +241,28 @@ DocumentState Document::state() const
   return {h.revision, h.text, h.text == h.on_disk, h.before.size(), h.after.size(), h.pins, h.runs};
 }
 
-void Document::set(const std::vector<Edit> &edits)
+std::vector<RefusedEdit> Document::set(const std::vector<Edit> &edits)
 {
-  if (edits.empty())
-    return;
-  json line{{"op", word_of(LineOf::set)}, {"edits", json::array()}};
-  for (const Edit &edit : edits)
-    line["edits"].push_back({{"id", edit.id}, {"key", edit.key}, {"toml", edit.toml}});
+  std::vector<RefusedEdit> refused;
   const std::lock_guard lock(state_->access);
-  state_->change(line);
+  // Each is tried first, so that the journal holds only what can be replayed.
+  History trial;
+  trial.text = state_->history.text;
+  trial.done = state_->history.done;
+  json line{{"op", word_of(LineOf::set)}, {"edits", json::array()}};
+  for (const Edit &edit : edits) {
+    const json one{{"id", edit.id}, {"key", edit.key}, {"toml", edit.toml}};
+    try {
+      trial.set(json::array({one}));
+      trial.before.clear();
+      line["edits"].push_back(one);
+    } catch (const InputError &error) {
+      refused.push_back({edit.id, error.problems.empty() ? error.what() : error.problems.front().message});
+    }
+  }
+  if (!line["edits"].empty())
+    state_->change(line);
+  return refused;
 }
 
 void Document::undo()

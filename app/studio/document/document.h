@@ -15,6 +15,11 @@ struct Edit {
   std::string toml;  ///< value as TOML; empty: the line becomes a comment
 };
 
+/// One that a case cannot hold, and why.
+struct RefusedEdit {
+  std::string id, message;
+};
+
 /// A state that was kept under a name.
 struct Pin {
   std::string name, text;
@@ -49,8 +54,9 @@ public:
   std::string notice() const;  ///< what was found at the start, a sentence; may be empty
   DocumentState state() const;
 
-  /// Together one step of undo.  @throws InputError  a key that cannot be written, nothing is changed then
-  void set(const std::vector<Edit> &edits);
+  /// Those that can be written are done, together one step of undo.
+  /// @return  the others, in their order
+  std::vector<RefusedEdit> set(const std::vector<Edit> &edits);
   void undo();
   void redo();
   void replace(const std::string &text);  ///< @throws InputError  not TOML

@@ -4,6 +4,7 @@
 #include <cerrno>
 #include <fcntl.h>
 #include <filesystem>
+#include <fmt/format.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -97,12 +98,30 @@ void Journal::replace(const std::vector<std::string> &lines)
   bytes_ = text.size();
 }
 
-void Journal::set_aside()
+std::string Journal::set_aside()
 {
-  write_atomically(path_ + ".old", read_text(path_));
-  if (ftruncate(file_, 0) != 0)
-    refuse_file(errno, {path_, 0, 0}, "the journal of the studio cannot be written");
+  const std::string text = read_text(path_);
+  std::string aside      = path_ + ".old";
+  int file               = -1;
+  // An earlier one may hold the only copy of what somebody typed.
+  for (int n = 2; (file = open(aside.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, 0600)) < 0;
+       ++n)
+    if (errno == EEXIST)
+      aside = fmt::format("{}.old-{}", path_, n);
+    else
+      refuse_file(errno, {aside, 0, 0}, "the journal of the studio cannot be set aside");
+  try {
+    write_all(file, text, aside);
+    if (fdatasync(file) != 0 || ftruncate(file_, 0) != 0)
+      refuse_file(errno, {path_, 0, 0}, "the journal of the studio cannot be written");
+  } catch (const InputError &) {
+    close(file);
+    unlink(aside.c_str());
+    throw;
+  }
+  close(file);
   bytes_ = 0;
+  return aside;
 }
 
 std::size_t Journal::bytes() const

@@ -21,8 +21,9 @@ public:
   void append(const std::string &line);
   /// These lines in place of all others.
   void replace(const std::vector<std::string> &lines);
-  /// What there is moves to "<path>.old"; the journal is empty then.
-  void set_aside();
+  /// What there is moves to a new file, "<path>.old", "<path>.old-2" ..; the journal is empty then.
+  /// @return  path of that file
+  std::string set_aside();
   std::size_t bytes() const;
 
 private:

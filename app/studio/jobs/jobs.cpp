@@ -73,7 +73,9 @@ struct Jobs::State {
   double begin     = 0;
   pid_t process    = 0;  // 0: nothing runs
   bool to_be_ended = false;
-  std::thread reader;
+  std::mutex starts;   // held while a program is started, and at the end
+  bool ended = false;  // guarded by `starts`
+  std::thread reader;  // likewise
 
   JobState with_time() const
   {
@@ -128,9 +130,9 @@ struct Jobs::State {
     {
       const std::lock_guard lock(access);
       job.seconds = now() - begin;
-      job.status  = to_be_ended                                     ? JobStatus::cancelled
-                    : WIFEXITED(status) && WEXITSTATUS(status) == 0 ? JobStatus::done
-                                                                    : JobStatus::failed;
+      job.status  = WIFEXITED(status) && WEXITSTATUS(status) == 0 ? JobStatus::done  // before it was cancelled
+                    : to_be_ended                                 ? JobStatus::cancelled
+                                                                  : JobStatus::failed;
       if (job.status == JobStatus::done)
         job.percent = 100;
       process = 0;
@@ -146,6 +148,13 @@ Jobs::Jobs(std::function<void(const JobState &)> changed) : state_(std::make_uni
 
 Jobs::~Jobs()
 {
+  end();
+}
+
+void Jobs::end()
+{
+  const std::lock_guard alone(state_->starts);
+  state_->ended = true;
   cancel();
   if (state_->reader.joinable())
     state_->reader.join();
@@ -155,6 +164,9 @@ void Jobs::start(const std::string &id, const std::string &program, const std::v
                  const std::string &file)
 {
   State &s = *state_;
+  const std::lock_guard alone(s.starts);
+  if (s.ended)
+    throw InputError("the studio ends; nothing is started");
   {
     const std::lock_guard lock(s.access);
     if (s.process != 0)

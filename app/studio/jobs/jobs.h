@@ -30,16 +30,18 @@ class Jobs {
 public:
   /// @param changed  called from a thread of its own with every change
   explicit Jobs(std::function<void(const JobState &)> changed);
-  ~Jobs();  ///< ends what runs
+  ~Jobs();  ///< as end()
   Jobs(const Jobs &)            = delete;
   Jobs &operator=(const Jobs &) = delete;
 
   /// Starts the program in the folder of this one.
   /// @param file  JobState::file
-  /// @throws InputError  something runs; it cannot be started
+  /// @throws InputError  something runs; it cannot be started; end() was called
   void start(const std::string &id, const std::string &program, const std::vector<std::string> &arguments,
              const std::string &file = "");
   void cancel();
+  /// Ends what runs, and starts nothing from now on.  `changed` is not called after it has returned.
+  void end();
   JobState state() const;
 
 private:

@@ -2,7 +2,8 @@
 // reload and over an end of the program too.
 const token = decodeURIComponent(location.hash.slice(1));
 const own = Math.random().toString(36).slice(2, 10);
-const store = "millstand-studio-edits";
+const store = "millstand-studio-edits/";
+const mostSent = 200;  // edits of one request
 
 export const studio = {
   schema: null, document: null,
@@ -76,27 +77,40 @@ export function link(state) {
 }
 
 // -- edits -------------------------------------------------------------------------------------------------------
-let waiting = JSON.parse(localStorage.getItem(store) || "null");
-if (!waiting || waiting.token !== token)
-  waiting = { token, edits: [] };
-let number = 0, timer = 0, busy = false, again = false;
-for (const edit of waiting.edits)
-  studio.typed[edit.key] = edit.value;
+// Each edit has an entry of its own, named by the case and its id, so that windows and cases of one address do not
+// overwrite each other.  What a window that was closed has left is sent by the next window of its case.
+let waiting = [];  // edits of this case: id, key, value, time; sent: on its way
+let number = 0, timer = 0, busy = false, again = false, mine = null;
 
-function keep() {
-  localStorage.setItem(store, JSON.stringify(waiting));
+function keep(edit) {
+  if (mine)
+    localStorage.setItem(mine + edit.id, JSON.stringify({ key: edit.key, value: edit.value, time: edit.time }));
+}
+function forget(edit) {
+  if (mine)
+    localStorage.removeItem(mine + edit.id);
+}
+function takeWhatWaits() {
+  mine = `${store}${encodeURIComponent(studio.document.case)}/${token}/`;
+  const left = [];
+  for (let i = 0; i < localStorage.length; ++i) {
+    const name = localStorage.key(i);
+    if (name.startsWith(mine))
+      left.push({ id: name.slice(mine.length), ...JSON.parse(localStorage.getItem(name)) });
+  }
+  left.sort((a, b) => a.time - b.time);
+  waiting = [...left, ...waiting];
+  waiting.forEach(edit => { studio.typed[edit.key] = edit.value; });
 }
 
 /** A value was typed; null takes the line out of the case. */
 export function type(key, value) {
   studio.typed[key] = value;
-  const id = `${own}-${++number}`;
-  const last = waiting.edits.find(edit => edit.key === key && !edit.sent);
-  if (last)
-    last.value = value;
-  else
-    waiting.edits.push({ id, key, value });
-  keep();
+  waiting.filter(edit => edit.key === key && !edit.sent).forEach(forget);
+  waiting = waiting.filter(edit => edit.key !== key || edit.sent);
+  const edit = { id: `${own}-${++number}`, key, value, time: Date.now() };
+  waiting.push(edit);
+  keep(edit);
   tell("typed", key);
   clearTimeout(timer);
   timer = setTimeout(flush, 150);
@@ -110,36 +124,55 @@ export async function flush() {
     return;
   }
   busy = true;
-  const edits = waiting.edits.slice();
+  const edits = waiting.slice(0, mostSent);
   edits.forEach(edit => { edit.sent = true; });
+  let went = true;
   try {
-    const answer = await ask("/check", { by: own, edits: edits.map(({ id, key, value }) => ({ id, key, value })) });
+    const answer = await ask("/check", request(edits));
     taken(edits);
+    sayRefused(edits, answer.refused);
     takeCheck(answer);
   } catch (error) {
+    went = false;
     if (error.status === 400) {  // what the program refuses once it refuses again
+      went = true;
       taken(edits);
       banner(error.message, 8000);
+      sayRefused(edits, error.answer.refused || []);
       reread().catch(() => {});
     }
   }
   busy = false;
-  if (again || waiting.edits.some(edit => !edit.sent)) {
+  if (again || (went && waiting.some(edit => !edit.sent))) {
     again = false;
     return flush();
   }
   askQuick();
 }
 
-function taken(edits) {
-  waiting.edits = waiting.edits.filter(edit => !edits.includes(edit));
-  for (const edit of edits)
-    if (!waiting.edits.some(other => other.key === edit.key))
-      delete studio.typed[edit.key];
-  keep();
+function request(edits) {
+  return { by: own, edits: edits.map(({ id, key, value }) => ({ id, key, value })) };
 }
 
-export const unsent = () => waiting.edits.length;
+function taken(edits) {
+  waiting = waiting.filter(edit => !edits.includes(edit));
+  for (const edit of edits) {
+    forget(edit);
+    if (!waiting.some(other => other.key === edit.key))
+      delete studio.typed[edit.key];
+  }
+}
+
+function sayRefused(edits, refused) {
+  const sentences = refused.map(({ id, error }) => {
+    const edit = edits.find(one => one.id === id);
+    return edit ? `${edit.key}: ${error}` : error;
+  });
+  if (sentences.length)
+    banner(`Not taken: ${sentences.join("; ")}`, 8000);
+}
+
+export const unsent = () => waiting.length;
 
 function takeCheck(answer) {
   studio.check = answer;
@@ -176,6 +209,8 @@ export function isOld(answer) {
 export function takeDocument(answer) {
   studio.document = answer;
   studio.values = answer.values;
+  if (!mine)
+    takeWhatWaits();
   tell("document");
 }
 
@@ -217,6 +252,6 @@ export function listen() {
 }
 
 addEventListener("pagehide", () => {
-  if (waiting.edits.length)
-    ask("/check", { by: own, edits: waiting.edits.map(({ id, key, value }) => ({ id, key, value })) }, true).catch(() => {});
+  if (waiting.length)
+    ask("/check", request(waiting.slice(0, mostSent)), true).catch(() => {});
 });

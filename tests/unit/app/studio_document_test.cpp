@@ -1,8 +1,10 @@
 #include "app/studio/document/document.h"
 #include "app/studio/document/journal.h"
+#include "app/studio/jobs/jobs.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "tests/support/program.h"
+#include <atomic>
 #include <csignal>
 #include <filesystem>
 #include <fstream>
@@ -135,6 +137,112 @@ TEST(StudioDocument, AFileThatChangedOutsideIsTakenAndTheJournalKept)
   EXPECT_EQ(again.state().text, "title = \"new\"\n");
   EXPECT_NE(again.notice().find("outside"), std::string::npos);
   EXPECT_TRUE(std::filesystem::exists(studio::journal_path(path) + ".old"));
+}
+
+// A change outside, twice: what was typed before the first is still there after the second, where nothing was
+// lost.
+TEST(StudioDocument, ARescuedCopyIsNeverReplaced)
+{
+  const std::string path = case_file("rescued");
+  const auto old = studio::journal_path(path) + ".old", second = old + "-2";
+  {
+    studio::Document document(path, none);
+    document.set({edit("a", "\"1 GPa\"")});
+  }
+  std::ofstream(path) << "title = \"new\"\n";
+  {
+    const studio::Document document(path, none);
+    EXPECT_NE(document.notice().find(old), std::string::npos) << document.notice();
+  }
+  std::ofstream(path) << "title = \"newer\"\n";
+  {
+    studio::Document document(path, none);
+    EXPECT_NE(document.notice().find("outside"), std::string::npos);
+    EXPECT_EQ(document.notice().find("not saved"), std::string::npos) << document.notice();
+    document.set({{"b", "title", "\"typed\""}});
+  }
+  EXPECT_NE(mill::read_text(old).find("1 GPa"), std::string::npos);
+  EXPECT_FALSE(std::filesystem::exists(second));
+  std::ofstream(path) << "title = \"newest\"\n";
+  const studio::Document document(path, none);
+  EXPECT_NE(document.notice().find(second), std::string::npos) << document.notice();
+  EXPECT_NE(mill::read_text(old).find("1 GPa"), std::string::npos);
+  EXPECT_NE(mill::read_text(second).find("typed"), std::string::npos);
+  EXPECT_EQ(std::filesystem::status(second).permissions(),
+            std::filesystem::perms::owner_read | std::filesystem::perms::owner_write)
+      << "a case that only its owner reads stays so";
+}
+
+TEST(StudioDocument, PinsAndRunsStayWhenTheFileChangesOutside)
+{
+  const std::string path = case_file("outside-pins");
+  std::string pinned;
+  {
+    studio::Document document(path, none);
+    document.pin("p");
+    pinned = document.state().text;
+    document.add_run({"run-1", pinned});
+  }
+  for (const char *title : {"title = \"new\"\n", "title = \"newer\"\n"}) {
+    std::ofstream(path) << title;
+    const auto state = studio::Document(path, none).state();
+    EXPECT_EQ(state.text, title);
+    ASSERT_EQ(state.pins.size(), 1u);
+    EXPECT_EQ(state.pins[0].text, pinned);
+    ASSERT_EQ(state.runs.size(), 1u);
+    EXPECT_EQ(state.runs[0].id, "run-1");
+  }
+}
+
+TEST(StudioDocument, AnEndBetweenTheFileAndTheJournalOfASaveLosesNothing)
+{
+  const std::string path = case_file("half-saved");
+  std::string text;
+  {
+    studio::Document document(path, none);
+    document.set({edit("a", "\"1 GPa\"")});
+    text = document.state().text;
+  }
+  std::ofstream(path) << text;  // what save() does first
+  const studio::Document again(path, none);
+  EXPECT_TRUE(again.state().saved);
+  EXPECT_EQ(again.state().undo, 1u);
+  EXPECT_EQ(again.notice(), "");
+  EXPECT_FALSE(std::filesystem::exists(studio::journal_path(path) + ".old"));
+}
+
+TEST(StudioDocument, ARefusedEditLeavesTheOthersOfItsBatch)
+{
+  const std::string path = case_file("batch");
+  std::string text;
+  {
+    studio::Document document(path, none);
+    const auto refused =
+        document.set({{"1", "title", "\"good\""}, {"2", "", "\"x\""}, edit("3", "\"1 GPa\""), {"2", "", "1"}});
+    ASSERT_EQ(refused.size(), 2u);
+    EXPECT_EQ(refused[0].id, "2");
+    EXPECT_NE(refused[0].message, "");
+    text = document.state().text;
+    EXPECT_EQ(document.state().undo, 1u);
+    EXPECT_EQ(document.set({{"4", "", "1"}}).size(), 1u);
+    EXPECT_EQ(document.state().text, text);
+  }
+  EXPECT_NE(text.find("\"good\""), std::string::npos);
+  EXPECT_NE(text.find("\"1 GPa\""), std::string::npos);
+  EXPECT_EQ(studio::Document(path, none).state().text, text) << "the journal is replayed";
+}
+
+TEST(StudioJobs, NothingIsPublishedOrStartedAfterTheEnd)
+{
+  std::atomic<int> published = 0;
+  studio::Jobs jobs([&](const studio::JobState &) { ++published; });
+  jobs.start("run-1", "/bin/sleep", {"60"});
+  jobs.end();
+  EXPECT_EQ(jobs.state().status, studio::JobStatus::cancelled);
+  const int last = published;
+  EXPECT_EQ(last, 2) << "its begin and its end";
+  EXPECT_THROW(jobs.start("run-2", "/bin/true", {}), mill::InputError);
+  EXPECT_EQ(published, last);
 }
 
 // A process that edits and is killed after each tenth edit: no edit that was answered is lost.

@@ -2,6 +2,7 @@
 #include "core/base/error_list.h"
 #include "core/base/files.h"
 #include <filesystem>
+#include <fstream>
 #include <gtest/gtest.h>
 
 using namespace mill;
@@ -32,6 +33,18 @@ TEST_F(Rendered, AProblemShowsItsLineTheLineAboveAndACaret)
                                                              "    1 | [work_roll]\n"
                                                              ">   2 | barrel_diameter = \"420 mm\"\n"
                                                              "      |                   ^");
+}
+
+// A text that was checked in the place of the file's is the one that is quoted.
+TEST_F(Rendered, ATextInThePlaceOfAFileIsQuoted)
+{
+  const std::string path = file + "-shown";
+  std::ofstream(path) << "# the file\n";
+  mill::show_lines_of(path, "a = 1\nb = 2\n");
+  EXPECT_EQ(render({{path, 1, 1}, "what", {}}), path + ":1:1: error: what\n"
+                                                       ">   1 | a = 1\n"
+                                                       "      | ^");
+  std::filesystem::remove(path);
 }
 
 TEST_F(Rendered, AProblemInTheFirstLineShowsThatLine)

@@ -97,6 +97,32 @@ TEST_F(StudioBrowser, PinsSweepAndTheStateSurviveAReloadAndAKill)
       browser->wait_for("return document.getElementById('v-work_roll.barrel_diameter').value === '420'", 10));
 }
 
+// What was typed while the program was away is sent, but for what a case cannot hold; entries of another case
+// stay.
+TEST_F(StudioBrowser, ARefusedEditTakesNoOtherWithIt)
+{
+  const int port = studio->program().port();
+  studio->program().end(SIGKILL);
+  browser->run("localStorage.setItem('millstand-studio-edits/other/t/x-1', '{\"key\":\"title\",\"value\":\"of "
+               "another case\",\"time\":1}');");
+  type("work_roll.barrel_length", "1390");
+  ASSERT_TRUE(browser->wait_for("return document.body.dataset.link === 'lost'", 10));
+  browser->run("import('./state.js').then(page => { page.type('work_roll', 'x'); });");
+  type("work_roll.barrel_diameter", "431");
+  const std::string waiting =
+      "Object.keys(localStorage).filter(name => name.startsWith('millstand-studio-edits/'))";
+  ASSERT_TRUE(browser->wait_for("return " + waiting + ".length === 4", 10));
+  begin("127.0.0.1:" + std::to_string(port));
+  ASSERT_TRUE(browser->wait_for("return document.body.dataset.link === 'open'", 20));
+  ASSERT_TRUE(browser->wait_for("return " + waiting + ".length === 1", 20)) << text("#banner");
+  EXPECT_TRUE(
+      browser->run("return localStorage.getItem('millstand-studio-edits/other/t/x-1') !== null").get<bool>());
+  const json values = studio->get("/document")["values"];
+  EXPECT_EQ(values["work_roll.barrel_length"], "1390 mm");
+  EXPECT_EQ(values["work_roll.barrel_diameter"], "431 mm");
+  browser->run("localStorage.removeItem('millstand-studio-edits/other/t/x-1');");
+}
+
 TEST_F(StudioBrowser, EveryWidthAndBothSchemesHaveNoScrollBarAcross)
 {
   for (const int width : {1400, 1000, 500})

@@ -148,6 +148,63 @@ TEST(StudioHttp, ARunCanBeCancelled)
   EXPECT_EQ(studio.get("/document")["pins"][0]["run"], "");
 }
 
+TEST(StudioHttp, ACancelledRunLeavesNoFiles)
+{
+  const std::string folder = new_stand("cancel-files");
+  StudioProgram studio(folder, "127.0.0.1:0", {"--cache", folder + "/cache"});
+  ASSERT_EQ(studio.post("/run", {{"what", "run"}})["id"], "run-1");
+  const std::string run = folder + "/runs/run-1";
+  const auto staged     = [&] {
+    std::error_code none;
+    for (const auto &entry : std::filesystem::directory_iterator(run, none))
+      if (entry.path().filename().string().rfind(".run-", 0) == 0)
+        return true;
+    return false;
+  };
+  for (const double end = steady_seconds() + 30; steady_seconds() < end && !staged();)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(staged());
+  EXPECT_EQ(studio.answer("/run", R"({"what":"cancel"})").status, 202);
+  EXPECT_TRUE(ends_as(studio, "cancelled"));
+  for (const double end = steady_seconds() + 10; steady_seconds() < end && std::filesystem::exists(run);)
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  EXPECT_FALSE(std::filesystem::exists(run));
+  EXPECT_EQ(studio.post("/run", {{"what", "run"}})["id"], "run-2") << "no number twice";
+}
+
+TEST(StudioHttp, ARefusedEditLeavesTheOthersOfItsRequest)
+{
+  StudioProgram studio(new_stand("batch"));
+  const json answer = studio.post("/check", {{"edits",
+                                              {{{"id", "1"}, {"key", "title"}, {"value", "GOOD EDIT"}},
+                                               {{"id", "2"}, {"key", "work_roll"}, {"value", "x"}},
+                                               {{"id", "3"}, {"key", "strip.width"}, {"value", "1001 mm"}}}}});
+  ASSERT_TRUE(answer.contains("values")) << answer.dump();
+  EXPECT_EQ(answer["values"]["title"], "GOOD EDIT");
+  EXPECT_EQ(answer["values"]["strip.width"], "1001 mm");
+  ASSERT_EQ(answer["refused"].size(), 1u);
+  EXPECT_EQ(answer["refused"][0]["id"], "2");
+}
+
+TEST(StudioHttp, AWrongSenderIsRefusedBeforeTheEditIsDone)
+{
+  StudioProgram studio(new_stand("sender"));
+  const std::string before = studio.get("/document").dump();
+  EXPECT_EQ(studio.answer("/edit", R"({"op":"pin","name":"p","by":5})").status, 400);
+  EXPECT_EQ(studio.answer("/check", R"({"by":[],"edits":[{"id":"1","key":"title","value":"x"}]})").status, 400);
+  EXPECT_EQ(studio.get("/document").dump(), before);
+}
+
+TEST(StudioHttp, AFailedRunQuotesTheTextThatWasRun)
+{
+  StudioProgram studio(new_stand("quoted"));
+  studio.post("/edit", {{"op", "import"}, {"as", "case"}, {"name", ""}, {"text", "title = \"of the page\"\n"}});
+  ASSERT_EQ(studio.post("/run", {{"what", "run"}})["id"], "run-1");
+  ASSERT_TRUE(ends_as(studio, "failed"));
+  const std::string printed = studio.get("/document")["job"]["said"];
+  EXPECT_NE(printed.find("1 | title = \"of the page\""), std::string::npos) << printed;
+}
+
 // A stand of six given masses, which is run at once.
 TEST(StudioHttp, RunExportAndComparisonAreThoseOfTheCommandLine)
 {
