@@ -38,8 +38,8 @@ inline std::string word(const nlohmann::json &request, const char *name)
 }
 
 /// As word(); empty where it is not given.  @throws InputError  it is not a text
-inline std::string word_if_given(const nlohmann::json &request, const char *name)
+inline std::string word_if_given(const nlohmann::json &request, const char *member)
 {
-  return request.contains(name) ? word(request, name) : "";
+  return request.contains(member) ? word(request, member) : "";
 }
 }  // namespace mill::studio
