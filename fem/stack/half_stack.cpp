@@ -89,7 +89,7 @@ void HalfStack::set_width(StationedContact &contact, const double width) const
         bodies[i]->has_surface() ? width * std::exp(0.25) : 4 * contact.law.radius[i] * std::exp(-0.5);
 }
 
-// The least of b_0, 1.5 b_0, .. that is no less than the half width under the largest line load: far beyond b_0
+// The least of b_0, 1.5 b_0, .. that is at least the half width under the largest line load: far beyond b_0
 // the slope of (51.17) takes away more than the flexibility of the rolls has. What a solved state has follows from
 // its loads and not from the states before it.
 double HalfStack::width_for(const StationedContact &contact) const

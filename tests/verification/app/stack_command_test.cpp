@@ -129,7 +129,7 @@ TEST(StackCommand, ComparesWithStaticsOfTheLoadWhereItIs)
         << name;
 }
 
-// What the other engine says is no further away than the error: most of all of small differences of large numbers.
+// The other engine lies within the error, above all where a number is a small difference of large ones.
 TEST(StackCommand, ErrorsReachTheOtherEngine)
 {
   const StackRun &six = stack_run("six");
