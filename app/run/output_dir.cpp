@@ -1,11 +1,11 @@
 #include "app/run/output_dir.h"
 #include "app/run/run_setup.h"
-#include "app/run/source_location.h"
 #include "core/base/errors.h"
 #include "core/base/file_ending.h"
 #include "core/base/files.h"
 #include "core/case/kinds.h"
 #include "core/records/run_identity.h"
+#include "core/records/source_location.h"
 #include <algorithm>
 #include <filesystem>
 #include <map>

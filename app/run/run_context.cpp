@@ -2,7 +2,6 @@
 #include "app/process/out_of_memory.h"
 #include "app/process/version.h"
 #include "app/run/run_kind.h"
-#include "app/run/source_location.h"
 #include "core/base/files.h"
 #include "core/base/name_part.h"
 #include "core/base/valid_text.h"
@@ -11,6 +10,7 @@
 #include "core/numerics/sparse.h"
 #include "core/process/parallel.h"
 #include "core/records/run_identity.h"
+#include "core/records/source_location.h"
 #include "fem/body/elastic_body.h"
 #include "meshes/common/mesher.h"
 #include <Eigen/Core>

@@ -5,6 +5,7 @@
 #include "core/records/note_records.h"
 #include "core/records/results.h"
 #include "core/records/rows_of_response.h"
+#include "core/records/source_location.h"
 #include "twin/analysis/channel_analysis.h"
 #include "twin/spectra/level_error.h"
 #include "twin/spectra/noise_floor.h"
@@ -406,17 +407,18 @@ std::string analysis_json(const CleanRecord &record, const Analysis &analysis, c
                                                                 : ordered_json(nullptr)},
                          {"aligned", settings.align},
                          {"best_coherence", analysis.forced.best_coherence}};
-  json["baseline"] = settings.baseline ? ordered_json{{"folder", settings.baseline->folder},
+  json["baseline"]      = settings.baseline ? ordered_json{{"folder", settings.baseline->folder},
                                                       {"record", settings.baseline->record}}
-                                       : ordered_json(nullptr);
-  json["record"]   = {{"file", record.file},
-                      {"format", record.format},
-                      {"rate", record.rate},
-                      {"duration", record.duration()},
-                      {"jitter", record.jitter},
-                      {"interpolated", record.interpolated},
-                      {"start", record.start ? ordered_json(*record.start) : ordered_json(nullptr)},
-                      {"speed", {number(analysis.lowest_speed), number(analysis.highest_speed)}}};
+                                            : ordered_json(nullptr);
+  json["record"]        = {{"file", record.file},
+                           {"format", record.format},
+                           {"rate", record.rate},
+                           {"duration", record.duration()},
+                           {"jitter", record.jitter},
+                           {"interpolated", record.interpolated},
+                           {"start", record.start ? ordered_json(*record.start) : ordered_json(nullptr)},
+                           {"speed", {number(analysis.lowest_speed), number(analysis.highest_speed)}}};
+  json[source_location] = location_of(record.file);
   json["stand"] = stand ? ordered_json{{"case", stand->name}, {"source", stand->source}} : ordered_json(nullptr);
   json["cleaning"] = ordered_json::array();
   for (const CleaningEvent &event : record.events)

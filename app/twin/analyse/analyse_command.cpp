@@ -2,7 +2,6 @@
 #include "app/process/address_space.h"
 #include "app/process/console.h"
 #include "app/run/output_dir.h"
-#include "app/run/source_location.h"
 #include "app/twin/analyse/analysed_stand.h"
 #include "app/twin/analyse/analysis_lines.h"
 #include "app/twin/stand/record_options.h"
@@ -13,6 +12,7 @@
 #include "core/case/plant.h"
 #include "core/model/case.h"
 #include "core/records/csv.h"
+#include "core/records/source_location.h"
 #include "report/twin/analysis/analysis_page.h"
 #include "twin/analysis/analysis_files.h"
 #include "twin/records/raw_record.h"
@@ -21,7 +21,6 @@
 #include <filesystem>
 #include <fmt/format.h>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <thread>
 
@@ -59,12 +58,10 @@ twin::AnalysisSettings settings_of(const CommandLine &command, const Monitoring 
 }
 
 void write_folder(const std::string &folder, const twin::CleanRecord &record, const twin::Analysis &analysis,
-                  const twin::CaseModel *stand, const twin::AnalysisSettings &settings, const std::string &path)
+                  const twin::CaseModel *stand, const twin::AnalysisSettings &settings)
 {
-  const auto tables = twin::analysis_tables(analysis);
-  auto document     = nlohmann::ordered_json::parse(twin::analysis_json(record, analysis, stand, settings));
-  document[source_location] = location_of(path);
-  const std::string json    = document.dump(1) + "\n";
+  const auto tables      = twin::analysis_tables(analysis);
+  const std::string json = twin::analysis_json(record, analysis, stand, settings);
   replace_results(folder,
                   {"analysis.json", "spectrum.csv", "waterfall.csv", "distance.csv", "modes.csv", "poles.csv",
                    "singular.csv", "h1.csv", "modes_h1.csv", "candidates.csv", "report.html"},
@@ -136,7 +133,7 @@ int analyse_command(const CommandLine &command)
     const twin::CleanRecord record = twin::clean_record(std::move(raw));
     raw                            = {};  // its times are done with
     const twin::Analysis analysis  = twin::analyse(record, stand ? &*stand : nullptr, settings, progress);
-    write_folder(folder, record, analysis, stand ? &*stand : nullptr, settings, path);
+    write_folder(folder, record, analysis, stand ? &*stand : nullptr, settings);
     bar.finish();
     if (!command.quiet)
       for (const std::string &line : analysis_lines(analysis, folder))

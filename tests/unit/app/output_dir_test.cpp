@@ -1,9 +1,9 @@
 // Whose results a folder holds: the case file that made it is known by its place, not by its name alone.
 #include "app/run/output_dir.h"
-#include "app/run/source_location.h"
 #include "core/base/errors.h"
 #include "core/base/files.h"
 #include "core/model/case.h"
+#include "core/records/source_location.h"
 #include "tests/support/program.h"
 #include <filesystem>
 #include <fmt/format.h>

@@ -1,4 +1,4 @@
-#include "app/run/source_location.h"
+#include "core/records/source_location.h"
 #include "core/base/files.h"
 #include "core/base/valid_text.h"
 #include <filesystem>
