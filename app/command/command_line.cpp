@@ -342,6 +342,14 @@ std::string mistyped(const CLI::App &app, const int argc, char **argv)
   }
   return "";
 }
+
+// What else the arguments lack, in the words of CLI11.
+std::string refusal_of_arguments(const CLI::App &app, const CLI::ParseError &error)
+{
+  const auto verbs          = app.get_subcommands();
+  const std::string program = verbs.empty() ? "millstand" : "millstand " + verbs.front()->get_name();
+  return fmt::format("{}: {}; {} --help lists what it takes", program, error.what(), program);
+}
 }  // namespace
 
 std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &exit_code)
@@ -478,6 +486,8 @@ std::optional<CommandLine> parse_command_line(const int argc, char **argv, int &
     exit_code = app.exit(e, out, err) == 0 ? 0 : 2;
     if (const std::string slip = exit_code == 2 ? mistyped(app, argc, argv) : ""; !slip.empty())
       throw InputError(slip);
+    if (exit_code == 2)
+      throw InputError(refusal_of_arguments(app, e));
     console::print(out.str());
     console::say(err.str());
     return {};

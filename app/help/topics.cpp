@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cctype>
 #include <fmt/format.h>
+#include <functional>
 #include <sstream>
 
 namespace mill::help {
@@ -164,17 +165,25 @@ std::string results(const std::string &topic)
 }
 
 // Rows of docs/input.md: key, form, range, default, example, meaning, below the section "[work_roll]".
-std::string keys(const std::string &topic)
+// Of each row of docs/input.md: the key, the key with its section, all cells.
+void each_key(
+    const std::function<void(const std::string &, const std::string &, const std::vector<std::string> &)> &use)
 {
-  std::string text;
   each_row(TablePage::input, [&](std::string section, const std::vector<std::string> &cells) {
     if (cells.size() < 6 || cells[0] == "key")
       return;
     section.erase(
         std::remove_if(section.begin(), section.end(), [](const char c) { return c == '[' || c == ']'; }),
         section.end());
-    const std::string key  = without_backticks(cells[0]),
-                      name = (section == "top of the file" ? "" : section + ".") + key;
+    const std::string key = without_backticks(cells[0]);
+    use(key, (section == "top of the file" ? "" : section + ".") + key, cells);
+  });
+}
+
+std::string keys(const std::string &topic)
+{
+  std::string text;
+  each_key([&](const std::string &key, const std::string &name, const std::vector<std::string> &cells) {
     if (!is_name_of(name, topic) && key != topic)  // "crown" alone
       return;
     const std::string entry =
@@ -208,6 +217,18 @@ std::vector<std::string> known_topics(const std::vector<DescribedVerb> &verbs)
   return known;
 }
 
+// A task or verb first, then a key; a list of all tasks and verbs where nothing is near.
+std::string nearest_topic(const std::string &topic, const std::vector<DescribedVerb> &verbs)
+{
+  const auto topics = known_topics(verbs);
+  std::vector<std::string> names;
+  each_key([&](const std::string &, const std::string &name, const std::vector<std::string> &) {
+    names.push_back(name);
+  });
+  const std::string key = likely_word(topic, topics).empty() ? meant_word(topic, names) : "";
+  return key.empty() ? suggestion(topic, topics) : key;
+}
+
 std::string list_of_topics(const std::vector<DescribedVerb> &verbs)
 {
   std::string text = "Tasks, shown by 'millstand help NAME':\n";
@@ -232,7 +253,7 @@ std::string topic_text(const std::string &topic, const std::vector<DescribedVerb
   text += terms(topic) + results(topic) + keys(topic);
   if (text.empty())
     throw InputError(fmt::format("no help is available for '{}'{}; a list: millstand help", topic,
-                                 suggestion(topic, known_topics(verbs))));
+                                 nearest_topic(topic, verbs)));
   return text;
 }
 }  // namespace mill::help

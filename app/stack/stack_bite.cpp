@@ -23,8 +23,9 @@ StackBite stack_bite(const StackInput &input, const Stack &stack, const Pass &pa
   return made;
 }
 
-std::string missing_of_bite(const StackInput &input, const Pass &pass)
+std::string missing_of_bite(const StackInput &input, const std::size_t p)
 {
+  const Pass &pass = input.passes[p];
   std::string missing;
   const auto add = [&](const bool lacks, const std::string &key) {
     if (lacks)
@@ -33,7 +34,7 @@ std::string missing_of_bite(const StackInput &input, const Pass &pass)
   add(std::isnan(input.strip.entry_thickness) && std::isnan(pass.entry_thickness), "strip.entry_thickness");
   add(std::isnan(input.strip.exit_thickness) && std::isnan(pass.exit_thickness), "strip.exit_thickness");
   add(!bite::has_friction(input.bite.friction), "strip.friction");
-  add(needs_speed(input.bite.friction) && std::isnan(pass.speed), "pass.speed");
+  add(needs_speed(input.bite.friction) && std::isnan(pass.speed), fmt::format("pass.{}.speed", p));
   return missing;
 }
 

@@ -18,7 +18,7 @@ struct StackBite {
 StackBite stack_bite(const StackInput &input, const Stack &stack, const Pass &pass, double force);
 
 /// Keys that the bite lacks, with commas: "strip.friction, strip.entry_thickness"; empty: it says enough.
-std::string missing_of_bite(const StackInput &input, const Pass &pass);
+std::string missing_of_bite(const StackInput &input, std::size_t p);
 
 /// The stack with the slopes of its bite, where law = "bite"; else as it is.  theory.md (51.5)
 /// @param pass  what it gives replaces that of [strip]; without a speed that of the first pass

@@ -36,14 +36,15 @@ KeyList keys_of_response(const Case &the_case)
 
 std::vector<std::string> missing_for_speed(const Case &the_case, const StackInput &input, const std::size_t p)
 {
-  std::vector<std::string> missing = split(missing_of_bite(input, input.passes[p]), ", ");
+  std::vector<std::string> missing = split(missing_of_bite(input, p), ", ");
   missing.erase(std::remove(missing.begin(), missing.end(), ""), missing.end());
-  if (std::isnan(input.passes[p].speed) && !holds(missing, "pass.speed"))
-    missing.push_back("pass.speed");
+  const std::string speed = fmt::format("pass.{}.speed", p);
+  if (std::isnan(input.passes[p].speed) && !holds(missing, speed))
+    missing.push_back(speed);
   for (const char *tension : {"entry_tension", "exit_tension"})
     if (!the_case.places.count(fmt::format("pass.{}.{}", p, tension)) &&
         !the_case.places.count(std::string("strip.") + tension))
-      missing.push_back(std::string("pass.") + tension);
+      missing.push_back(std::string("strip.") + tension);
   return missing;
 }
 

@@ -169,12 +169,11 @@ TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, co
       if (known.name.rfind(section, 0) == 0 && known.name.find('.', section.size()) == std::string::npos)
         leaves.push_back(known.name.substr(section.size()));
     }
-    const bool inside = dot != std::string::npos && !leaves.empty();
-    std::string hint  = suggestion(inside ? name.substr(section.size()) : name, inside ? leaves : all);
-    if (const std::string mean = "; did you mean '"; inside && hint.rfind(mean, 0) == 0)
-      hint.insert(mean.size(), section);
-    if (!inside && hint.rfind("; known", 0) == 0)
-      hint = "; docs/input.md lists the keys of kind \"" + the_case.kind + "\"";
+    const bool inside      = dot != std::string::npos && !leaves.empty();
+    const std::string near = inside ? likely_word(name.substr(section.size()), leaves) : likely_word(name, all);
+    const std::string hint = !near.empty() ? fmt::format("; did you mean '{}{}'?", inside ? section : "", near)
+                             : inside      ? suggestion(name.substr(section.size()), leaves)
+                                           : "; docs/input.md lists the keys of kind \"" + the_case.kind + "\"";
     throw InputError("unknown key '" + name + "' in " + the_case.path + hint);
   }
   TraceKey key     = *match;

@@ -5,6 +5,7 @@
 #include "core/base/units.h"
 #include "core/case/nesting.h"
 #include "core/case/quantity_slips.h"
+#include "core/case/stand_rows.h"
 #include "core/records/run_identity.h"
 #include <algorithm>
 #include <cctype>
@@ -87,6 +88,17 @@ bool is_quantity(const std::string &text)
                       [&](const ForeignUnit &u) { return parsed.unit_text == u.spelling; }));
 }
 
+// Letters, digits and what stands in the names of kinds, files and places; "true" and numbers are none of TOML's
+// errors.
+bool is_bare_text(const std::string &value)
+{
+  return value != "true" && value != "false" && !value.empty() &&
+         std::isalpha(static_cast<unsigned char>(value.front())) &&
+         std::all_of(value.begin(), value.end(), [](const unsigned char c) {
+           return std::isalnum(c) || c == '-' || c == '_' || c == ' ' || c == '.' || c == '/';
+         });
+}
+
 // Typographic quotes, "yes", ".2" and "2.": what editors and other languages write.  A message, or nothing.
 std::string other_notation(const std::string &key, const std::string &value)
 {
@@ -97,6 +109,8 @@ std::string other_notation(const std::string &key, const std::string &value)
         inside.pop_back();
       return fmt::format("a text is written in straight quotes: {} = {}", key, mill::quoted(inside));
     }
+  if (!value.empty() && value.front() == '"' && value.find('"', 1) == std::string::npos)
+    return fmt::format("the closing quote of this text is missing: {} = {}", key, mill::quoted(value.substr(1)));
   std::string word = value;
   for (char &c : word)
     c = char(std::tolower(static_cast<unsigned char>(c)));
@@ -108,13 +122,15 @@ std::string other_notation(const std::string &key, const std::string &value)
                                        {"false", "false"},
                                        {"ja", "true"},
                                        {"nein", "false"}})
-    if (word == spelling)
+    if (word == spelling && value != flag)
       return fmt::format("yes and no are written true and false: {} = {}", key, flag);
   const bool begins = value.size() > 1 && value.front() == '.', ends = value.size() > 1 && value.back() == '.';
   double number           = 0;
   const std::string whole = (begins ? "0" : "") + value + (ends ? "0" : "");
   if ((begins || ends) && parse_number(whole, number))
     return fmt::format("a number has digits on both sides of its decimal point: {} = {}", key, whole);
+  if (is_bare_text(value))
+    return fmt::format("a text is written in quotes: {} = {}", key, mill::quoted(value));
   return "";
 }
 
@@ -156,14 +172,47 @@ Unquoted unquoted_quantity(const std::string &line)
                       key, meant.front())};
 }
 
-// Line above `line` in the same section where a bare key stands first; 0 when not found.
+bool opens_section(const std::string &line)
+{
+  const auto begin = line.find_first_not_of(" \t");
+  return begin != std::string::npos && line[begin] == '[';
+}
+
+// "[[pass" -> "[[pass]]"
+std::string closed(const std::string &line)
+{
+  const auto begin = line.find('['), name = std::min(line.find_first_not_of('[', begin), line.size());
+  std::string header = line.substr(begin, line.find('#', begin) - begin);
+  header.erase(header.find_last_not_of(" \t\r") + 1);
+  return header + std::string(std::min<std::size_t>(name - begin, 2), ']');
+}
+
+// Does a kind of case have several sections of this name, [[pass]]?
+bool is_list_section(const std::string &name)
+{
+  const auto &kinds = case_kinds();
+  return std::any_of(kinds.begin(), kinds.end(), [&](const std::string &kind) {
+    const auto &sections = sections_of(kind);
+    return std::any_of(sections.begin(), sections.end(), [&](const SectionRows &section) {
+      return section.repeat == SectionRows::Repeat::list && section.name == name;
+    });
+  });
+}
+
+// Line above `line` where a bare key of the same section, or the header [key], stands first; 0 when not found.
 int first_line_of(const std::string &text, const std::string &key, const int line)
 {
   std::istringstream lines(text);
   std::string current;
-  int first = 0;
+  int first         = 0;
+  const bool header = opens_section(line_of(text, line));
   for (int number = 1; number < line && std::getline(lines, current); ++number) {
     const auto begin = std::min(current.find_first_not_of(" \t"), current.size());
+    if (header) {
+      if (first == 0 && current.compare(begin, key.size() + 2, "[" + key + "]") == 0)
+        first = number;
+      continue;
+    }
     if (begin < current.size() && current[begin] == '[')
       first = 0;
     const auto end = current.find_first_of(" \t=", begin);
@@ -177,20 +226,28 @@ Problem problem_of(const toml::parse_error &error, const std::string &file, cons
 {
   Place place                   = place_of(error.source(), file);
   const std::string description = std::string(error.description());
-  if (const Unquoted slip = unquoted_quantity(line_of(text, place.line)); slip.column > 0)
-    return {{file, place.line, slip.column}, slip.message, {}};
-  const std::string redefined = "cannot redefine existing ";
+  const std::string line        = line_of(text, place.line);
+  const std::string redefined   = "cannot redefine existing ";
   if (const auto position = description.find(redefined); position != std::string::npos) {
     const auto open       = description.find('\'', position);
     const auto close      = description.rfind('\'');
     const std::string key = open < close ? description.substr(open + 1, close - open - 1) : "";
-    if (const auto begin = line_of(text, place.line).find(key); begin != std::string::npos)
+    if (const auto begin = line.find(key); begin != std::string::npos)
       place.column = int(begin) + 1;
-    Problem problem{place, fmt::format("'{}' appears twice; remove one of the two", key), {}};
+    Problem problem{place,
+                    opens_section(line) && is_list_section(key)
+                        ? fmt::format("a {0} is written under [[{0}]], in double brackets, one for each", key)
+                        : fmt::format("'{}' appears twice; remove one of the two", key),
+                    {}};
     if (const int first = first_line_of(text, key, place.line))
       problem.related.push_back({file, first, 1});
     return problem;
   }
+  if (const Unquoted slip = unquoted_quantity(line); slip.column > 0)
+    return {{file, place.line, slip.column}, slip.message, {}};
+  if (opens_section(line) && line.find(']') == std::string::npos)
+    return {
+        place, fmt::format("the bracket that closes the name of this section is missing: {}", closed(line)), {}};
   if (description.find("escape sequence") != std::string::npos)
     return {place,
             "a backslash in double quotes begins a special character; write / between the names of folders, or "
@@ -255,6 +312,13 @@ std::vector<std::string> split_at_dots(const std::string &path)
   return parts;
 }
 
+std::string numbers_of(const std::size_t entries)
+{
+  return entries == 0   ? "the list is empty"
+         : entries == 1 ? "there is one, 0"
+                        : fmt::format("they are 0 to {}", entries - 1);
+}
+
 // Entry of a table or item of an array below `node`, made when a table lacks it.
 Node &child(Node &node, const std::string &key, const Place &place, const std::string &whole)
 {
@@ -262,8 +326,8 @@ Node &child(Node &node, const std::string &key, const Place &place, const std::s
     const bool digits = !key.empty() && key.size() < 6 &&
                         std::all_of(key.begin(), key.end(), [](unsigned char c) { return std::isdigit(c); });
     if (!digits || std::size_t(std::stoi(key)) >= node.items.size())
-      throw InputError(place, fmt::format("'{}' in '{}' is not an index; there are {} entries, counted from 0",
-                                          key, whole, node.items.size()));
+      throw InputError(place, fmt::format("'{}' in '{}' is not the number of an entry; {}", key, whole,
+                                          numbers_of(node.items.size())));
     return node.items[std::size_t(std::stoi(key))];
   }
   if (node.kind != Node::Kind::table)
@@ -278,12 +342,15 @@ Node &child(Node &node, const std::string &key, const Place &place, const std::s
   return node.entries.back().value;
 }
 
+const char *const override_form =
+    "an override has the form section.key=value, for example work_roll.barrel_diameter='420 mm'";
+
 void lay_over(Node &root, const std::string &set)
 {
   const Place place{"--set " + set};
   const auto equals = set.find('=');
   if (equals == std::string::npos || equals == 0)
-    throw InputError(place, "an override has the form section.key=value");
+    throw InputError(place, override_form);
   std::string path = set.substr(0, equals);
   path.erase(path.find_last_not_of(" \t") + 1);
   std::string value = set.substr(equals + 1);
@@ -294,7 +361,7 @@ void lay_over(Node &root, const std::string &set)
     throw InputError(place, nesting_refusal());
   for (const std::string &key : parts) {
     if (key.empty())
-      throw InputError(place, "an override has the form section.key=value");
+      throw InputError(place, override_form);
     node = &child(*node, key, place, path);
   }
   *node = override_value(value, place);

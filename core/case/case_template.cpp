@@ -156,6 +156,27 @@ bool is_confirmed(const std::string &key, const KeyList &confirmed)
     return word == "all" || key == word || key.rfind(word + ".", 0) == 0;
   });
 }
+
+// A key, a section or the beginning of one: "strip", "bearing.trb", "pass.0.force".
+bool names_a_key(const std::string &word, const CaseKind &kind)
+{
+  if (word == "all")
+    return true;
+  const auto below = [](const std::string &name, const std::string &head) {
+    return name.rfind(head + ".", 0) == 0;
+  };
+  return std::any_of(kind.sections.begin(), kind.sections.end(), [&](const SectionRows &section) {
+    const auto &all = kind.sections;  // [[roll]] has sections of its own: the number stands in their names
+    if (section.repeat == Repeat::list && below(word, section.name) &&
+        std::any_of(all.begin(), all.end(), [&](const SectionRows &s) { return below(s.name, section.name); }))
+      return true;
+    const bool one_of_several = section.repeat != Repeat::once && below(word, section.name) &&
+                                word.find('.', section.name.size() + 1) == std::string::npos;
+    return word == section.name || one_of_several || below(section.name, word) ||
+           std::any_of(section.rows.begin(), section.rows.end(),
+                       [&](const Row &row) { return belongs_to(word, section, row.key); });
+  });
+}
 }  // namespace
 
 std::vector<FilledSection> filled_sections(const CaseKind &kind)
@@ -243,6 +264,21 @@ std::vector<std::string> left_at_template(const CaseKind &kind, const std::map<s
           left.push_back(key);
     }
   return left;
+}
+
+std::string unknown_in_confirmed(const CaseKind &kind, const std::string &confirmed)
+{
+  std::vector<std::string> names;
+  for (const SectionRows &section : kind.sections) {
+    names.push_back(section.name);
+    if (section.repeat == Repeat::once)
+      for (const Row &row : section.rows)
+        names.push_back(section.name + "." + row.key);
+  }
+  for (const std::string &word : words_of(confirmed))
+    if (!names_a_key(word, kind))
+      return fmt::format("names '{}', which is neither a key nor a section{}", word, meant_word(word, names));
+  return "";
 }
 
 std::string template_of(const std::string &kind)

@@ -32,4 +32,8 @@ std::string where_to_find(const std::string &section, const std::string &key);
 /// @param written  full key -> value as written, Reading::written
 std::vector<std::string> left_at_template(const CaseKind &kind, const std::map<std::string, std::string> &written,
                                           const std::string &confirmed);
+
+/// What is wrong with the key `confirmed`: a name that no key and no section of this kind has; empty: all is
+/// right.
+std::string unknown_in_confirmed(const CaseKind &kind, const std::string &confirmed);
 }  // namespace mill

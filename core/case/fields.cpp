@@ -87,7 +87,7 @@ std::optional<Value> words(const Item &item)
   if (item.row.kind == Kind::choice) {
     const auto choices = split(item.row.form, " | ");
     if (std::find(choices.begin(), choices.end(), text) == choices.end())
-      return item.refuse(fmt::format("is unknown; {}", needed(item.row)));
+      return item.refuse(fmt::format("is unknown; {}{}", needed(item.row), meant_word(text, choices)));
   } else if (item.row.kind == Kind::path) {
     if (text.empty() || text.find('\0') != std::string::npos)
       return item.refuse("is not the name of a file");

@@ -190,7 +190,13 @@ std::string default_toml(const Row &row);  ///< the row's default as TOML; empty
 /// The known word that fewest slips lead to; empty when every one is another word.
 std::string nearest_word(const std::string &word, const std::vector<std::string> &known);
 
-/// "; did you mean 'radial_clearance'?", or the list of what is known when nothing is near.
+/// The same, or the only known word that continues this one: "barrel_diameter" of "barrel_dia".
+std::string likely_word(const std::string &word, const std::vector<std::string> &known);
+
+/// "; did you mean 'radial_clearance'?"; empty when nothing is near.
+std::string meant_word(const std::string &word, const std::vector<std::string> &known);
+
+/// The same, or the list of what is known when nothing is near.
 std::string suggestion(const std::string &word, const std::vector<std::string> &known);
 
 /// Damerau-Levenshtein distance of two words; an exchange of two adjacent letters is one slip.  From `limit` on

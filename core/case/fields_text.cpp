@@ -213,6 +213,19 @@ std::string in_small_letters(std::string word)
     c = char(std::tolower(static_cast<unsigned char>(c)));
   return word;
 }
+// "barrel_dia" of "barrel_diameter"; nothing where several words go on like this.
+std::string only_one_that_continues(const std::string &word, const std::vector<std::string> &known)
+{
+  constexpr std::size_t too_short = 3;
+  std::string found;
+  for (const std::string &candidate : known)
+    if (word.size() > too_short && candidate.rfind(word, 0) == 0 && candidate != found) {
+      if (!found.empty())
+        return "";
+      found = candidate;
+    }
+  return found;
+}
 }  // namespace
 
 std::string nearest_word(const std::string &word, const std::vector<std::string> &known)
@@ -237,11 +250,22 @@ std::string nearest_word(const std::string &word, const std::vector<std::string>
   return best;
 }
 
+std::string likely_word(const std::string &word, const std::vector<std::string> &known)
+{
+  const std::string nearest = nearest_word(word, known);
+  return nearest.empty() ? only_one_that_continues(word, known) : nearest;
+}
+
+std::string meant_word(const std::string &word, const std::vector<std::string> &known)
+{
+  const std::string best = likely_word(word, known);
+  return best.empty() ? "" : "; did you mean '" + best + "'?";
+}
+
 std::string suggestion(const std::string &word, const std::vector<std::string> &known)
 {
-  const std::string best = nearest_word(word, known);
-  if (!best.empty())
-    return "; did you mean '" + best + "'?";
+  if (const std::string meant = meant_word(word, known); !meant.empty())
+    return meant;
   std::string list;
   for (const std::string &candidate : known)
     list += (list.empty() ? "" : ", ") + candidate;

@@ -126,6 +126,8 @@ Case case_of(Node root, const std::string &path)
   refuse_unknown_keys(top, rows_of(head_rows()), top_names(head.kind), reading);
   reading.echo = resolved_lines("", head_rows(), head, reading);
 
+  if (const std::string wrong = unknown_in_confirmed(kind_named(head.kind), head.confirmed); !wrong.empty())
+    reading.add(reading.place("confirmed"), reading.as_written("confirmed") + " " + wrong);
   result.spec = kind_named(head.kind).read(root, reading);
   if (!reading.problems.empty())
     throw InputError(std::move(reading.problems));

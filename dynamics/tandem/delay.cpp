@@ -89,7 +89,9 @@ DelaySpectrum::DelaySpectrum(DelaySystem system) : system_(std::move(system))
                        "two modes that coincide in frequency, damping and shape",
                        "change one of the stands by 0.1 %", ""});
   const Eigen::MatrixXcd left  = (scale_.asDiagonal() * system_.W).transpose() * V,
-                         right = lu.solve((scale_.cwiseInverse().asDiagonal() * system_.U).cast<Complex>());
+                         right = m == 0 ? Eigen::MatrixXcd(n, 0)  // one stand: no signal comes late
+                                        : Eigen::MatrixXcd(lu.solve(
+                                              (scale_.cwiseInverse().asDiagonal() * system_.U).cast<Complex>()));
   shift_                       = Eigen::VectorXcd::Zero(n);
   residue_.resize(m * m, n);
   active_.resize(n);

@@ -41,11 +41,11 @@ std::vector<std::string> missing_for_critical_speed(const Case &the_case, const 
 {
   std::vector<std::string> missing;
   if (std::isnan(stand.passes[pass].speed))
-    missing.push_back("pass.speed");
+    missing.push_back(fmt::format("pass.{}.speed", pass));
   for (const char *tension : {"entry_tension", "exit_tension"})
     if (!the_case.places.count(fmt::format("pass.{}.{}", pass, tension)) &&
         !the_case.places.count(std::string("strip.") + tension))
-      missing.push_back(std::string("pass.") + tension);
+      missing.push_back(std::string("strip.") + tension);
   for (const std::string &key : keys_missing_of_bite(the_case))
     missing.push_back(key);
   return missing;

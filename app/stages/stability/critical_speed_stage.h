@@ -10,7 +10,7 @@ namespace mill {
 struct Case;
 struct FourHigh;
 
-/// Keys without which the critical speed of a pass is not searched: "pass.speed"; empty: all are there.
+/// Keys without which the critical speed of a pass is not searched: "pass.0.speed"; empty: all are there.
 std::vector<std::string> missing_for_critical_speed(const Case &the_case, const FourHigh &stand, std::size_t pass);
 
 /// The most detailed model of a stand without the strip between its rolls: the bite is what chatter adds.

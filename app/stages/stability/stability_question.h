@@ -39,7 +39,7 @@ void add_critical_speed(RunContext &run, const StabilityQuestion &question);
 /// The same of one pass of a stand: where keys are missing the verdict names them, a question or a search that is
 /// refused is a warning, so that the other passes have an answer.
 /// @param speed     m/s, of the pass; NaN where it is not given
-/// @param missing   keys, "pass.speed"
+/// @param missing   keys, "pass.0.speed"
 /// @param question  called where nothing is missing
 void search_critical_speed(RunContext &run, const std::string &pass, double speed,
                            const std::vector<std::string> &missing,

@@ -106,14 +106,21 @@ FineMatrix fine_chatter_matrix(const ChatterStandModel &stand, const bite::Linea
   return A;
 }
 
+// The iteration of the solver leaves the rounding of the norm of the matrix; the quotient of the left and the
+// right vector leaves that of their residual.
 std::vector<FineComplex> fine_eigenvalues(const FineMatrix &A)
 {
-  const FineMatrix d = balance(A.cast<double>()).cast<long double>();
-  const Eigen::EigenSolver<FineMatrix> solver(
-      FineMatrix(d.col(0).cwiseInverse().asDiagonal() * A * d.col(0).asDiagonal()), false);
+  using Matrix          = Eigen::Matrix<FineComplex, -1, -1>;
+  const FineMatrix d    = balance(A.cast<double>()).cast<long double>();
+  const FineMatrix even = d.col(0).cwiseInverse().asDiagonal() * A * d.col(0).asDiagonal();
+  const Eigen::EigenSolver<FineMatrix> solver(even, true);
+  const Matrix right = solver.eigenvectors(), left = right.inverse();
   std::vector<FineComplex> values;
-  for (const auto value : solver.eigenvalues())
-    values.push_back(value);
+  for (Eigen::Index k = 0; k < even.rows(); ++k) {
+    const FineComplex s   = solver.eigenvalues()[k];
+    const Matrix residual = even.cast<FineComplex>() * right.col(k) - s * right.col(k);
+    values.push_back(s + (left.row(k) * residual)(0, 0) / (left.row(k) * right.col(k))(0, 0));
+  }
   return values;
 }
 

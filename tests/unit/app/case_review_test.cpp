@@ -205,7 +205,7 @@ TEST_F(Reviewed, APassWithoutSpeedNamesTheKey)
     return w.id == WarningId::critical_speed_not_searched;
   });
   EXPECT_EQ(text_of(*warning),
-            "stand 5: critical speed not searched: pass.speed is not given; add it to the case");
+            "stand 5: critical speed not searched: pass.0.speed is not given; add it to the case");
   EXPECT_EQ(warning->place.line, 89);
   EXPECT_EQ(sentence_of(not_searched("stand 5", 0, {"pass.speed"})),
             "Critical speed not searched: pass.speed is not given.");

@@ -100,16 +100,32 @@ TEST_F(CaseFile, AnOverrideThatIsNotTomlIsText)
   EXPECT_EQ(at(root, "work_roll", "b").text, "quoted");
 }
 
+// What a newcomer types, each with its remedy in place of the words of the parser.
+TEST_F(CaseFile, CommonSlipsOfTomlAreNamed)
+{
+  EXPECT_EQ(refusal("a = true\na = true\n"), "2:1: 'a' appears twice; remove one of the two");
+  EXPECT_EQ(refusal("[a]\nx = 1\n[b]\n[a]\n"), "4:2: 'a' appears twice; remove one of the two");
+  EXPECT_EQ(refusal("[pass]\nforce = 1\n[pass]\nforce = 2\n"),
+            "3:2: a pass is written under [[pass]], in double brackets, one for each");
+  EXPECT_EQ(refusal("kind = four-high\n"), "1:8: a text is written in quotes: kind = \"four-high\"");
+  EXPECT_EQ(refusal("kind = \"four-high\nx = 1\n"),
+            "1:8: the closing quote of this text is missing: kind = \"four-high\"");
+  EXPECT_EQ(refusal("[[pass # of the schedule\n"),
+            "1:7: the bracket that closes the name of this section is missing: [[pass]]");
+  EXPECT_EQ(refusal("estimate = yes\n"), "1:12: yes and no are written true and false: estimate = true");
+}
+
 TEST_F(CaseFile, AMalformedOverrideIsRefused)
 {
-  const std::string form = "0:0: an override has the form section.key=value";
+  const std::string form =
+      "0:0: an override has the form section.key=value, for example work_roll.barrel_diameter='420 mm'";
   EXPECT_EQ(refusal(sample, {"work_roll.diameter"}), "--set work_roll.diameter " + form);
   EXPECT_EQ(refusal(sample, {"=3"}), "--set =3 " + form);
   EXPECT_EQ(refusal(sample, {"a..b=3"}), "--set a..b=3 " + form);
   EXPECT_EQ(refusal(sample, {"pass.2.name=c"}),
-            "--set pass.2.name=c 0:0: '2' in 'pass.2.name' is not an index; there are 2 entries, counted from 0");
+            "--set pass.2.name=c 0:0: '2' in 'pass.2.name' is not the number of an entry; they are 0 to 1");
   EXPECT_EQ(refusal(sample, {"pass.first.name=c"}), "--set pass.first.name=c 0:0: 'first' in 'pass.first.name' is "
-                                                    "not an index; there are 2 entries, counted from 0");
+                                                    "not the number of an entry; they are 0 to 1");
   EXPECT_EQ(refusal(sample, {"kind.x=c"}),
             "--set kind.x=c 0:0: 'kind.x' leads through a value that is not a section");
 }

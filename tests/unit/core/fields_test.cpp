@@ -160,7 +160,8 @@ TEST_F(Fields, ValuesOfTheWrongKindAreRefused)
   EXPECT_EQ(with_length("count = 9"), "s.count = 9 is outside 1 .. 8");
   EXPECT_EQ(with_length("count = 99999999999999"), "s.count = 99999999999999 is outside 1 .. 8");
   EXPECT_EQ(with_length("flag = 1"), "s.flag = 1 is neither true nor false");
-  EXPECT_EQ(with_length("word = \"ios\""), "s.word = \"ios\" is unknown; one of none | iso is needed");
+  EXPECT_EQ(with_length("word = \"ios\""),
+            "s.word = \"ios\" is unknown; one of none | iso is needed; did you mean 'iso'?");
   EXPECT_EQ(with_length("text = 3"), "s.text = 3 is not a text; a text in quotes is needed, for example \"abc\"");
   EXPECT_EQ(with_length("path = \"\""), "s.path = \"\" is not the name of a file");
   EXPECT_EQ(with_length("loads = [\"1 kN\"]"),
@@ -217,6 +218,8 @@ TEST(Suggestion, AnExchangeOfTwoLettersIsOneSlip)
   EXPECT_EQ(suggestion("radial_clearence", {"radial_clearance", "rows"}), "; did you mean 'radial_clearance'?");
   EXPECT_EQ(suggestion("rwos", {"radial_clearance", "rows"}), "; did you mean 'rows'?");
   EXPECT_EQ(suggestion("ab", {"xy"}), "; known: xy");
+  EXPECT_EQ(suggestion("barrel_dia", {"barrel_diameter", "crown"}), "; did you mean 'barrel_diameter'?");
+  EXPECT_EQ(suggestion("barrel", {"barrel_diameter", "barrel_length"}), "; known: barrel_diameter, barrel_length");
   EXPECT_EQ(suggestion(std::string(100000, 'x'), {"rows"}), "; known: rows");
 }
 

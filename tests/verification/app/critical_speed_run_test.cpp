@@ -115,8 +115,8 @@ TEST(CriticalSpeed, OfAPassThatSaysTooLittleNamesTheKeys)
 {
   const auto verdict = verdict_of(cold_run(), 1);  // the second pass of the demo has no speed and no tensions
   EXPECT_EQ(verdict.at("id"), "not-searched");
-  EXPECT_EQ(verdict.at("sentence"), "Critical speed not searched: pass.speed, pass.entry_tension and "
-                                    "pass.exit_tension are not given.");
+  EXPECT_EQ(verdict.at("sentence"), "Critical speed not searched: pass.1.speed, strip.entry_tension and "
+                                    "strip.exit_tension are not given.");
   EXPECT_EQ(verdict.at("missing").size(), 3u);
 }
 

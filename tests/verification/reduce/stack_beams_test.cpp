@@ -235,7 +235,8 @@ TEST(StackBeams, DerivativesAreThoseOfItsOwnSolutions)
   compare("four-high", 10 * kN, within(1e-6, "fifth derivative, away from changes of contact"));
   compare("four-high.bend", 10 * kN, within(1e-6, "fifth derivative, away from changes of contact"));
   // A contact that is partly open: a Gauss point that opens within the step bends the curve.
-  compare("four-high.crown", 20, within(1e-6, "no Gauss point opens within the step"));
+  // Its crowns have a rounding of 1e-17 to 4e-17 m, which smaller steps show; at 80 N some points open.
+  compare("four-high.crown", 40, within(1e-6, "no Gauss point opens within the step"));
 }
 
 TEST(StackBeams, AMirroredStackHasTheMirroredState)
