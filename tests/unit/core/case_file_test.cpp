@@ -111,7 +111,7 @@ TEST_F(CaseFile, CommonSlipsOfTomlAreNamed)
   EXPECT_EQ(refusal("kind = \"four-high\nx = 1\n"),
             "1:8: the closing quote of this text is missing: kind = \"four-high\"");
   EXPECT_EQ(refusal("[[pass # of the schedule\n"),
-            "1:7: the bracket that closes the name of this section is missing: [[pass]]");
+            "1:8: the bracket that closes the name of this section is missing: [[pass]]");
   EXPECT_EQ(refusal("estimate = yes\n"), "1:12: yes and no are written true and false: estimate = true");
 }
 
