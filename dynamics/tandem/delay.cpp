@@ -88,11 +88,11 @@ DelaySpectrum::DelaySpectrum(DelaySystem system) : system_(std::move(system))
     throw SolverError({"tandem: the modes without delay are not distinguishable", "",
                        "two modes that coincide in frequency, damping and shape",
                        "change one of the stands by 0.1 %", ""});
+  shift_ = Eigen::VectorXcd::Zero(n);
+  if (m == 0)  // one stand: no signal comes late, and Eigen takes blocks of products without columns
+    return;
   const Eigen::MatrixXcd left  = (scale_.asDiagonal() * system_.W).transpose() * V,
-                         right = m == 0 ? Eigen::MatrixXcd(n, 0)  // one stand: no signal comes late
-                                        : Eigen::MatrixXcd(lu.solve(
-                                              (scale_.cwiseInverse().asDiagonal() * system_.U).cast<Complex>()));
-  shift_                       = Eigen::VectorXcd::Zero(n);
+                         right = lu.solve((scale_.cwiseInverse().asDiagonal() * system_.U).cast<Complex>());
   residue_.resize(m * m, n);
   active_.resize(n);
   const double noise = 1e-15 * left.norm() * right.norm();

@@ -152,7 +152,7 @@ TEST_F(LiveBrowser, CommandsOfThePageReachTheProgram)
 
   browser->run(
       "document.querySelector('[data-tab=advice]').click(); document.getElementById('ask-advice').click()");
-  EXPECT_TRUE(browser->wait_for("return document.querySelectorAll('#advice tbody tr').length > 2", 10))
+  EXPECT_TRUE(browser->wait_for("return document.querySelectorAll('#advice tbody tr').length > 2", 20))
       << text("advice-say");
   EXPECT_NE(text("advice").find("damper"), std::string::npos) << text("advice");
 }
