@@ -162,8 +162,8 @@ bool names_a_key(const std::string &word, const CaseKind &kind)
 {
   if (word == "all")
     return true;
-  const auto below = [](const std::string &name, const std::string &head) {
-    return name.rfind(head + ".", 0) == 0;
+  const auto below = [](const std::string &path, const std::string &head) {
+    return path.compare(0, head.size() + 1, head + ".") == 0;
   };
   return std::any_of(kind.sections.begin(), kind.sections.end(), [&](const SectionRows &section) {
     const auto &all = kind.sections;  // [[roll]] has sections of its own: the number stands in their names
