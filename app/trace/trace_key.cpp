@@ -170,9 +170,10 @@ TraceKey find_key(const Case &the_case, const std::vector<std::string> &sets, co
         leaves.push_back(known.name.substr(section.size()));
     }
     const bool inside      = dot != std::string::npos && !leaves.empty();
-    const std::string near = inside ? likely_word(name.substr(section.size()), leaves) : likely_word(name, all);
+    const std::string leaf = inside ? name.substr(section.size()) : name;
+    const std::string near = likely_word(leaf, inside ? leaves : all);
     const std::string hint = !near.empty() ? fmt::format("; did you mean '{}{}'?", inside ? section : "", near)
-                             : inside      ? suggestion(name.substr(section.size()), leaves)
+                             : inside      ? suggestion(leaf, leaves)
                                            : "; docs/input.md lists the keys of kind \"" + the_case.kind + "\"";
     throw InputError("unknown key '" + name + "' in " + the_case.path + hint);
   }
