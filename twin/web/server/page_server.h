@@ -76,7 +76,7 @@ public:
 
   int port() const;
   const std::string &token() const;
-  std::string url() const;     ///< "http://127.0.0.1:8460/#<token>"
+  std::string url() const;  ///< "http://127.0.0.1:8460/#<token>"
   /// What has to be said of an address that is not loopback, or of a token that cannot be kept; empty otherwise.
   std::string notice() const;
   PageStatistics statistics() const;
