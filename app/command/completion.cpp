@@ -2,7 +2,7 @@
 #include "app/command/command_line.h"
 #include "app/command/option_words.h"
 #include "core/case/fields.h"
-#include "core/case/stand_rows.h"
+#include "core/case/input_reference.h"
 #include <fmt/format.h>
 
 namespace mill {
@@ -41,7 +41,7 @@ std::string quoted(const std::string &text)
 // The first word after some verbs, where it is one of a list.
 std::vector<std::pair<std::string, std::vector<std::string>>> listed_first_words()
 {
-  return {{"new", case_kinds()}, {"completion", word_list<Shell>()}, {"export", word_list<ExportFormat>()}};
+  return {{"new", template_names()}, {"completion", word_list<Shell>()}, {"export", word_list<ExportFormat>()}};
 }
 
 std::string bash_script(const std::vector<DescribedVerb> &verbs)

@@ -281,17 +281,32 @@ std::string unknown_in_confirmed(const CaseKind &kind, const std::string &confir
   return "";
 }
 
+namespace {
+// Templates of a kind that has several: written out, since their sections differ.
+constexpr std::pair<const char *, const char *const *> stack_templates[] = {
+    {"stack-2", &embedded::stack_two_high},
+    {"stack-4", &embedded::stack_four_high},
+    {"stack-6", &embedded::stack_six_high},
+    {"stack-20", &embedded::stack_twenty_high}};
+}  // namespace
+
+std::vector<std::string> template_names()
+{
+  std::vector<std::string> names = case_kinds();
+  for (const auto &[name, text] : stack_templates)
+    names.push_back(name);
+  return names;
+}
+
 std::string template_of(const std::string &kind)
 {
-  for (const auto &[name, text] : {std::pair{"stack-2", embedded::stack_two_high},
-                                   {"stack-4", embedded::stack_four_high},
-                                   {"stack-6", embedded::stack_six_high},
-                                   {"stack-20", embedded::stack_twenty_high}})
+  for (const auto &[name, text] : stack_templates)
     if (kind == name)
-      return text;
+      return *text;
   const auto &kinds = case_kinds();
   if (std::find(kinds.begin(), kinds.end(), kind) == kinds.end())
-    throw InputError(fmt::format("no template is available for the kind '{}'{}", kind, suggestion(kind, kinds)));
+    throw InputError(
+        fmt::format("no template is available for the kind '{}'{}", kind, suggestion(kind, template_names())));
   return template_text(kind_named(kind), filled_sections(kind_named(kind)));
 }
 }  // namespace mill
