@@ -3,12 +3,14 @@
 #include "core/base/error_list.h"
 #include "core/base/files.h"
 #include "core/base/units.h"
+#include "core/case/fields.h"
 #include "core/case/nesting.h"
 #include "core/case/quantity_slips.h"
 #include "core/case/stand_rows.h"
 #include "core/records/run_identity.h"
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <fmt/format.h>
 #include <sstream>
 
@@ -401,9 +403,36 @@ std::string shown(const Node &node)
   return "";
 }
 
+namespace {
+// A name that was mistyped: the file of its folder that is meant, or those that could be.
+[[noreturn]] void refuse_missing(const std::string &path)
+{
+  namespace fs                 = std::filesystem;
+  constexpr std::size_t listed = 8;  // more names hide the message
+  const fs::path wanted(path), parent = wanted.parent_path();
+  std::vector<std::string> names;
+  std::error_code error;  // of a folder that does not exist either
+  for (const std::string &name : names_in(parent.empty() ? "." : parent.string(), error))
+    if (fs::path(name).extension() == ".toml")
+      names.push_back(name);
+  const std::string word = wanted.filename().string();
+  throw InputError(Place{path}, "the file does not exist" +
+                                    (names.size() <= listed ? suggestion(word, names) : meant_word(word, names)));
+}
+}  // namespace
+
 Node read_case_file(const std::string &path, const std::vector<std::string> &sets)
 {
-  return read_case_text(path, read_toml_text(path), sets);
+  std::string text;
+  try {
+    text = read_toml_text(path);
+  } catch (const InputError &) {
+    std::error_code error;
+    if (std::filesystem::status(path, error).type() == std::filesystem::file_type::not_found)
+      refuse_missing(path);
+    throw;
+  }
+  return read_case_text(path, text, sets);
 }
 
 Node read_case_text(const std::string &path, const std::string &text, const std::vector<std::string> &sets)

@@ -219,6 +219,8 @@ Document::Document(std::string path, const std::function<std::string()> &text_of
     return;
   s.history.on_disk = known ? *known : "";
   s.history.text    = text;
+  if (!known && s.notice.empty())  // a name that was mistyped looks like a new stand
+    s.notice = s.path + " does not exist yet: this is a new stand, which is written when it is saved.";
   s.begin_again();
 }
 

@@ -54,6 +54,18 @@ TEST(StudioDocument, EditsAreUndoneAndDoneAgain)
   EXPECT_GT(document.state().revision, changed.revision);
 }
 
+TEST(StudioDocument, ANameWithoutAFileIsSaidToBeANewStand)
+{
+  const std::string path = case_file("new");
+  EXPECT_EQ(studio::Document(path, none).notice(), "");
+  std::filesystem::remove(path);
+  std::filesystem::remove(studio::journal_path(path));
+  const auto text = [] { return std::string("title = \"x\"\n"); };
+  EXPECT_EQ(studio::Document(path, text).notice(),
+            path + " does not exist yet: this is a new stand, which is written when it is saved.");
+  EXPECT_FALSE(std::filesystem::exists(path));
+}
+
 TEST(StudioDocument, AnEditThatArrivesTwiceIsDoneOnce)
 {
   studio::Document document(case_file("twice"), none);

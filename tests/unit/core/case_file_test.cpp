@@ -159,13 +159,43 @@ TEST_F(CaseFile, StrayCharactersAreEitherReadOrRefused)
   EXPECT_EQ(refusal("s = \"\"\"\\\n\xc2\xa7\"\"\"\n"), "accepted");
 }
 
-TEST_F(CaseFile, AMissingFileIsNamed)
+namespace {
+/// A folder of its own with these files, and the refusal of one that it does not have.
+std::string refusal_of_missing(const std::vector<std::string> &names, const std::string &missing)
 {
+  const auto folder = std::filesystem::path(testing::TempDir()) / "millstand_missing_case_test";
+  std::filesystem::create_directory(folder);
+  for (const std::string &name : names)
+    write_atomically((folder / name).string(), "kind = \"x\"\n");
+  std::string message = "read";
   try {
-    read_case_file("no-such-case.toml");
+    read_case_file((folder / missing).string());
+  } catch (const InputError &error) {
+    message = error.problems.at(0).message;
+    EXPECT_EQ(error.problems.at(0).place.file, (folder / missing).string());
+  }
+  std::filesystem::remove_all(folder);
+  return message;
+}
+}  // namespace
+
+TEST_F(CaseFile, AMissingFileIsNamedWithTheOneThatIsMeant)
+{
+  EXPECT_EQ(refusal_of_missing({}, "my-stand.toml"), "the file does not exist");
+  EXPECT_EQ(refusal_of_missing({"my-stand.toml", "other.toml", "my-stan.csv"}, "my-stnad.toml"),
+            "the file does not exist; did you mean 'my-stand.toml'?");
+  EXPECT_EQ(refusal_of_missing({"plate.toml", "bearing.toml", "notes.txt"}, "my-stand.toml"),
+            "the file does not exist; known: bearing.toml, plate.toml");
+  // Of many files the list would hide the message.
+  EXPECT_EQ(refusal_of_missing(
+                {"1.toml", "2.toml", "3.toml", "4.toml", "5.toml", "6.toml", "7.toml", "8.toml", "9.toml"},
+                "my-stand.toml"),
+            "the file does not exist");
+  try {
+    read_case_file("no-such-folder/case.toml");
     FAIL() << "read";
   } catch (const InputError &error) {
-    EXPECT_STREQ(error.what(), "no-such-case.toml: error: cannot be read: No such file or directory");
+    EXPECT_STREQ(error.what(), "no-such-folder/case.toml: error: the file does not exist");
   }
 }
 
