@@ -195,7 +195,13 @@ std::string random_name()
 
 std::string name_aside(const std::string &path, const std::string &ending)
 {
-  return path + "." + random_name() + ending;
+  constexpr std::size_t longest = 255;  // bytes of a name: NAME_MAX of every file system that Linux has
+  const std::string tail        = "." + random_name() + ending;
+  const std::size_t begin       = path.find_last_of('/') + 1;
+  std::size_t kept              = std::min(path.size(), begin + longest - tail.size());
+  while (kept < path.size() && kept > begin && (path[kept] & 0xC0) == 0x80)  // whole characters
+    --kept;
+  return path.substr(0, kept) + tail;
 }
 
 void remove_stale_parts(const std::string &folder)

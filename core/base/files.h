@@ -23,7 +23,8 @@ std::optional<std::string> text_if_readable(const std::string &path);
 /// containers write into one folder, where process numbers repeat.
 std::string random_name();
 
-/// Name for what is written aside before it takes the place of `path`, in the same folder: "path.<random>.part".
+/// Name for what is written aside before it takes the place of `path`, in the same folder: "path.<random>.part";
+/// of a name that would be too long with it, the beginning.
 /// Whoever creates it uses O_EXCL or a library that writes new files.
 std::string name_aside(const std::string &path, const std::string &ending = ".part");
 

@@ -75,6 +75,25 @@ TEST_F(Files, AFailedWriteLeavesNothingBehind)
   EXPECT_EQ(n_entries(), 1u);
 }
 
+TEST_F(Files, ANameOfTheGreatestLengthIsWritten)
+{
+  std::string umlauts;
+  for (int i = 0; i < 127; ++i)
+    umlauts += "\xc3\xa4";
+  for (const std::string &name : {std::string(255, 'a'), std::string(234, 'a'), "x" + umlauts}) {
+    const std::string path = (folder / name).string();
+    EXPECT_EQ(message(path), "") << name.size();
+    EXPECT_EQ(read_text(path), "x") << name.size();
+    fs::remove(path);
+  }
+  EXPECT_EQ(n_entries(), 0u) << "nothing is left aside";
+  const std::string too_long = (folder / std::string(256, 'a')).string();
+  const std::string why = ": error: cannot be written: File name too long", refused = message(too_long);
+  ASSERT_GT(refused.size(), why.size());
+  EXPECT_EQ(refused.substr(refused.size() - why.size()), why) << "the name itself is shortened";
+  EXPECT_EQ(n_entries(), 0u);
+}
+
 TEST_F(Files, AMissingFolderIsNamedWithTheReason)
 {
   const std::string path = (folder / "none" / "a").string();
