@@ -56,9 +56,10 @@ struct BiteState {
   double film_thickness = not_given;  ///< m, film law only
   double flattened_radius =
       0;  ///< m, R'; of the circle through entry, exit and thinnest point where the arc is none
-  double arc_length        = 0;  ///< m, from the line of centres to the entry
-  double exit_position     = 0;  ///< m, where the contact ends; negative behind the line of centres
-  double bite_angle        = 0;  ///< rad, arc length / flattened radius
+  double arc_length     = 0;  ///< m, from the line of centres to the entry
+  double exit_position  = 0;  ///< m, where the arc ends; negative behind the line of centres
+  double contact_length = 0;  ///< m, of the whole contact where elastic zones make it longer than the arc; else 0
+  double bite_angle     = 0;  ///< rad, arc length / flattened radius
   double neutral_position  = 0;  ///< m; of several (a zone without slip) the middle
   double neutral_thickness = 0;  ///< m
   double sticking_length   = 0;  ///< m, of the arc on which the friction stress is at its limit or slip is zero
@@ -84,10 +85,10 @@ struct BiteState {
 
 template <class Io, class R, if_record<R, BiteState> = 0> void each_member(Io &&io, R &record)
 {
-  auto &[model, force, torque, friction, film_thickness, flattened_radius, arc_length, exit_position, bite_angle,
-         neutral_position, neutral_thickness, sticking_length, entry_speed, exit_speed, forward_slip,
-         peak_pressure, entry_flow_stress, exit_flow_stress, largest_shear, iterations, force_by, torque_by,
-         force_by_exit_following, position, thickness, pressure, shear, slip, notes, remarks] = record;
+  auto &[model, force, torque, friction, film_thickness, flattened_radius, arc_length, exit_position,
+         contact_length, bite_angle, neutral_position, neutral_thickness, sticking_length, entry_speed, exit_speed,
+         forward_slip, peak_pressure, entry_flow_stress, exit_flow_stress, largest_shear, iterations, force_by,
+         torque_by, force_by_exit_following, position, thickness, pressure, shear, slip, notes, remarks] = record;
   io("model", model);
   io("force", force);
   io("torque", torque);
@@ -96,6 +97,7 @@ template <class Io, class R, if_record<R, BiteState> = 0> void each_member(Io &&
   io("flattened_radius", flattened_radius);
   io("arc_length", arc_length);
   io("exit_position", exit_position);
+  io("contact_length", contact_length);
   io("bite_angle", bite_angle);
   io("neutral_position", neutral_position);
   io("neutral_thickness", neutral_thickness);

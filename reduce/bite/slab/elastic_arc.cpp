@@ -122,6 +122,7 @@ void fill_state(const ArcProblem &problem, const ArcFlexibility *given, const Un
   state.friction       = friction_value(strip.friction, u.mu);
   state.arc_length     = r.entry;
   state.exit_position  = r.exit;
+  state.contact_length = r.last - r.first;
   state.flattened_radius =
       (r.entry - r.exit) * (r.entry - r.exit) / (strip.entry_thickness - strip.exit_thickness);
   state.bite_angle        = (r.entry - r.exit) / state.flattened_radius;

@@ -57,7 +57,8 @@ BiteStiffness slab_stiffness(const RollBite &bite, const BiteState &state)
   const double A    = 2 * (1 - m.poisson_ratio * m.poisson_ratio) / (M_PI * m.youngs_modulus);
   // Of the loaded roll: the arc of its circle, or the contact of a free arc, which its elastic zones make longer.
   const double draft = bite.strip.entry_thickness - bite.strip.exit_thickness;
-  const double l     = std::max(std::sqrt(state.flattened_radius * draft), state.arc_length - state.exit_position);
+  const double l     = std::max(
+          {std::sqrt(state.flattened_radius * draft), state.arc_length - state.exit_position, state.contact_length});
   BiteStiffness k;
   k.plastic_slope           = -by(state.force_by, Input::exit_thickness);
   k.plastic_slope_following = -state.force_by_exit_following;

@@ -1,6 +1,7 @@
 #include "core/base/errors.h"
 #include "reduce/bite/arc/half_plane.h"
 #include "reduce/bite/slab/elastic_arc.h"
+#include "reduce/bite/slab/slab_bite.h"
 #include "tests/support/demo_pass.h"
 #include "tests/support/friction_laws.h"
 #include "tests/support/near.h"
@@ -123,6 +124,26 @@ TEST(ElasticArc, StateHoldsTogether)
   EXPECT_TRUE(near(s.flattened_radius * (bite.strip.entry_thickness - bite.strip.exit_thickness),
                    std::pow(s.arc_length - s.exit_position, 2), within(1e-12, "definition")));
   EXPECT_EQ(s.model, "Karman slab, elastic arc");
+}
+
+// (8.12) takes the whole contact, of which the elastic zones are the larger part at a small reduction: the half
+// plane under the pressure that was found, at the point where its displacement is largest.
+TEST(ElasticArc, FlatteningIsThatOfTheWholeContact)
+{
+  for (const double reduction : {0.05, 0.1, 0.3}) {
+    RollBite bite             = thin_strip();
+    bite.strip.exit_thickness = (1 - reduction) * bite.strip.entry_thickness;
+    const BiteState s         = solve(bite, nullptr, true);
+    const auto n              = s.position.size();
+    const double cells        = s.position[1] - s.position[0] + s.position[n - 1] - s.position[n - 2];
+    EXPECT_GE(s.contact_length, s.position[n - 1] - s.position[0]) << reduction;
+    EXPECT_LE(s.contact_length, s.position[n - 1] - s.position[0] + 2 * cells) << reduction;
+    EXPECT_GT(s.contact_length, s.arc_length - s.exit_position) << "elastic zones; reduction " << reduction;
+    const ArcFlexibility plane = half_plane_flexibility(s.position, bite.roll, bite.roll_radius);
+    EXPECT_TRUE(near(slab_stiffness(bite, s).flattening, s.force / (plane.influence * s.pressure).maxCoeff(),
+                     within(0.04, "(8.12) has an elliptic pressure, the bite a friction hill")))
+        << reduction;
+  }
 }
 
 TEST(ElasticArc, EveryFrictionLaw)
