@@ -415,6 +415,28 @@ TEST(Docs, EquationNumbersThatTheCodeCitesExist)
   EXPECT_GT(seen, 800u) << "the pattern no longer finds the citations";
 }
 
+// A reader goes from the page of a run to docs/report.md by the title of the section.
+TEST(Docs, EverySectionOfThePageOfARunIsExplained)
+{
+  std::stringstream explained;
+  explained << std::ifstream(root / "docs/report.md").rdbuf();
+  const std::regex section(R"re(page\.section\("[^"]+", "([^"]+)")re");
+  std::size_t seen = 0;
+  for (const Source &source : sources({"report"})) {
+    if (source.name.rfind("report/twin/", 0) == 0 || source.name.rfind("report/study/", 0) == 0 ||
+        source.name.rfind("report/compare/", 0) == 0)
+      continue;  // pages of other verbs
+    for (const std::string &line : source.lines)
+      if (std::smatch found;
+          line.find("page.section(") != std::string::npos && std::regex_search(line, found, section)) {
+        ++seen;
+        EXPECT_NE(explained.str().find("**" + found[1].str()), std::string::npos)
+            << source.name << ": section '" << found[1] << "' is not in docs/report.md";
+      }
+  }
+  EXPECT_GT(seen, 18u) << "the pattern does not find the sections";
+}
+
 TEST(Tree, LongFilesAreListed)
 {
   // Not a failure: a long table is fine, a long function is not.
