@@ -164,8 +164,8 @@ std::string results(const std::string &topic)
   return listed.empty() ? completed : listed;
 }
 
-// Rows of docs/input.md: key, form, range, default, example, meaning, below the section "[work_roll]".
-// Of each row of docs/input.md: the key, the key with its section, all cells.
+// Of each row of docs/input.md: the key, the key with its section, all cells (key, form, range, default, example,
+// meaning).
 void each_key(
     const std::function<void(const std::string &, const std::string &, const std::vector<std::string> &)> &use)
 {

@@ -17,7 +17,7 @@ struct StackBite {
 /// @throws InputError, SolverError  what the slab theory refuses
 StackBite stack_bite(const StackInput &input, const Stack &stack, const Pass &pass, double force);
 
-/// Keys that the bite lacks, with commas: "strip.friction, strip.entry_thickness"; empty: it says enough.
+/// Keys that the bite of pass p (from 0) lacks, with commas: "strip.friction, pass.0.speed"; empty: all are given.
 std::string missing_of_bite(const StackInput &input, std::size_t p);
 
 /// The stack with the slopes of its bite, where law = "bite"; else as it is.  theory.md (51.5)

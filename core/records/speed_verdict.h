@@ -42,7 +42,7 @@ struct SpeedVerdict {
   double frequency = std::numeric_limits<double>::quiet_NaN();  ///< Hz, of the mode that becomes unstable first
   double damping   = std::numeric_limits<double>::quiet_NaN();  ///< -, of the gap mode at the speed of the pass
   double growth    = std::numeric_limits<double>::quiet_NaN();  ///< 1/s, of the least stable mode at that speed
-  std::vector<std::string> missing;                             ///< keys: "pass.speed"
+  std::vector<std::string> missing;                             ///< keys: "pass.0.speed"
   std::string cause;                                            ///< why the bite does not converge
   std::string remedy;                                           ///< a sentence; may be empty
   /// 1 - speed/critical; NaN without a critical speed.
@@ -51,7 +51,7 @@ struct SpeedVerdict {
   bool is_doubtful() const;
 };
 
-/// Of a pass whose critical speed is not searched because these keys are missing: "pass.speed".
+/// Of a pass whose critical speed is not searched because these keys are missing: "pass.0.speed".
 SpeedVerdict not_searched(const std::string &pass, double speed, const std::vector<std::string> &missing);
 
 /// The same before a run, as `check` says it.

@@ -9,12 +9,12 @@ struct ScaledModes;
 
 /// Exact solver of a contact problem; keeps the active set and its Cholesky factor from one loading to the next.
 ///
-/// Each iteration evaluates the conditions on all nodes for the present set, and then settles the nodes in doubt
-/// (those that violate a condition, and their next of kin by force or gap) against each other exactly, with all
-/// others held.  It ends when no node violates a condition: there is no tolerance to choose and no penalty.
-/// A cold start takes its set from the same problem on groups of neighbouring nodes.  When the exchange does not
-/// end, the set is followed from a known equilibrium by continuation (continuation.h), which ends for every
-/// positive definite C.  theory.md 9
+/// Each iteration evaluates the conditions on all nodes with the present set.  Then it solves exactly for the
+/// nodes in doubt (those that violate a condition, and those whose force or gap is nearest to zero) with all
+/// others held. It ends when every node satisfies its condition: neither a tolerance nor a penalty has to be
+/// chosen. A cold start takes its set from the same problem on groups of neighbouring nodes.  When the exchange
+/// does not end, the set is followed from a known equilibrium by continuation (continuation.h), which ends for
+/// every positive definite C.  Chapter 9 of docs/theory.md
 ///
 /// Example:
 ///   ActiveSet solver({C, G, {}, gap});
@@ -22,7 +22,7 @@ struct ScaledModes;
 ///     curve.push_back(solver.solve({Eigen::VectorXd::Constant(1, force)}).motion[0]);
 class ActiveSet {
 public:
-  /// Takes the problem over; move it in to avoid a copy of C.
+  /// Keeps the problem as its own; pass it with std::move to avoid a copy of C.
   /// @throws InputError  sizes that do not fit, NaN or infinity, a diagonal of C not positive
   explicit ActiveSet(Problem problem);
   ~ActiveSet();

@@ -4,7 +4,7 @@
 #include <vector>
 
 namespace mill::reduce {
-/// Springs of the load path that the frame does not bring along, whole stand.
+/// Springs of the load path that are not part of the frame, whole stand.
 struct PathSprings {
   double K_Zy_upper = 0;  ///< N/m, both bearings of the upper backup roll
   double K_Zy_lower = 0;  ///< N/m, both bearings of the lower backup roll
@@ -19,11 +19,11 @@ struct SeriesSprings {
   double K7 = 0;  ///< N/m, lower frame, (4.1d)
 };
 
-/// A mass or stiffness of the frame that may be off.
+/// A mass or stiffness of the frame, with its error.
 struct FrameValue {
   double Frame::*member;
   double error;               ///< -, relative; NaN: not stated
-  std::string tolerance_key;  ///< that would say it, "frame.piston_mass_tolerance"
+  std::string tolerance_key;  ///< key of that error, "frame.piston_mass_tolerance"
   std::string source;         ///< of an estimated one: those of one source move together; empty: not estimated
 };
 
@@ -45,7 +45,8 @@ Frame with_masses_at_the_chain(Frame frame, double K1 = not_given, double K7 = n
 /// @throws InputError  the given spring is stiffer than the parts behind it alone
 Frame with_given_springs(Frame frame, const PathSprings &path, double K2, double K6);
 
-/// Displacement of the parts of the load path under a bite force of 1 N, counted from the ground.  theory.md (4.2)
+/// Displacement of the parts of the load path under a bite force of 1 N, measured from the ground.  theory.md
+/// (4.2)
 struct Flexibilities {
   double frame_upper   = 0;  ///< m/N, M1: 1/K1
   double cylinder      = 0;  ///< m/N, u_yg

@@ -14,7 +14,7 @@ struct GrowthRate {
   double law =
       std::numeric_limits<double>::quiet_NaN();  ///< 1/s, standard deviation, sqrt(|sigma|/T): a lower bound
   double duration  = 0;                          ///< s, T
-  double frequency = 0;                          ///< Hz, of the mode, the turn of the envelope counted
+  double frequency = 0;                          ///< Hz, of the mode; the rotation of the envelope is added
   double kept =
       0;  ///< -, correlation left at the first lag beyond the filter; below 0.3 the mode decays too fast for this
   double tone = 0;  ///< -, share of the mean square in steady tones that were taken off first, (41.18); 0: none
@@ -24,11 +24,11 @@ struct GrowthRate {
 };
 GrowthRate growth_rate(const ComplexEnvelope &envelope);
 
-/// Onset of chatter: the amplitude above five baselines twice running.  theory.md (41.14)
+/// Onset of chatter: the amplitude is above five baselines in two successive values.  theory.md (41.14)
 struct Alarm {
   double time;      ///< s
   double level;     ///< 0-peak, unit of the channel
-  double baseline;  ///< the same, of the 30 s before less the last one
+  double baseline;  ///< the same, of the 30 s before, without the last second
   double sigma;     ///< 1/s, over the last 0.2 s
   double to_limit;  ///< s until the limit at this growth; NaN: no limit given, or it decays
 };
