@@ -210,7 +210,7 @@ void LiveMill::tell_all(const Tell &to)
 void LiveMill::tell_numbers(const Tell &to)
 {
   live::PageNumbers out;
-  const auto n = std::min<std::int64_t>(s_ - told_, second);
+  const auto n = std::min<std::int64_t>(s_ - sent_, second);
   out.s        = s_;
   out.utc      = begin_ + double(s_) / rate;
   out.state    = "running";
@@ -233,7 +233,7 @@ void LiveMill::tell_numbers(const Tell &to)
   }
   if (!held.empty())
     out.displacement = held;
-  told_ = s_;
+  sent_ = s_;
   to(live::event_names::numbers, live::numbers_text(out));
 }
 

@@ -59,7 +59,7 @@ private:
   std::array<double, 8> factor_;  // K1..K7, damping
   Model twin_, mill_;
   std::vector<double> force_;  // one second
-  std::int64_t s_ = 0, told_ = 0;
+  std::int64_t s_ = 0, sent_ = 0;
   double begin_;                                           // s since 1970
   std::vector<std::vector<double>> simulated_, measured_;  // last second, by place
   std::vector<std::vector<float>> slow_;

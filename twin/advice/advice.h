@@ -29,7 +29,7 @@ struct RatedAction {
   std::string means;                    ///< what could bring the change about
   double change      = 0;               ///< -, relative change of the goal, recomputed
   double spread      = std::numeric_limits<double>::quiet_NaN();  ///< -, sd of the change by errors of the stand
-  double verified    = 0;  ///< -, the change that counts: in the most detailed model, with its least effect there
+  double verified    = 0;  ///< -, the change that decides: in the most detailed model, with its least effect there
   double first_order = 0;  ///< -, what the slopes say; never the answer
   double apart = std::numeric_limits<double>::quiet_NaN();  ///< -, of a pair: both changes one after the other
   double gain  = 0;                                         ///< -, > 0: it helps; what actions are ranked by
@@ -88,7 +88,7 @@ struct TunedChoice {
 };
 
 /// A parameter that records do not identify, and the source of this statement.
-struct UntoldParameter {
+struct UnidentifiedParameter {
   std::string name;  ///< "K2", "zeta"
   std::string why;
 };
@@ -104,7 +104,7 @@ struct LevelQuestion {
   double softening      = 0.10;    ///< -, most that the stiffness of the stand under the bite force may fall
   std::optional<RolledPass> pass;  ///< that it rolls; needs AdvisedStand::open
   int paired = 3;                  ///< so many of the best single actions are tried in pairs
-  std::vector<UntoldParameter> untold;
+  std::vector<UnidentifiedParameter> unidentified;
   std::map<std::string, double> spring_error;  ///< -, relative sd of springs; one that is not there counts 10 %
   double damping_error = 0.7;                  ///< -, sd of ln of the damping ratios: a factor of two
 };

@@ -370,7 +370,7 @@ private:
       action.chain_only = action.remarks.size();
       action.remarks.push_back("chain only: a damper sits on chocks, which the six masses do not have");
     }
-    for (const UntoldParameter &one : asked_.untold) {
+    for (const UnidentifiedParameter &one : asked_.unidentified) {
       const bool changed = std::count(action.parameters.begin(), action.parameters.end(), one.name) > 0;
       const double slope = own_.chain ? advice_.slopes.of(asked_.place, one.name) : 0;
       if (changed || std::abs(slope) > notable_slope)

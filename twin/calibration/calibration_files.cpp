@@ -78,7 +78,7 @@ ordered_json unknowns_of(const CalibrationInput &input, const Calibration &resul
 
                    {"shrink", finite(u.shrink)},
                    {"moved", finite((u.estimate - input.unknowns[i].prior) / u.prior_sd)},
-                   {"told", u.identified},
+                   {"identified", u.identified},
                    {"taken", u.taken},
                    {"kept", finite(u.kept)},
                    {"shown", {{"value", shown.value}, {"low", shown.low}, {"high", shown.high}}},

@@ -20,7 +20,7 @@
 namespace mill {
 namespace {
 // "calibrated: records .., not identified: K1, K2": those it names, or the value itself where it names none.
-bool says_untold(const std::string &name, const std::string &text)
+bool says_unidentified(const std::string &name, const std::string &text)
 {
   const std::string words = "not identified";
   const auto begin        = text.find(words);
@@ -51,8 +51,8 @@ void add_errors(AdvisedModel &model, const Case &the_case, const LumpedModel &ch
       model.spring_error[name] = error->second;
     else if (spring.value > 0)
       silent += (silent.empty() ? "" : ", ") + name;
-    if (says_untold(name, source))
-      model.untold.push_back({name, "which the records do not identify (" + source + ")"});
+    if (says_unidentified(name, source))
+      model.unidentified.push_back({name, "which the records do not identify (" + source + ")"});
   }
   if (!stated.source.empty())
     model.notes.push_back("the spread of a change takes the errors of springs stated by " + stated.source);

@@ -32,7 +32,7 @@ struct AdvisedModel {
       detailed;  ///< where the case is a drawing; actions of the chain are tried again here
   std::optional<twin::RolledPass> pass;        ///< where the case says enough of it
   std::map<std::string, double> spring_error;  ///< -, relative error of springs of the chain, as far as known
-  std::vector<twin::UntoldParameter> untold;
+  std::vector<twin::UnidentifiedParameter> unidentified;
   double limit = 1000;  ///< Hz, up to which its modes are right
   std::vector<Note> notes;
 };

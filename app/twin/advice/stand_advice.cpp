@@ -305,7 +305,7 @@ twin::AdviceRecord stand_advice(const Case &the_case, const std::string &measure
   question.tuned           = tuned_choices(advised, asked, question.place, the_case);
   question.rise_elsewhere  = asked.rise_elsewhere;
   question.softening       = asked.softening;
-  question.untold          = model.untold;
+  question.unidentified    = model.unidentified;
   question.spring_error    = model.spring_error;
   question.pass            = model.pass;
   twin::LevelAdvice advice = twin::level_advice(model.advised, question);

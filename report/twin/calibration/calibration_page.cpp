@@ -44,7 +44,7 @@ std::string unknowns_table(const json &unknowns)
 {
   std::string rows;
   for (const json &u : unknowns) {
-    const bool identified = u["told"].get<bool>();
+    const bool identified = is_identified(u);
     rows += "<tr><th scope=\"row\"><code>" + escaped(u["name"].get<std::string>()) + "</code></th>" +
             figure_cell(u.value("taken", identified) ? "<b>" + change(u, "value") + "</b>" : "kept") +
             figure_cell(change(u, "low") + " … " + change(u, "high")) +
@@ -147,7 +147,7 @@ std::string head_of(const json &document)
   const auto status = choice_named<CalibrationStatus>(document["status"].get<std::string>());
   int identified    = 0;
   for (const json &u : document["unknowns"])
-    identified += u["told"].get<bool>();
+    identified += is_identified(u);
   const std::string count =
       fmt::format("{} of {} unknowns are identified by these records", identified, document["unknowns"].size());
   if (status == CalibrationStatus::ok)

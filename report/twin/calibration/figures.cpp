@@ -64,6 +64,12 @@ std::string force_drawing(const Table &force)
   return svg_plot(plot);
 }
 
+bool is_identified(const json &unknown)
+{
+  const char *const earlier = "told";  // name of the entry in folders of earlier versions
+  return unknown.value("identified", unknown.value(earlier, false));
+}
+
 std::string moved_drawing(const json &unknowns)
 {
   Plot plot;
@@ -79,7 +85,8 @@ std::string moved_drawing(const json &unknowns)
   for (const json &u : unknowns) {
     const double sd = value_of(u["prior_sd"]), prior = value_of(u["prior"]);
     plot.x.categories.push_back(u["name"].get<std::string>());
-    auto &x = u["told"].get<bool>() ? tx : ox, &y = u["told"].get<bool>() ? ty : oy;
+    const bool sure = is_identified(u);
+    auto &x = sure ? tx : ox, &y = sure ? ty : oy;
     for (const double at :
          {value_of(u["interval"][0]), value_of(u["estimate"]), value_of(u["interval"][1]), std::nan("")}) {
       x.push_back(double(i));

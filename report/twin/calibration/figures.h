@@ -12,6 +12,9 @@ std::vector<std::string> response_drawings(const Table &response, const nlohmann
 /// Density of a force that was not recorded, with its interval; empty where the table has none.
 std::string force_drawing(const Table &force);
 
+/// The records determine this unknown of calibration.json; false where the entry is missing.
+bool is_identified(const nlohmann::json &unknown);
+
 /// How far each unknown moved, in deviations of its prior, with its interval.
 std::string moved_drawing(const nlohmann::json &unknowns);
 

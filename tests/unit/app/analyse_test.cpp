@@ -150,7 +150,8 @@ void write_impacts(const std::string &path, const double rate_of_impacts)
 }  // namespace
 
 // Ten balls of 20 mm on a circle of 90 mm at 60 deg: gamma = 1/9, so that 40/9 balls pass a point of the outer
-// ring in a turn of the roll, whose harmonics are none of the turns; 4 m/s on 400 mm are 3.183 turns in a second.
+// ring in a turn of the roll, whose harmonics are not those of the turns; 4 m/s on 400 mm are 3.183 turns in a
+// second.
 TEST(Analyse, NamesTheFaultOfABallBearing)
 {
   const std::string folder = scratch("analyse-balls");

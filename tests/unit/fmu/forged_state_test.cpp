@@ -43,7 +43,7 @@ std::string state_of(Client2 &client)
   return bytes;
 }
 
-// What the client is told of these bytes; a state that is taken is stepped from.
+// What the client learns of these bytes; a state that is taken is stepped from.
 int taken(Client2 &client, const std::string &bytes)
 {
   fmi2FMUstate state = nullptr;

@@ -1,5 +1,5 @@
 // Accelerations without a recorded force: slopes and curvature of their likelihood, what they tell beside what
-// a plan foretold, and the verdict on a stand.
+// a plan made before, and the verdict on a stand.
 #include "dynamics/response/response_slopes.h"
 #include "tests/support/calibration_record.h"
 #include "tests/support/near.h"

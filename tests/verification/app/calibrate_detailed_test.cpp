@@ -85,7 +85,7 @@ TEST(CalibrateDetailed, ConnectionsOfBeamsComeOutOfARecordAndBackAsACase)
   const auto document = nlohmann::json::parse(read_text(beams.folder + "/out/calibration.json"));
   for (const auto &u : document["unknowns"]) {
     const std::string name = u["name"];
-    EXPECT_TRUE(u["told"].get<bool>()) << name;
+    EXPECT_TRUE(u["identified"].get<bool>()) << name;
     EXPECT_LT(std::abs(u["estimate"].get<double>() - truth.at(name)), 3.5 * u["sd"].get<double>()) << name;
     EXPECT_LT(u["sd"].get<double>(), 0.02) << name;
   }

@@ -359,7 +359,7 @@ TEST(LevelAdvice, AnotherRollThatVibratesMoreIsALimit)
 TEST(LevelAdvice, StatesTheParametersItRestsOn)
 {
   LevelQuestion q          = usual_question(set_r().advised);
-  q.untold                 = {{"K2", "which the records do not tell"}, {"K3", "which the records do not tell"}};
+  q.unidentified           = {{"K2", "which the records do not tell"}, {"K3", "which the records do not tell"}};
   const LevelAdvice advice = level_advice(set_r().advised, q);
   const std::string chain  = "chain only: a damper sits on chocks, which the six masses do not have";
   for (const RatedAction &one : advice.actions) {

@@ -186,7 +186,7 @@ std::string proposal_text(const PageProposal &proposal)
   out.member("state", proposal.state).member("file", proposal.file);
   list(out, "values", proposal.values, [&](const ProposedValue &v) {
     out.open('{').member("key", v.key).member("unit", v.unit).member("from", v.from).member("to", v.to);
-    out.member("low", v.low).member("high", v.high).flag("told", v.identified).close('}');
+    out.member("low", v.low).member("high", v.high).flag("identified", v.identified).close('}');
   });
   return out.close('}').str();
 }

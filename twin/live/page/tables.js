@@ -134,7 +134,7 @@ export function fillAlarms(mill, send) {
 }
 
 function values(proposal) {
-  return proposal.values.map(v => ` ${v.key} ${scaled(v.from, v.unit)} → ${scaled(v.to, v.unit)}${v.told ? "" : " (not identified)"}`).join(";");
+  return proposal.values.map(v => ` ${v.key} ${scaled(v.from, v.unit)} → ${scaled(v.to, v.unit)}${v.identified ? "" : " (not identified)"}`).join(";");
 }
 
 export function fillAdvice(mill) {
