@@ -59,7 +59,7 @@ ordered_json job_json(const JobState &job)
   return {{"id", job.id},           {"status", job.status ? word_of(*job.status) : ""},
           {"stage", job.stage},     {"percent", job.percent},
           {"seconds", job.seconds}, {"left", job.left},
-          {"said", job.printed},    {"file", job.file}};
+          {"printed", job.printed}, {"file", job.file}};
 }
 
 std::string path_of_case(const CommandLine &command)

@@ -14,10 +14,12 @@ public:
   {
     mill::live::EngineHooks hooks;
     hooks.observers.push_back([this](const mill::live::LiveBlock &block) { blocks.push_back(block); });
-    hooks.said = [this](const std::string &kind, const std::string &text) { said.push_back(kind + ": " + text); };
-    engine_    = std::make_unique<mill::live::Engine>(model, hooks);
+    hooks.reported = [this](const std::string &kind, const std::string &text) {
+      messages.push_back(kind + ": " + text);
+    };
+    engine_ = std::make_unique<mill::live::Engine>(model, hooks);
     if (state)
-      said.push_back(engine_->resume(*state));
+      messages.push_back(engine_->resume(*state));
     engine_->take(mill::live::SourceHead{rate, {}, "test", {{"force", "N"}}, {1}});
   }
   /// Force in N, in blocks; NaN: null.
@@ -55,7 +57,7 @@ public:
   }
 
   std::vector<mill::live::LiveBlock> blocks;
-  std::vector<std::string> said;
+  std::vector<std::string> messages;
 
 private:
   std::unique_ptr<mill::live::Engine> engine_;

@@ -141,7 +141,7 @@ export function drawJob(job) {
   const left = job.left >= 0 ? `, about ${job.left < 90 ? `${Math.ceil(job.left)} s` : `${Math.ceil(job.left / 60)} min`} left` : "";
   byId("run-note").textContent = running ? `${job.percent} %, ${job.stage}${left}` : job.status ? `${job.id}: ${job.status}${job.seconds ? ` after ${Math.round(job.seconds)} s` : ""}` : "";
   if (job.status === "failed")
-    byId("run-answer").replaceChildren(make("pre", { textContent: job.said }));
+    byId("run-answer").replaceChildren(make("pre", { textContent: job.printed }));
   if (job.status !== "done")
     return;
   if (job.id.startsWith("run-")) {

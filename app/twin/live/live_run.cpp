@@ -98,8 +98,8 @@ live::EngineHooks LiveRun::hooks()
   hooks.motion = [this](const std::int64_t first, const double step, const Eigen::MatrixXd &motion) {
     page_.motion(first, step, motion);
   };
-  hooks.said  = [this](const std::string &kind, const std::string &text) { console_.say(kind, text); };
-  hooks.adopt = [this](const std::int64_t proposal) {
+  hooks.reported = [this](const std::string &kind, const std::string &text) { console_.say(kind, text); };
+  hooks.adopt    = [this](const std::int64_t proposal) {
     auto model = comparison_.adopt(proposal);
     if (model)
       last_second_ = 0;  // stored at once, so that a kill does not undo it

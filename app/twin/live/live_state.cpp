@@ -64,7 +64,7 @@ LiveState::LiveState(const std::string &folder) : path_(folder + "/state.json")
   remove_stale_parts(folder);  // what a kill left while a text was written aside
 }
 
-std::optional<nlohmann::json> LiveState::read(const std::function<void(const std::string &)> &said) const
+std::optional<nlohmann::json> LiveState::read(const std::function<void(const std::string &)> &report) const
 {
   std::error_code error;
   if (!fs::exists(path_, error))
@@ -76,8 +76,8 @@ std::optional<nlohmann::json> LiveState::read(const std::function<void(const std
     return json;
   const std::string aside = path_ + ".damaged";
   fs::rename(path_, aside, error);
-  said(fmt::format("the stored state {} is damaged and cannot be read; the twin starts without it{}", path_,
-                   error ? "" : ", it is kept as " + aside));
+  report(fmt::format("the stored state {} is damaged and cannot be read; the twin starts without it{}", path_,
+                     error ? "" : ", it is kept as " + aside));
   return {};
 }
 

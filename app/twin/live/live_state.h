@@ -28,8 +28,8 @@ public:
   explicit LiveState(const std::string &folder);
   /// The stored state; nothing where there is none, or where it cannot be read: then it is renamed to
   /// state.json.damaged.
-  /// @param said  why it cannot be read, a sentence
-  std::optional<nlohmann::json> read(const std::function<void(const std::string &)> &said) const;
+  /// @param report  why it cannot be read, a sentence
+  std::optional<nlohmann::json> read(const std::function<void(const std::string &)> &report) const;
   /// In the background, unless an earlier one is still being written.
   /// @returns whether it will be written
   bool write(const nlohmann::json &state, live::Background &background,

@@ -171,8 +171,8 @@ TEST(DataPort, ClosesConnectionsThatAreNotASource)
       "{\"rejected\":\"no JSON from byte 1 on\",\"line\":1,\"closed\":\"the first line has to be a head\"}\n");
   RawClient garbage(port.port());
   garbage.send(head + "x\nx\nx\nx\nx\n" + block(0, 1));
-  const std::string said = garbage.rest();
-  EXPECT_NE(said.find("\"line\":6,\"closed\":\"five bad lines in a row\"}\n"), std::string::npos) << said;
+  const std::string answer = garbage.rest();
+  EXPECT_NE(answer.find("\"line\":6,\"closed\":\"five bad lines in a row\"}\n"), std::string::npos) << answer;
   EXPECT_EQ(queue.samples(), 0);
   RawClient blank(port.port());
   blank.send(std::string(200000, '\n') + head);

@@ -134,11 +134,11 @@ TEST(LiveGaps, ReportsAMinuteThatComesAgain)
   run.engine().take(live::SourceHead{100, 1000.0, "a", {{"force", "N"}}, {1}});
   run.send(steps_of_force(20000), 100, 0);
   run.engine().take(live::SourceHead{100, 900.0, "a", {{"force", "N"}}, {1}});
-  run.said.clear();
+  run.messages.clear();
   run.send(steps_of_force(15000), 100, 10000);
-  ASSERT_EQ(run.said.size(), 1u);
+  ASSERT_EQ(run.messages.size(), 1u);
   EXPECT_EQ(
-      run.said[0],
+      run.messages[0],
       "clock: a minute of samples that were taken already has come again, up to s = 16100 where 30000 is the "
       "next: they count as doubled and move nothing. If the clock of the source was set back, let it send a "
       "head without \"start\", or start the twin with --fresh");
@@ -154,7 +154,7 @@ TEST(LiveGaps, StateOfAnotherCaseIsNotTaken)
   other.hash       = "another";
   LiveSamples second(other, 1000, &state);
   EXPECT_EQ(
-      second.said.front(),
+      second.messages.front(),
       "the stored state belongs to another case, or to other values of this one; the twin starts without it");
   EXPECT_EQ(second.engine().resumed_at(), 0);
 }

@@ -40,7 +40,7 @@ TEST(LiveLosses, ARefusedOrDroppedBlockIsAGap)
       }
     EXPECT_EQ(gaps, 2) << dropped;
     EXPECT_EQ(run.blocks.back().first + run.blocks.back().force.size(), 2400);
-    EXPECT_EQ(run.said.back(), "gap: 400 samples before s = 1400 are missing");
+    EXPECT_EQ(run.messages.back(), "gap: 400 samples before s = 1400 are missing");
     EXPECT_TRUE(run.engine().book()->balanced());
     EXPECT_EQ(run.engine().book()->channels()[0].missing, 0);
   }
@@ -66,7 +66,7 @@ TEST(LiveLosses, ASourceMayBeginWithALoss)
     EXPECT_EQ(dropped ? account.overrun : account.rejected, 50);
     EXPECT_TRUE(run.engine().book()->balanced());
     const auto state = run.engine().state();
-    EXPECT_EQ(LiveSamples(stand_of_r3(), 2000, &state).said.at(0), "goes on at s = 1150 of source \"test\"");
+    EXPECT_EQ(LiveSamples(stand_of_r3(), 2000, &state).messages.at(0), "goes on at s = 1150 of source \"test\"");
   }
 }
 
@@ -125,7 +125,7 @@ TEST(LiveLosses, AnImpossibleValueIsMissing)
               1e-12 * whole.simulated().cwiseAbs().maxCoeff());
     EXPECT_EQ(run.engine().book()->channels()[0].missing, 1);
     EXPECT_EQ(run.engine().book()->channels()[0].processed, 1001);
-    EXPECT_EQ(std::count_if(run.said.begin(), run.said.end(),
+    EXPECT_EQ(std::count_if(run.messages.begin(), run.messages.end(),
                             [](const std::string &text) {
                               return text.rfind("note: channel \"force\" is ", 0) == 0 &&
                                      text.find(" at s = 500: ") != std::string::npos;

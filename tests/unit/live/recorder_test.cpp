@@ -59,7 +59,7 @@ Eigen::MatrixXd rows(const std::int64_t first, const Eigen::Index n)
 
 struct Recording {
   Folder folder;
-  std::vector<std::string> said;
+  std::vector<std::string> messages;
   std::unique_ptr<live::Background> background = std::make_unique<live::Background>();
   std::unique_ptr<live::Recorder> recorder;
   explicit Recording(const live::KeptRecords &kept = {})
@@ -71,7 +71,7 @@ struct Recording {
     settings.kept      = kept;
     recorder           = std::make_unique<live::Recorder>(
         settings, *background,
-        [this](const std::string &kind, const std::string &text) { said.push_back(kind + ": " + text); },
+        [this](const std::string &kind, const std::string &text) { messages.push_back(kind + ": " + text); },
         [] { return R"({"gaps":1})"; });
     recorder->begin(source());
   }
@@ -157,23 +157,23 @@ TEST(Recorder, APartIsReadableWhileItGrowsAndFinishedAfterwards)
   fs::copy_file(to.folder.path + "/20260105T100000Z_0.json", to.folder.path + "/copy.json");
   const auto record = twin::read_npy_record(to.folder.path + "/copy.npy", {});
   EXPECT_EQ(record.n_samples(), 1200);
-  std::vector<std::string> said;
-  const auto hear = [&](const std::string &text) { said.push_back(text); };
+  std::vector<std::string> messages;
+  const auto hear = [&](const std::string &text) { messages.push_back(text); };
   EXPECT_TRUE(live::finish_parts(to.folder.path, hear).empty());
-  EXPECT_EQ(said.at(0), part + " is being written by another program");
+  EXPECT_EQ(messages.at(0), part + " is being written by another program");
   // what a killed program leaves: rows beyond the header's count and a piece of one
   const std::string left = to.folder.path + "/20260105T110000Z_77.npy.part";
   fs::copy_file(part, left);
   fs::copy_file(to.folder.path + "/copy.json", to.folder.path + "/20260105T110000Z_77.json");
   std::ofstream(left, std::ios::app | std::ios::binary) << std::string(20 * 3 + 7, '\1');
   std::ofstream(to.folder.path + "/20260105T120000Z_0.npy.part") << "something else";
-  said.clear();
+  messages.clear();
   const auto finished = live::finish_parts(to.folder.path, hear);
   ASSERT_EQ(finished.size(), 1u);
   EXPECT_EQ(finished[0].rows, 1203);
   const auto whole = twin::read_npy_record(to.folder.path + "/20260105T110000Z_77.npy", {});
   EXPECT_EQ(whole.n_samples(), 1203);
-  EXPECT_EQ(said.at(2),
+  EXPECT_EQ(messages.at(2),
             to.folder.path +
                 "/20260105T120000Z_0.npy.part cannot be finished, since it is not a recording; it stays "
                 "as it is");
@@ -204,9 +204,10 @@ TEST(Recorder, StopsWithANoteWhenTheDiskIsFull)
     to.recorder->add(100 * k, rows(100 * k, 100));
   ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &before), 0);
   EXPECT_FALSE(to.recorder->trouble().empty());
-  ASSERT_EQ(to.said.size(), 1u);
-  EXPECT_EQ(to.said[0], "recording: cannot write " + to.folder.path +
-                            "/20260105T100000Z_0.npy.part: File too large; recording stopped, the twin goes on");
+  ASSERT_EQ(to.messages.size(), 1u);
+  EXPECT_EQ(to.messages[0],
+            "recording: cannot write " + to.folder.path +
+                "/20260105T100000Z_0.npy.part: File too large; recording stopped, the twin goes on");
   to.recorder->add(5000, rows(5000, 100));
   to.end();
   const auto finished = live::finish_parts(to.folder.path, [](const std::string &) {});
@@ -226,7 +227,7 @@ TEST(Recorder, StopsWithANoteWhenTheFolderCannotBeRead)
                           "/20260105T100000Z_0.npy.part: Too many levels of symbolic links; recording stopped, "
                           "the twin goes on";
   EXPECT_EQ(to.recorder->trouble(), why);
-  EXPECT_EQ(to.said, std::vector<std::string>{"recording: " + why});
+  EXPECT_EQ(to.messages, std::vector<std::string>{"recording: " + why});
   to.end();
 }
 
@@ -239,7 +240,7 @@ TEST(Recorder, AFileWithoutItsNameIsNotComplete)
   const std::string stem = to.folder.path + "/20260105T100000Z_0";
   fs::create_directories(stem + ".npy/in the way");
   to.end();
-  EXPECT_EQ(to.said, std::vector<std::string>{"recording: " + stem + ".npy: Is a directory"});
+  EXPECT_EQ(to.messages, std::vector<std::string>{"recording: " + stem + ".npy: Is a directory"});
   EXPECT_TRUE(fs::exists(stem + ".npy.part"));
   const auto sidecar = nlohmann::json::parse(std::ifstream(stem + ".json"));
   EXPECT_FALSE(sidecar["complete"].get<bool>());

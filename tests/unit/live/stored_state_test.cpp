@@ -157,7 +157,7 @@ TEST(StoredState, GoesOnWithAdoptedSpringsAndSlidersOverThem)
 
 TEST(StoredState, ReportsOlderAndDamagedStates)
 {
-  const auto said = [](const char *pointer, const Json &value) {
+  const auto refusal_of = [](const char *pointer, const Json &value) {
     Json state                         = whole_state();
     state[Json::json_pointer(pointer)] = value;
     live::Engine engine(stored_twin(), {});
@@ -166,25 +166,26 @@ TEST(StoredState, ReportsOlderAndDamagedStates)
     EXPECT_TRUE(engine.model().adopted.empty()) << "nothing of it is taken: " << pointer;
     return text;
   };
-  EXPECT_EQ(said("/format", 1),
+  EXPECT_EQ(refusal_of("/format", 1),
             "the stored state is of another version of this program; the twin starts without it");
   EXPECT_EQ(
-      said("/case_hash", "other"),
+      refusal_of("/case_hash", "other"),
       "the stored state belongs to another case, or to other values of this one; the twin starts without it");
   EXPECT_EQ(
-      said("/motion/displacement", {1, 2}),
+      refusal_of("/motion/displacement", {1, 2}),
       "the stored state cannot be used: motion has a \"displacement\" that is not a list of 6 numbers; the twin "
       "starts without it");
-  EXPECT_EQ(said("/channels/0/offered", 7), "the stored state cannot be used: channels has an account that does "
-                                            "not balance; the twin starts without it");
-  EXPECT_EQ(said("/source/rate", 0),
+  EXPECT_EQ(refusal_of("/channels/0/offered", 7),
+            "the stored state cannot be used: channels has an account that does "
+            "not balance; the twin starts without it");
+  EXPECT_EQ(refusal_of("/source/rate", 0),
             "the stored state cannot be used: source has a \"rate\" of 0, outside 0.001 .. 1e+09; the twin starts "
             "without it");
   EXPECT_EQ(
-      said("/next", 1e30),
+      refusal_of("/next", 1e30),
       "the stored state cannot be used: it has a \"next\" that is not a whole number; the twin starts without it");
   EXPECT_EQ(
-      said("/adopted/springs/2/value", nullptr),
+      refusal_of("/adopted/springs/2/value", nullptr),
       "the stored state cannot be used: adopted has other springs than the case; the twin starts without it");
 }
 
@@ -262,8 +263,8 @@ TEST(StoredState, SurvivesAnyText)
       state = Json::parse(bytes, nullptr, false);
     }
     live::Engine engine(stored_twin(), {});
-    const std::string said = engine.resume(state);
-    ASSERT_FALSE(state.is_object() && said.empty() && engine.source()) << "whatever is taken is said";
+    const std::string message = engine.resume(state);
+    ASSERT_FALSE(state.is_object() && message.empty() && engine.source()) << "whatever is taken is said";
     ++(engine.source() ? taken : refused);
     if (engine.source()) {
       engine.take(live::SourceBlock{

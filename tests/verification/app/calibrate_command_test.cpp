@@ -175,15 +175,15 @@ TEST(CalibrateCommand, RecordsWithoutForceBecomeACase)
 
 TEST(CalibrateCommand, LevelsAloneDetermineOneNumber)
 {
-  const auto said = millstand("calibrate cases/published-levels.toml --measured cases/data/published-levels");
-  EXPECT_EQ(said.exit_code, 3);
-  EXPECT_NE(
-      said.out.find("refused: these levels determine 1 number, damping x bandwidth of the force (both slopes are "
-                    "near -0.5); neither of the two is printed, and no case is written"),
-      std::string::npos)
-      << said.out;
-  EXPECT_NE(said.out.find("zeta       0.64 of its prior deviation is left: not identified"), std::string::npos)
-      << said.out;
+  const auto levels = millstand("calibrate cases/published-levels.toml --measured cases/data/published-levels");
+  EXPECT_EQ(levels.exit_code, 3);
+  EXPECT_NE(levels.out.find(
+                "refused: these levels determine 1 number, damping x bandwidth of the force (both slopes are "
+                "near -0.5); neither of the two is printed, and no case is written"),
+            std::string::npos)
+      << levels.out;
+  EXPECT_NE(levels.out.find("zeta       0.64 of its prior deviation is left: not identified"), std::string::npos)
+      << levels.out;
 }
 
 TEST(CalibrateCommand, PlanPrintsWhatARecordWouldIdentify)

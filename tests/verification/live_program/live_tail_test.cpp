@@ -71,7 +71,7 @@ TEST(LiveTail, FaultsAreSaidAndCountedAndTheTwinGoesOn)
   EXPECT_EQ(program.counter("lines_refused_total"), 3);
   EXPECT_EQ(program.end(SIGTERM), 128 + SIGTERM);
 
-  const std::string said = program.printed();
+  const std::string printed = program.printed();
   for (const std::string &sentence : std::vector<std::string>{
            "refused: " + file +
                ":8002:9: '976x17.5' in column 'force' is not a number; leave the cell empty where there is no "
@@ -83,5 +83,5 @@ TEST(LiveTail, FaultsAreSaidAndCountedAndTheTwinGoesOn)
                ":10002: the time is 8997.5 s ahead of that of the line before, and the next line does not "
                "follow it\n",
            "note: " + file + ":11003: other columns from here on; it is read as a new record\n"})
-    EXPECT_NE(said.find(sentence), std::string::npos) << sentence << said;
+    EXPECT_NE(printed.find(sentence), std::string::npos) << sentence << printed;
 }

@@ -201,7 +201,7 @@ TEST(StudioHttp, AFailedRunQuotesTheTextThatWasRun)
   studio.post("/edit", {{"op", "import"}, {"as", "case"}, {"name", ""}, {"text", "title = \"of the page\"\n"}});
   ASSERT_EQ(studio.post("/run", {{"what", "run"}})["id"], "run-1");
   ASSERT_TRUE(ends_as(studio, "failed"));
-  const std::string printed = studio.get("/document")["job"]["said"];
+  const std::string printed = studio.get("/document")["job"]["printed"];
   EXPECT_NE(printed.find("1 | title = \"of the page\""), std::string::npos) << printed;
 }
 

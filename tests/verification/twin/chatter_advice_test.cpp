@@ -45,7 +45,7 @@ CriticalQuestion condition_2()
 }
 
 // "eta0 x 0.80" of the reference as the program says it.
-std::string said(const std::string &reference)
+std::string wording_of(const std::string &reference)
 {
   const std::string number = reference.substr(0, reference.find(' '));
   const double factor      = std::stod(reference.substr(reference.find("x ") + 2));
@@ -88,7 +88,7 @@ TEST(ChatterAdvice, EverySingleActionIsTheReference)
   const auto wanted           = reference("advice_chatter", "twin");
   EXPECT_TRUE(near(advice.now.speed, wanted["v_crit"].get<double>(), same_search));
   for (const auto &single : wanted["singles"]) {
-    const RatedAction &here = action(advice, said(single["action"]));
+    const RatedAction &here = action(advice, wording_of(single["action"]));
     EXPECT_TRUE(near(effect(here, "critical speed"), single["v_crit"].get<double>(), same_search)) << here.name;
     EXPECT_TRUE(
         near(here.change, single["change"].get<double>(), within(1e-5, "of the speed, not of its change", 1)))
@@ -108,8 +108,8 @@ TEST(ChatterAdvice, PairsAreRecomputedAndRankedByTheirEffect)
   ASSERT_EQ(wanted["pairs"].size(), 3u);
   for (const auto &two : wanted["pairs"]) {
     const auto name = [&](const int i) {
-      return said(two["actions"][std::size_t(i)][0].get<std::string>() + " x " +
-                  std::to_string(two["actions"][std::size_t(i)][1].get<double>()));
+      return wording_of(two["actions"][std::size_t(i)][0].get<std::string>() + " x " +
+                        std::to_string(two["actions"][std::size_t(i)][1].get<double>()));
     };
     const RatedAction &here = pair(advice, name(0), name(1));
     EXPECT_TRUE(near(effect(here, "critical speed"), two["v_crit"].get<double>(), same_search)) << here.name;
@@ -134,7 +134,7 @@ TEST(ChatterAdvice, PairsAreRecomputedAndRankedByTheirEffect)
       here.push_back(one.name);
   for (const auto &single : wanted["singles"])
     if (single["change"].get<double>() > 0)
-      there.push_back(said(single["action"]));
+      there.push_back(wording_of(single["action"]));
   EXPECT_EQ(here, there);
 }
 

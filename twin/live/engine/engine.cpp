@@ -42,8 +42,8 @@ Engine::Engine(TwinModel model, EngineHooks hooks)
 
 void Engine::say(const std::string &kind, const std::string &text) const
 {
-  if (hooks_.said)
-    hooks_.said(kind, text);
+  if (hooks_.reported)
+    hooks_.reported(kind, text);
 }
 
 bool Engine::settling() const

@@ -38,7 +38,7 @@ struct EngineHooks {
   /// Once a second of record: the displacements (places, instants, at most 256) m of a short piece, `step` s
   /// apart.
   std::function<void(std::int64_t first, double step, const Eigen::MatrixXd &)> motion;
-  std::function<void(const std::string &kind, const std::string &text)> said;  ///< notes, losses, refusals
+  std::function<void(const std::string &kind, const std::string &text)> reported;  ///< notes, losses, refusals
   /// The model of a proposal; nothing: there is none with this number.
   std::function<std::optional<TwinModel>(std::int64_t proposal)> adopt;
   std::function<void(const PageCommand &)> others;  ///< commands that are not about the model
