@@ -34,6 +34,11 @@ TEST(ShareTasks, WithoutMemoryForThreadsTheWorkIsStillDone)
 #if defined(__SANITIZE_ADDRESS__)
   GTEST_SKIP() << "the sanitizer maps terabytes of address space";
 #endif
+#ifdef __has_feature
+#if __has_feature(thread_sanitizer)
+  GTEST_SKIP() << "the sanitizer ends the program where it gets no memory of its own";
+#endif
+#endif
   std::vector<int> calls(1000, 0);
   {
     const AddressSpaceLimit tight(mapped_address_space() + (4u << 20));
