@@ -32,8 +32,8 @@ std::string shown(const Node &node);
 /// Reads a TOML file and lays the overrides "section.key=value" over it.  Passes are addressed by index, from 0:
 /// "pass.0.name=first".  A value that is not TOML is read as text, so that 'section.key=400 mm' needs no inner
 /// quotes; its place is "--set section.key=value", line 0.
-/// @throws InputError  file missing (with the nearest name in its folder), not TOML (with the place, and the remedy
-///                     for a quantity without quotes or a key given twice), override malformed
+/// @throws InputError  file missing (with the nearest name in its folder), not TOML (with the place, and the
+///                     remedy for a quantity without quotes or a key given twice), override malformed
 Node read_case_file(const std::string &path, const std::vector<std::string> &sets = {});
 /// The same of a text that stands in the place of the file `path`.
 Node read_case_text(const std::string &path, const std::string &text, const std::vector<std::string> &sets = {});

@@ -97,7 +97,7 @@ std::vector<std::string> lines_of(const std::string &text)
 // The phrases in a text, each with the text around it.
 std::vector<std::string> odd_english(std::string text)
 {
-  const std::string usual = "here is no ";  // "there is no file x", "There is .." are plain
+  const std::string usual = "here is no ";  // with "there" or "There" before it, it is plain
   for (auto position = text.find(usual); position != std::string::npos; position = text.find(usual))
     text.replace(position, usual.size(), "no ");
   std::vector<std::string> found;
